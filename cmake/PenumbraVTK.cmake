@@ -1,0 +1,67 @@
+# Finds one VTK, ParaView's or the plain one, and builds the module against it.
+
+# Debian keeps ParaView's copy of VTK beside its CMake package, out of find_package's default path.
+function(_penumbra_find_paraview_vtk out)
+  file(GLOB candidates
+    "/usr/lib/*/cmake/paraview-*/vtk" "/usr/lib/cmake/paraview-*/vtk" "/usr/local/lib/cmake/paraview-*/vtk"
+    "${ParaView_DIR}/vtk")
+  set(${out} "" PARENT_SCOPE)
+  foreach(candidate IN LISTS candidates)
+    if(EXISTS "${candidate}/vtk-config.cmake")
+      set(${out} "${candidate}" PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+if(NOT PENUMBRA_VTK MATCHES "^(auto|paraview|vtk)$")
+  message(FATAL_ERROR "PENUMBRA_VTK is '${PENUMBRA_VTK}': it must be auto, paraview or vtk.")
+endif()
+if(NOT PENUMBRA_VTK STREQUAL "vtk" AND NOT VTK_DIR)
+  _penumbra_find_paraview_vtk(_paraview_vtk)
+  if(_paraview_vtk)
+    set(VTK_DIR "${_paraview_vtk}" CACHE PATH "VTK's CMake package")
+  elseif(PENUMBRA_VTK STREQUAL "paraview")
+    message(FATAL_ERROR "PENUMBRA_VTK is 'paraview' but no ParaView development files were found: "
+      "install paraview-dev and python3-paraview, or configure with -DPENUMBRA_VTK=vtk.")
+  endif()
+endif()
+
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+set(_vtk_components
+  CommonCore CommonDataModel CommonMath CommonSystem CommonTransforms CommonExecutionModel
+  RenderingCore RenderingOpenGL2 RenderingUI
+  FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
+  ImagingCore IOImage)
+if(PENUMBRA_WRAP_PYTHON)
+  list(APPEND _vtk_components WrappingPythonCore Python)
+  # VTK was built for the system's interpreter; another python3 may come first on the path.
+  if(NOT Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
+    set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The interpreter VTK was wrapped for")
+  endif()
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${_vtk_components})
+message(STATUS "Penumbra: VTK ${VTK_VERSION} from ${VTK_DIR}")
+
+macro(penumbra_build_module)
+  vtk_module_find_modules(_penumbra_module_files "${CMAKE_CURRENT_SOURCE_DIR}/vtk_module")
+  vtk_module_scan(
+    MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/vtk_module/vtk.module"
+    PROVIDES_MODULES _penumbra_modules
+    REQUIRES_MODULES _penumbra_required
+    REQUEST_MODULES Penumbra::RenderingGI
+    ENABLE_TESTS OFF)
+  vtk_module_build(
+    MODULES ${_penumbra_modules}
+    INSTALL_EXPORT Penumbra
+    INSTALL_HEADERS ON
+    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/penumbra"
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/penumbra"
+    LIBRARY_NAME_SUFFIX ""
+    PACKAGE Penumbra
+    VERSION "${PROJECT_VERSION}"
+    SOVERSION "${PROJECT_VERSION_MAJOR}")
+  if(PENUMBRA_WRAP_PYTHON)
+    include(PenumbraPython)
+  endif()
+endmacro()

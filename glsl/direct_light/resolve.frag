@@ -1,0 +1,140 @@
+#version 430 core
+// The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
+// highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
+// GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
+// GI_RADIANCE (keep the linear radiance).
+#include "shared/view.h"
+#include "shared/light.h"
+#include "shared/material.h"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/phong.glsl"
+#include "lib/pbr.glsl"
+#include "lib/lights.glsl"
+
+layout(binding = 0) uniform sampler2D depthTexture;
+layout(binding = 1) uniform sampler2D albedoTexture;
+layout(binding = 2) uniform sampler2D normalTexture;
+layout(binding = 3) uniform sampler2D ambientTexture;
+layout(binding = 4) uniform sampler2D surfaceTexture;
+layout(binding = 5) uniform sampler2D emissionTexture;
+layout(binding = 6) uniform sampler2DArray directVisibility;
+layout(binding = 7) uniform sampler2D ambientVisibility;
+
+uniform int lightCount;
+uniform float ambientLight; // radiance of the uniform surroundings
+
+layout(location = 0) out vec4 color;
+#ifdef GI_RADIANCE
+layout(location = 1) out vec4 radiance;
+#endif
+
+float visibility(ivec2 pixel, int channel)
+{
+#ifdef GI_DIRECT_VISIBILITY
+  if (channel >= 0)
+  {
+    return texelFetch(directVisibility, ivec3(pixel, channel / 4), 0)[channel & 3];
+  }
+#endif
+  return 1.0;
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 albedo = texelFetch(albedoTexture, pixel, 0);
+  if (albedo.a == 0.0)
+  {
+    discard;
+  }
+  vec4 packedNormal = texelFetch(normalTexture, pixel, 0);
+  vec3 ambient = texelFetch(ambientTexture, pixel, 0).rgb;
+  int index = int(packedNormal.z * 65535.0 + 0.5);
+  float openness = 1.0;
+#ifdef GI_AMBIENT_VISIBILITY
+  openness = index == GI_MATERIAL_AS_DRAWN ? 1.0 : texelFetch(ambientVisibility, pixel, 0).r;
+#endif
+
+  vec3 N = giDecodeOctahedral(packedNormal.xy);
+#if defined(GI_POSITIONAL) || defined(GI_SPECULAR) || defined(GI_EXTENDED)
+  vec3 P = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r);
+  vec3 V = normalize(-P); // in a parallel projection too, as VTK does
+#else
+  vec3 P = vec3(0.0);
+  vec3 V = vec3(0.0, 0.0, 1.0);
+#endif
+#if defined(GI_SPECULAR) || defined(GI_EXTENDED)
+  MaterialData material = materials[index];
+#endif
+
+  vec3 light = vec3(0.0); // what reaches the surface, for its diffuse reflection
+  vec3 gloss = vec3(0.0); // what a Phong highlight reflects, or PBR altogether
+#ifdef GI_EXTENDED
+  bool pbr = material.Model.x == GI_MATERIAL_PBR;
+  vec4 surface = texelFetch(surfaceTexture, pixel, 0);
+  vec3 f0 = mix(vec3(material.Specular.w), albedo.rgb, surface.r);
+  vec3 f90 = mix(vec3(clamp(dot(f0, vec3(50.0 * 0.33)), 0.0, 1.0)), material.Specular.rgb, surface.r);
+#endif
+  for (int i = 0; i < lightCount; ++i)
+  {
+    LightData lamp = lights[i];
+    vec3 strength = lamp.Color.rgb * visibility(pixel, lamp.Kind.y);
+#ifdef GI_EXTENDED
+    if (pbr)
+    {
+#ifdef GI_HEADLIGHT
+      vec3 L = V;
+#else
+      GiIncident reaching = giIncident(lamp, P);
+      strength *= reaching.Attenuation;
+      vec3 L = -reaching.Travel;
+#endif
+      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, packedNormal.w, f0, f90);
+      continue;
+    }
+#endif
+#ifdef GI_HEADLIGHT
+    float facing = max(0.000001, N.z);
+    light += facing * strength;
+#ifdef GI_SPECULAR
+    gloss += pow(facing, material.Specular.w) * strength;
+#endif
+#else
+    GiIncident incident = giIncident(lamp, P);
+    float facing = max(0.0, incident.Attenuation * dot(N, -incident.Travel));
+    light += facing * strength;
+#ifdef GI_SPECULAR
+    gloss += facing > 0.0
+      ? incident.Attenuation * giPhongSpecular(N, incident.Travel, V, material.Specular.w) * strength
+      : vec3(0.0);
+#endif
+#endif
+  }
+
+#ifdef GI_EXTENDED
+  vec3 emission = texelFetch(emissionTexture, pixel, 0).rgb;
+  vec3 result;
+  if (pbr)
+  {
+    vec3 surroundings = ambientLight * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
+    result = openness * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
+    color = vec4(pow(max(result, 0.0), vec3(1.0 / 2.2)), 1.0);
+  }
+  else
+  {
+    result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light +
+      material.Specular.rgb * surface.rgb * gloss + emission;
+    color = vec4(result, 1.0);
+  }
+#else
+  vec3 result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light;
+#ifdef GI_SPECULAR
+  result += material.Specular.rgb * gloss;
+#endif
+  color = vec4(result, 1.0);
+#endif
+#ifdef GI_RADIANCE
+  radiance = vec4(result, 1.0);
+#endif
+}

@@ -1,0 +1,5 @@
+// Phong's reflection of a highlight as VTK draws it. travel: the way the light goes.
+float giPhongSpecular(vec3 normal, vec3 travel, vec3 toEye, float power)
+{
+  return pow(max(0.0, dot(reflect(travel, normal), toEye)), power);
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A light as VTK means it, in view coordinates. Compiled as C++ and as GLSL.
+#ifdef __cplusplus
+#pragma once
+#include <glm/glm.hpp>
+namespace penumbra
+{
+namespace shared
+{
+using vec4 = glm::vec4;
+using ivec4 = glm::ivec4;
+#endif
+
+// Kinds. HEADLIGHT is VTK's special case of a single headlight, lit along the view's z axis.
+#define GI_LIGHT_HEADLIGHT 0
+#define GI_LIGHT_DIRECTIONAL 1
+#define GI_LIGHT_POSITIONAL 2
+
+struct LightData
+{
+  vec4 Color;       // rgb: intensity times colour; w: cosine of the cone angle, -2 for no cone
+  vec4 Direction;   // xyz: the way the light travels; w: exponent of the cone's falloff
+  vec4 Position;    // xyz: of a positional light
+  vec4 Attenuation; // xyz: constant, linear, quadratic
+  ivec4 Kind;       // x: kind; y: layer of the visibility mask or -1
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(LightData) == 5 * 16, "std430 layout");
+}
+}
+#else
+layout(std430, binding = 0) readonly buffer LightBlock
+{
+  LightData lights[];
+};
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws VTK props with other matrices than the active camera's, without touching the camera:
+ * mappers take their matrices from vtkOpenGLCamera's cache, which this fills and puts back. So no
+ * event is sent, no modification time moves, and no shader is rebuilt.
+ */
+#pragma once
+
+#include <glm/glm.hpp>
+
+class vtkOpenGLCamera;
+class vtkOpenGLRenderer;
+
+namespace penumbra
+{
+class CameraOverride
+{
+public:
+  CameraOverride(
+    vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView, const glm::dmat4& viewToClip);
+  ~CameraOverride();
+  CameraOverride(const CameraOverride&) = delete;
+  CameraOverride& operator=(const CameraOverride&) = delete;
+
+  /// The matrices that mappers use by themselves.
+  static glm::dmat4 WorldToView(vtkOpenGLRenderer* renderer);
+  static glm::dmat4 ViewToClip(vtkOpenGLRenderer* renderer);
+
+private:
+  void Store(const glm::dmat4& worldToView, const glm::dmat4& viewToClip);
+
+  vtkOpenGLRenderer* Renderer;
+  glm::dmat4 SavedWorldToView;
+  glm::dmat4 SavedViewToClip;
+};
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/CaptureHooks.h"
+
+#include "private/MaterialTable.h"
+#include "private/ShaderLibrary.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+
+vtkStandardNewMacro(vtkGICaptureHooks);
+
+namespace
+{
+// VTK's template is filled in the order Color, Edges, Normal, Light, TCoord; a texture multiplies
+// the lit colour at TCoord. So the capture stands behind TCoord.
+const char* const Marker = "//PENUMBRA::Capture";
+
+bool Contains(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+}
+
+void vtkGICaptureHooks::SetTables(
+  penumbra::MaterialTable* materials, const penumbra::ShaderLibrary* shaders)
+{
+  this->Materials = materials;
+  this->Shaders = shaders;
+}
+
+void vtkGICaptureHooks::SetExtended(bool extended)
+{
+  if (this->Extended != extended)
+  {
+    this->Extended = extended;
+    this->Modified();
+    this->StageTime = this->GetMTime();
+  }
+}
+
+void vtkGICaptureHooks::OverrideProjection(bool active, bool parallel)
+{
+  this->Overriding = active;
+  this->Parallel = parallel;
+}
+
+std::string vtkGICaptureHooks::Snippet(const char* name) const
+{
+  penumbra::Defines defines;
+  if (this->Extended)
+  {
+    defines["GI_EXTENDED"] = "1";
+  }
+  return this->Shaders->Source(std::string("capture/") + name, defines);
+}
+
+bool vtkGICaptureHooks::PreReplaceShaderValues(std::string&, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+{
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Output::Dec",
+    "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl"), false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::TCoord::Impl",
+    this->Snippet("before_texture.glsl") + "//VTK::TCoord::Impl\n" + Marker + "\n", false);
+  return true;
+}
+
+bool vtkGICaptureHooks::PostReplaceShaderValues(std::string&, std::string&,
+  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  const bool unlit = !Contains(fragmentShader, "normalVCVSOutput") ||
+    Contains(fragmentShader, "vec4(ambientColor + diffuseColor, opacity)");
+  const bool pbr = Contains(fragmentShader, "roughnessUniform");
+  const bool layered =
+    Contains(fragmentShader, "#define ANISOTROPY") || Contains(fragmentShader, "#define CLEAR_COAT");
+  const std::string direct = "  color += Lo;\n";
+  const char* snippet = "as_drawn.glsl";
+  if (!unlit && pbr && !layered && actor && Contains(fragmentShader, direct.c_str()))
+  {
+    // What VTK adds before direct light is the light from all around.
+    vtkShaderProgram::Substitute(
+      fragmentShader, direct, "  vec3 giSurrounding = color;\n" + direct, false);
+    snippet = "pbr.glsl";
+  }
+  else if (!unlit && !pbr && actor)
+  {
+    snippet = "phong.glsl";
+  }
+  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet), false);
+  return true;
+}
+
+bool vtkGICaptureHooks::SetShaderParameters(
+  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+{
+  if (this->Overriding && program->IsUniformUsed("cameraParallel"))
+  {
+    program->SetUniformi("cameraParallel", this->Parallel ? 1 : 0);
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  if (actor && program->IsUniformUsed("giMaterial"))
+  {
+    const int front = this->Materials->Find(actor->GetProperty());
+    program->SetUniformi("giMaterial", front);
+    if (program->IsUniformUsed("giBackMaterial"))
+    {
+      vtkProperty* back = actor->GetBackfaceProperty();
+      program->SetUniformi("giBackMaterial", back ? this->Materials->Find(back) : front);
+    }
+  }
+  return true;
+}

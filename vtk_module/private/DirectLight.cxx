@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/DirectLight.h"
+
+#include "private/MaterialTable.h"
+#include "private/ScopedState.h"
+
+namespace penumbra
+{
+namespace
+{
+// Start the picture from what the window shows already: background and lower layers.
+void CopyWindow(FrameContext& context, const char* target)
+{
+  context.State()->PushFramebufferBindings();
+  GLint window = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
+  context.BindTarget({ target });
+  context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(window));
+  const glm::ivec4& area = context.GetView().Viewport;
+  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+    area.x + area.z, area.y + area.w, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  context.State()->PopFramebufferBindings();
+}
+
+struct Resolve
+{
+  LightTable* Lights;
+  MaterialTable* Materials;
+  bool Extended;
+  bool Radiance;
+  double AmbientLight;
+
+  Defines Variant(const FrameContext& context) const
+  {
+    Defines defines;
+    const auto flag = [&defines](const char* name, bool set) {
+      if (set)
+      {
+        defines[name] = "1";
+      }
+    };
+    flag("GI_EXTENDED", this->Extended);
+    flag("GI_SPECULAR", this->Materials->HasSpecular());
+    flag("GI_HEADLIGHT", this->Lights->IsSingleHeadlight());
+    flag("GI_POSITIONAL", this->Lights->HasPositional());
+    flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
+    flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
+    flag("GI_RADIANCE", this->Radiance);
+    return defines;
+  }
+
+  void operator()(FrameContext& context) const
+  {
+    if (!context.IsWindow(resource::Color))
+    {
+      CopyWindow(context, resource::Color);
+    }
+    if (this->Radiance)
+    {
+      CopyWindow(context, resource::Radiance);
+    }
+    ScopedState scope(context.State());
+    scope.Set(GL_BLEND, false);
+    if (this->Radiance)
+    {
+      context.BindTarget({ resource::Color, resource::Radiance }, resource::Depth);
+    }
+    else
+    {
+      context.BindTarget({ resource::Color }, resource::Depth);
+    }
+    // The triangle lies at the far plane: only pixels with something nearer are resolved. Depth is
+    // read while bound, which is defined as long as nothing writes it.
+    scope.Set(GL_DEPTH_TEST, true);
+    scope.DepthFunc(GL_GREATER);
+    scope.DepthMask(false);
+    const Program& program =
+      context.Shaders().Fragment("direct_light/resolve.frag", this->Variant(context));
+    context.Use(program,
+      { context.Input(resource::Depth), context.Input(resource::Albedo),
+        context.Input(resource::Normal), context.Input(resource::Ambient),
+        context.Input(resource::Surface), context.Input(resource::Emission),
+        context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility) });
+    this->Lights->Bind(0);
+    this->Materials->Bind(1);
+    glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
+    glUniform1f(program.Location("ambientLight"), static_cast<GLfloat>(this->AmbientLight));
+    context.DrawFullscreen();
+  }
+};
+
+// A multisampled window cannot be the target of the passes before: write every sample of a pixel
+// alike, colour and depth.
+void Present(FrameContext& context)
+{
+  const Texture* color = context.Input(resource::Color);
+  if (!color)
+  {
+    return; // the last version was drawn straight into the window
+  }
+  ScopedState scope(context.State());
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_ALWAYS);
+  scope.DepthMask(true);
+  context.Use(context.Shaders().Fragment("direct_light/present.frag"),
+    { color, context.Input(resource::Depth) });
+  context.DrawFullscreen();
+}
+}
+
+void ContributeDirectLight(
+  FrameBuilder& frame, LightTable& lights, MaterialTable& materials, bool extended, bool radiance)
+{
+  auto& pass = frame.AddPass("direct-light");
+  pass.Read(resource::Depth)
+    .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Read(resource::Ambient)
+    .ReadIfPresent(resource::Surface)
+    .ReadIfPresent(resource::Emission)
+    .ReadIfPresent(resource::DirectVisibility)
+    .ReadIfPresent(resource::AmbientVisibility)
+    .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
+    .SideEffect();
+  if (radiance)
+  {
+    pass.Write(resource::Radiance, frame.WindowTexture(GL_RGBA32F));
+  }
+  pass.Execute(Resolve{ &lights, &materials, extended, radiance, frame.GetAmbientLight() });
+  frame.AddPass("present").Read(resource::Color).Read(resource::Depth).SideEffect().Execute(Present);
+}
+}

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A frame in the making: what a technique may ask about the view and the scene, where it adds its
+ * passes, and what a pass has at hand while it runs.
+ */
+#pragma once
+
+#include "private/FrameGraph.h"
+#include "private/LightTable.h"
+#include "private/ResourcePool.h"
+#include "private/ShaderLibrary.h"
+
+#include "view.h"
+
+#include <glm/glm.hpp>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLRenderer;
+class vtkOpenGLState;
+
+namespace penumbra
+{
+class SceneCapture;
+
+/// Names of the resources that passes share. A technique meets the others only through these.
+namespace resource
+{
+constexpr const char* Depth = "depth";                          ///< window depth of opaque surfaces
+constexpr const char* Albedo = "gbuffer.albedo";                ///< rgb, a: 1 where captured
+constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material, roughness
+constexpr const char* Ambient = "gbuffer.ambient";              ///< ambient light reflected
+constexpr const char* Surface = "gbuffer.surface";              ///< see capture/gbuffer.glsl
+constexpr const char* Emission = "gbuffer.emission";            ///< radiance not due to light
+constexpr const char* DirectVisibility = "visibility.direct";   ///< a channel per shadowed light
+constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
+constexpr const char* Color = "color";                          ///< the picture, as displayed
+constexpr const char* Radiance = "radiance";                    ///< the picture, linear
+}
+
+/// The camera and the window of a frame, in double precision where it matters.
+struct View
+{
+  glm::ivec2 WindowSize{ 0 };
+  glm::ivec4 Viewport{ 0 }; ///< x, y, width, height
+  glm::dmat4 WorldToView{ 1.0 };
+  glm::dmat4 ViewToWorld{ 1.0 };
+  glm::dmat4 ViewToClip{ 1.0 }; ///< with jitter
+  bool Parallel = false;
+  glm::dvec2 Jitter{ 0.0 }; ///< in pixels
+  std::array<double, 6> Bounds{ { 1, -1, 1, -1, 1, -1 } }; ///< of all visible props, world
+  double Diagonal = 0.0;                                   ///< of Bounds
+  int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
+  int FrameNumber = 0;
+  bool WantsAntiAliasing = false; ///< the window is multisampled, or the renderer asks for FXAA
+};
+
+/// What a running pass has at hand.
+class FrameContext
+{
+public:
+  const View& GetView() const;
+  ShaderLibrary& Shaders() const;
+  vtkOpenGLState* State() const;
+  vtkOpenGLRenderer* Renderer() const;
+
+  /// A texture that the pass declared; nullptr for one it reads if present and that is absent.
+  const Texture* Input(const char* resource) const;
+  const Texture* Output(const char* resource) const;
+
+  /// Bind outputs (and depth, if named) as the target to draw to. The final version of the
+  /// picture binds VTK's own framebuffer.
+  void BindTarget(const std::vector<const char*>& outputs, const char* depth = nullptr) const;
+  void BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const;
+  /// True where the output is drawn straight into VTK's framebuffer.
+  bool IsWindow(const char* output) const;
+
+  /// Make a program current and bind textures to its units, in order.
+  void Use(const Program& program, const std::vector<const Texture*>& textures) const;
+
+  /// One triangle over the viewport, at the far plane.
+  void DrawFullscreen() const;
+
+  /// A texture kept for this view from frame to frame. fresh: it was made or resized just now.
+  Texture& History(const char* name, const TextureDesc& desc, bool& fresh) const;
+
+private:
+  friend class FrameExecutor;
+  class FrameExecutor* Executor = nullptr;
+  const FrameGraph::Step* Step = nullptr;
+};
+
+/// Where a technique adds its work.
+class FrameBuilder
+{
+public:
+  FrameBuilder(FrameGraph& graph, const View& view, LightTable& lights, SceneCapture& scene)
+    : Graph(graph)
+    , CurrentView(view)
+    , CurrentLights(lights)
+    , Scene(scene)
+  {
+  }
+  PassDeclaration& AddPass(const std::string& name) { return this->Graph.AddPass(name); }
+  const View& GetView() const { return this->CurrentView; }
+  LightTable& Lights() { return this->CurrentLights; }
+  SceneCapture& Capture() { return this->Scene; }
+
+  /// The shape of a texture of the window's size.
+  TextureDesc WindowTexture(GLenum format, int layers = 0) const
+  {
+    return { format, this->CurrentView.WindowSize.x, this->CurrentView.WindowSize.y, layers };
+  }
+
+  /// Ambient radiance that surrounds the scene, added to what materials reflect by themselves.
+  void AddAmbientLight(double radiance) { this->AmbientLight += radiance; }
+  double GetAmbientLight() const { return this->AmbientLight; }
+
+private:
+  FrameGraph& Graph;
+  const View& CurrentView;
+  LightTable& CurrentLights;
+  SceneCapture& Scene;
+  double AmbientLight = 0.0;
+};
+}

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/LightTable.h"
+
+#include "private/Matrices.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkTransform.h"
+
+namespace penumbra
+{
+void LightTable::Collect(vtkOpenGLRenderer* renderer)
+{
+  this->All.clear();
+  this->Positional = false;
+  bool onlyHeadlights = true;
+  vtkTransform* toView = renderer->GetActiveCamera()->GetModelViewTransformObject();
+  vtkTransform* userTransform = renderer->GetUserLightTransform();
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator cookie;
+  lights->InitTraversal(cookie);
+  while (vtkLight* light = lights->GetNextLight(cookie))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    Light entry;
+    entry.Color = ToVec3(light->GetDiffuseColor()) * light->GetIntensity();
+    double focal[3];
+    double position[3];
+    light->GetTransformedFocalPoint(focal);
+    light->GetTransformedPosition(position);
+    const glm::dvec3 travel = ToVec3(focal) - ToVec3(position);
+    const double length = glm::length(travel);
+    glm::dvec3 direction = length > 0.0 ? travel / length : glm::dvec3(0.0, 0.0, -1.0);
+    toView->TransformNormal(&direction[0], &direction[0]);
+    toView->TransformPoint(position, position);
+    if (userTransform && !light->LightTypeIsSceneLight())
+    {
+      userTransform->TransformNormal(&direction[0], &direction[0]);
+      userTransform->TransformPoint(position, position);
+    }
+    entry.Direction = direction;
+    entry.Position = ToVec3(position);
+    entry.Attenuation = ToVec3(light->GetAttenuationValues());
+    entry.ConeAngle = light->GetConeAngle();
+    entry.Exponent = light->GetExponent();
+    entry.Positional = light->GetPositional() != 0;
+    entry.Headlight = light->LightTypeIsHeadlight() != 0;
+    this->Positional |= entry.Positional;
+    onlyHeadlights &= entry.Headlight;
+    this->All.push_back(entry);
+  }
+  this->SingleHeadlight = this->All.size() == 1 && onlyHeadlights && !this->Positional;
+}
+
+void LightTable::Bind(GLuint index)
+{
+  std::vector<shared::LightData> data;
+  for (const auto& light : this->All)
+  {
+    shared::LightData entry;
+    const bool cone = light.IsCone();
+    entry.Color = glm::vec4(light.Color, cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0);
+    entry.Direction = glm::vec4(light.Direction, light.Exponent);
+    entry.Position = glm::vec4(light.Position, 0.0);
+    entry.Attenuation = glm::vec4(light.Attenuation, 0.0);
+    entry.Kind = glm::ivec4(this->SingleHeadlight ? GI_LIGHT_HEADLIGHT
+        : light.Positional                        ? GI_LIGHT_POSITIONAL
+                                                  : GI_LIGHT_DIRECTIONAL,
+      light.MaskChannel, 0, 0);
+    data.push_back(entry);
+  }
+  if (data.empty())
+  {
+    data.emplace_back(); // an empty buffer may not be bound
+  }
+  this->Storage.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), data.size() * sizeof(data[0]));
+  this->Storage.BindBase(GL_SHADER_STORAGE_BUFFER, index);
+}
+}

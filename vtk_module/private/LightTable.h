@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The lights of a frame as VTK means them: switched-on lights of a renderer in its order, in view
+ * coordinates, with what a shadowing technique needs to know of each.
+ */
+#pragma once
+
+#include "private/GLObjects.h"
+
+#include "light.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkOpenGLRenderer;
+
+namespace penumbra
+{
+struct Light
+{
+  glm::dvec3 Color{ 0.0 };     ///< intensity times diffuse colour
+  glm::dvec3 Direction{ 0.0 }; ///< view coordinates, the way the light travels, unit length
+  glm::dvec3 Position{ 0.0 };  ///< view coordinates
+  glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
+  double ConeAngle = 90.0; ///< degrees, half aperture; 90 and more shine all round
+  double Exponent = 1.0;
+  bool Positional = false;
+  bool Headlight = false; ///< shines from the camera: what it does not reach is not seen
+  int MaskChannel = -1;   ///< channel of the direct visibility mask, -1 for none
+
+  bool IsCone() const { return this->Positional && this->ConeAngle < 90.0; }
+};
+
+class LightTable
+{
+public:
+  /// Read the renderer's lights, after it updated their geometry.
+  void Collect(vtkOpenGLRenderer* renderer);
+
+  std::vector<Light>& Lights() { return this->All; }
+  const std::vector<Light>& Lights() const { return this->All; }
+
+  /// A single headlight and nothing else, which VTK lights by a formula of its own.
+  bool IsSingleHeadlight() const { return this->SingleHeadlight; }
+  bool HasPositional() const { return this->Positional; }
+
+  /// Upload for binding GI 0 of the direct light shader.
+  void Bind(GLuint index);
+
+  void ReleaseGraphicsResources() { this->Storage = Buffer(); }
+
+private:
+  std::vector<Light> All;
+  bool SingleHeadlight = false;
+  bool Positional = false;
+  Buffer Storage;
+};
+}

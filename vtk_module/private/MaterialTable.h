@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The reflecting properties of a frame's materials beside what the G-buffer holds per pixel. Equal
+ * properties share an entry; entry 0 reflects nothing and shows VTK's own colour.
+ */
+#pragma once
+
+#include "private/GLObjects.h"
+
+#include "material.h"
+
+#include <array>
+#include <map>
+#include <vector>
+
+class vtkProperty;
+
+namespace penumbra
+{
+class MaterialTable
+{
+public:
+  MaterialTable() { this->Clear(); }
+  void Clear();
+
+  /// The entry of a property, made on first sight. The G-buffer holds 16 bits: materials past
+  /// 65535 different ones in a frame share the last.
+  int Find(vtkProperty* property);
+
+  bool HasPBR() const { return this->PBR; }
+  bool HasSpecular() const { return this->Specular; }
+
+  void Bind(GLuint index);
+  void ReleaseGraphicsResources() { this->Storage = Buffer(); }
+
+private:
+  std::vector<shared::MaterialData> Entries;
+  std::map<std::array<float, 5>, int> Index;
+  bool PBR = false;
+  bool Specular = false;
+  Buffer Storage;
+};
+}

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/PassInternals.h"
+
+#include "private/CameraOverride.h"
+#include "private/DirectLight.h"
+#include "private/Matrices.h"
+
+#include "vtkCamera.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkTextureObject.h"
+
+#include <stdexcept>
+
+using namespace penumbra;
+
+vtkGIPass::Internals::Internals()
+  : Techniques(CreateTechniques())
+{
+}
+
+vtkGIPass::Internals::~Internals() = default;
+
+const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer* renderer) const
+{
+  for (const auto& view : this->Views)
+  {
+    if (view.first.first == renderer)
+    {
+      return &view.second;
+    }
+  }
+  return nullptr;
+}
+
+std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
+{
+  if (this->Window != window)
+  {
+    this->ReleaseGraphicsResources(this->Window);
+    this->Window = window;
+    window->MakeCurrent();
+  }
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major * 10 + minor < 43)
+  {
+    return "global illumination needs OpenGL 4.3, and this window has " + std::to_string(major) +
+      "." + std::to_string(minor) +
+      "; use a newer driver, or software rendering (PENUMBRA_BACKEND=egl or osmesa).";
+  }
+  return "";
+}
+
+View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
+{
+  View view;
+  const int* size = renderer->GetRenderWindow()->GetActualSize();
+  view.WindowSize = { size[0], size[1] };
+  renderer->GetTiledSizeAndOrigin(
+    &view.Viewport.z, &view.Viewport.w, &view.Viewport.x, &view.Viewport.y);
+  view.WorldToView = CameraOverride::WorldToView(renderer);
+  view.ViewToWorld = glm::inverse(view.WorldToView);
+  view.ViewToClip = CameraOverride::ViewToClip(renderer);
+  view.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  view.WantsAntiAliasing = renderer->GetRenderWindow()->GetMultiSamples() > 1;
+  renderer->ComputeVisiblePropBounds(view.Bounds.data());
+  if (view.Bounds[0] <= view.Bounds[1])
+  {
+    view.Diagonal = glm::length(glm::dvec3(view.Bounds[1] - view.Bounds[0],
+      view.Bounds[3] - view.Bounds[2], view.Bounds[5] - view.Bounds[4]));
+  }
+  vtkMTimeType time = 0;
+  for (auto& technique : this->Techniques)
+  {
+    time = std::max(time, technique->GetMTime());
+  }
+  const SceneSignature signature = SceneSignature::Of(renderer, view, time);
+  memory.StillFrames = signature == memory.Signature ? memory.StillFrames : 0;
+  memory.Signature = signature;
+  memory.WindowSize = view.WindowSize;
+  view.StillFrames = memory.StillFrames;
+  view.FrameNumber = memory.FrameNumber;
+  return view;
+}
+
+std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderState* state)
+{
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  this->CapturedProps = 0;
+  std::string problem = this->CheckContext(window);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  if (this->ShaderPath != this->Shaders.OverrideFolder())
+  {
+    this->Shaders.SetOverrideFolder(this->ShaderPath);
+  }
+  const int eye = renderer->GetActiveCamera()->GetLeftEye();
+  Memory& memory = this->Views[{ renderer, eye }];
+  memory.Renderer = renderer;
+  try
+  {
+    this->DrawFrame(self, state, memory);
+    ++memory.StillFrames;
+    ++memory.FrameNumber;
+  }
+  catch (const std::exception& error)
+  {
+    problem = error.what();
+  }
+  this->Pool.EndFrame();
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    it = it->second.Renderer ? std::next(it) : this->Views.erase(it);
+  }
+  return problem;
+}
+
+namespace
+{
+// VTK's depth buffer as a texture, where it can be bound and sampled as such.
+std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window)
+{
+  vtkOpenGLFramebufferObject* framebuffer = window->GetRenderFramebuffer();
+  vtkTextureObject* depth = framebuffer->GetDepthAttachmentAsTextureObject();
+  if (!depth || window->GetMultiSamples() > 1 || depth->GetTarget() != GL_TEXTURE_2D)
+  {
+    return nullptr;
+  }
+  GLint format = 0;
+  glBindTexture(GL_TEXTURE_2D, depth->GetHandle());
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  const int width = static_cast<int>(depth->GetWidth());
+  const int height = static_cast<int>(depth->GetHeight());
+  return std::make_unique<Texture>(Texture::Borrow(
+    depth->GetHandle(), { static_cast<GLenum>(format), width, height, 0 }));
+}
+}
+
+void vtkGIPass::Internals::DrawFrame(
+  vtkGIPass* self, const vtkRenderState* state, Memory& memory)
+{
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  View view = this->MakeView(renderer, memory);
+  this->Capture.Collect(state);
+  this->Lights.Collect(renderer);
+
+  FrameGraph graph;
+  FrameBuilder builder(graph, view, this->Lights, this->Capture);
+  for (auto& technique : this->Techniques)
+  {
+    if (technique->GetEnabled())
+    {
+      technique->Contribute(builder);
+    }
+  }
+  this->Capture.Contribute(builder);
+  ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
+    this->Capture.IsExtended(), self->GetKeepRadiance());
+  if (self->GetKeepRadiance())
+  {
+    this->KeepRadiance(builder, memory);
+  }
+  graph.Compile();
+
+  const std::unique_ptr<Texture> depth = WindowDepth(window);
+  WindowTarget target;
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  target.Framebuffer = static_cast<GLuint>(bound);
+  target.Multisampled = window->GetMultiSamples() > 1;
+  target.Depth = depth.get();
+  const std::string viewName = std::to_string(reinterpret_cast<std::uintptr_t>(renderer)) + "." +
+    std::to_string(renderer->GetActiveCamera()->GetLeftEye());
+  GpuTimer timer;
+  FrameExecutor executor(this->Pool, this->Shaders, view, renderer, target, viewName);
+  executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
+  this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
+  if (self->GetCollectStatistics())
+  {
+    this->WriteStatistics(timer.Collect(), view);
+  }
+}
+
+void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
+{
+  frame.AddPass("keep-radiance")
+    .Read(resource::Radiance)
+    .Read(resource::Albedo)
+    .SideEffect()
+    .Execute([&memory](FrameContext& context) {
+      const Texture* radiance = context.Input(resource::Radiance);
+      const auto pixels =
+        static_cast<std::size_t>(radiance->Desc().Width) * radiance->Desc().Height;
+      memory.Radiance.resize(pixels * 4);
+      std::vector<float> albedo(pixels * 4);
+      glBindTexture(GL_TEXTURE_2D, radiance->Get());
+      glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, memory.Radiance.data());
+      glBindTexture(GL_TEXTURE_2D, context.Input(resource::Albedo)->Get());
+      glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, albedo.data());
+      glBindTexture(GL_TEXTURE_2D, 0);
+      for (std::size_t i = 3; i < albedo.size(); i += 4)
+      {
+        memory.Radiance[i] = albedo[i];
+      }
+    });
+}
+
+bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* image)
+{
+  const Memory* memory = this->FindMemory(renderer);
+  if (!memory || !image || memory->Radiance.empty())
+  {
+    return false;
+  }
+  image->SetDimensions(memory->WindowSize.x, memory->WindowSize.y, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  std::copy(memory->Radiance.begin(), memory->Radiance.end(),
+    static_cast<float*>(image->GetScalarPointer()));
+  return true;
+}
+
+void vtkGIPass::Internals::WriteStatistics(
+  const std::vector<GpuTimer::Span>& spans, const View& view)
+{
+  std::ostringstream json;
+  json << "{\"passes\": [";
+  double total = 0.0;
+  const char* separator = "";
+  for (const auto& span : spans)
+  {
+    json << separator << "{\"name\": \"" << span.Name
+         << "\", \"milliseconds\": " << span.Milliseconds << "}";
+    separator = ", ";
+    total += span.Milliseconds;
+  }
+  json << "], \"milliseconds\": " << total << ", \"textures\": " << this->Pool.Count()
+       << ", \"bytes\": " << this->Pool.Bytes() << ", \"lights\": " << this->Lights.Lights().size()
+       << ", \"frames\": " << view.StillFrames + 1 << "}";
+  this->Statistics = json.str();
+}
+
+void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
+{
+  auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
+  if (context)
+  {
+    context->MakeCurrent();
+  }
+  this->Pool.Clear();
+  this->Shaders.Release();
+  this->Lights.ReleaseGraphicsResources();
+  this->Capture.Materials().ReleaseGraphicsResources();
+  this->Views.clear();
+  this->Window = nullptr;
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What stands behind vtkGIPass: the techniques, the GPU resources of one window, and the memory of
+ * each view.
+ */
+#pragma once
+
+#include "vtkGIPass.h"
+
+#include "private/FrameExecutor.h"
+#include "private/SceneCapture.h"
+#include "private/SceneSignature.h"
+#include "private/TechniqueRegistry.h"
+
+#include "vtkWeakPointer.h"
+
+class vtkGIPass::Internals
+{
+public:
+  Internals();
+  ~Internals();
+
+  /// Draw the opaque props of a frame. Returns the reason where that could not be done, else "".
+  std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+  bool ReadRadiance(vtkRenderer* renderer, vtkImageData* image);
+
+  /// One view is one renderer seen by one eye.
+  struct Memory
+  {
+    vtkWeakPointer<vtkRenderer> Renderer;
+    penumbra::SceneSignature Signature;
+    int StillFrames = 0;
+    int FrameNumber = 0;
+    glm::ivec2 WindowSize{ 0 };
+    std::vector<float> Radiance; ///< rgba, bottom row first
+  };
+  const Memory* FindMemory(vtkRenderer* renderer) const;
+
+  std::vector<vtkSmartPointer<vtkGITechnique>> Techniques;
+  std::string ShaderPath;
+  std::string LastError;
+  std::string Statistics = "{}";
+  int CapturedProps = 0;
+
+private:
+  std::string CheckContext(vtkOpenGLRenderWindow* window);
+  penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
+  void DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory);
+  void KeepRadiance(penumbra::FrameBuilder& frame, Memory& memory);
+  void WriteStatistics(
+    const std::vector<penumbra::GpuTimer::Span>& spans, const penumbra::View& view);
+
+  penumbra::ShaderLibrary Shaders;
+  penumbra::ResourcePool Pool;
+  penumbra::SceneCapture Capture{ Shaders };
+  penumbra::LightTable Lights;
+  std::map<std::pair<vtkRenderer*, int>, Memory> Views;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+};

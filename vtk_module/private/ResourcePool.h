@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Textures shared by the frames of one context: transient ones lent for part of a frame, histories
+ * kept by view and name, and the framebuffers that bind them.
+ */
+#pragma once
+
+#include "private/GLObjects.h"
+
+#include <list>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+/// A texture, or one layer of it, to draw into.
+struct Attachment
+{
+  const Texture* Target = nullptr;
+  int Layer = -1; ///< -1: the whole texture
+};
+
+class ResourcePool
+{
+public:
+  /// Borrow a transient texture; contents are undefined.
+  Texture* Acquire(const TextureDesc& desc);
+  void Release(Texture* texture);
+
+  /// A texture that keeps its contents from frame to frame. fresh tells that it was made now.
+  Texture& History(const std::string& name, const TextureDesc& desc, bool& fresh);
+
+  /// A framebuffer of these attachments (colour in order, then depth), made once.
+  GLuint Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth);
+
+  /// Forget what no frame has used lately. Call once a frame.
+  void EndFrame();
+  void Clear();
+
+  std::size_t Bytes() const;
+  int Count() const;
+
+private:
+  struct Slot
+  {
+    Texture Storage;
+    bool Lent = false;
+    int IdleFrames = 0;
+  };
+  void ForgetFramebuffersOf(const Texture& texture);
+
+  std::list<Slot> Slots;
+  std::map<std::string, Slot> Histories;
+  std::map<std::vector<GLuint>, FramebufferHandle> Framebuffers;
+  /// Those that bind a texture of VTK's, which may be replaced behind our back between frames.
+  std::map<std::vector<GLuint>, FramebufferHandle> FrameFramebuffers;
+};
+}

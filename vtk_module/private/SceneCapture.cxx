@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/SceneCapture.h"
+
+#include "private/CameraOverride.h"
+#include "private/CaptureHooks.h"
+#include "private/Frame.h"
+#include "private/Matrices.h"
+#include "private/ScopedState.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkMapper.h"
+#include "vtkPropCollection.h"
+#include "vtkProp3DCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
+
+namespace penumbra
+{
+namespace
+{
+// Mappers that fill VTK's polydata shader template and call the hooks on every draw.
+constexpr std::array<const char*, 4> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
+  "vtkGlyph3DMapper", "vtkMoleculeMapper" } };
+// Among their subclasses, those that do not: splats have a template of their own, the low-memory
+// mapper never calls SetShaderParameters, and line integral convolution writes outputs of its own.
+constexpr std::array<const char*, 3> Unhooked = { { "vtkPointGaussianMapper",
+  "vtkOpenGLLowMemoryPolyDataMapper", "vtkSurfaceLICMapper" } };
+
+template <std::size_t N>
+bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
+{
+  return std::any_of(
+    classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
+}
+
+bool NeedsExtended(vtkProp* prop)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (NeedsExtended(part))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor &&
+    (actor->GetTexture() || actor->GetProperty()->GetInterpolation() == VTK_PBR ||
+      actor->GetProperty()->GetNumberOfTextures() > 0);
+}
+}
+
+SceneCapture::SceneCapture(const ShaderLibrary& shaders)
+  : Hooks(vtkSmartPointer<vtkGICaptureHooks>::New())
+{
+  this->Hooks->SetTables(&this->Table, &shaders);
+}
+
+SceneCapture::~SceneCapture() = default;
+
+bool SceneCapture::CanCapture(vtkProp* prop)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (!CanCapture(part))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  if (!actor || !actor->GetMapper() || actor->IsA("vtkSkybox"))
+  {
+    return false;
+  }
+  return IsAny(actor->GetMapper(), Hooked) && !IsAny(actor->GetMapper(), Unhooked);
+}
+
+void SceneCapture::Collect(const vtkRenderState* state)
+{
+  this->Captured.clear();
+  this->Others.clear();
+  this->All.clear();
+  this->Table.Clear();
+  bool extended = false;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    const bool captured = CanCapture(prop);
+    (captured ? this->Captured : this->Others).push_back(prop);
+    extended |= captured && NeedsExtended(prop);
+  }
+  // VTK culls the list above to the view; what is behind the camera still casts shadows into it.
+  vtkPropCollection* props = state->GetRenderer()->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    if (prop->GetVisibility() && CanCapture(prop))
+    {
+      this->All.push_back(prop);
+    }
+  }
+  this->Extended = extended;
+  this->Hooks->SetExtended(extended);
+}
+
+void SceneCapture::Contribute(FrameBuilder& frame)
+{
+  // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
+  // its linear values need more.
+  auto& pass = frame.AddPass("capture");
+  const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
+  pass.Write(resource::Depth, frame.WindowTexture(GL_DEPTH_COMPONENT32F))
+    .Write(resource::Albedo, frame.WindowTexture(reflectance))
+    .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
+    .Write(resource::Ambient, frame.WindowTexture(this->Extended ? GL_RGBA16F : GL_RGBA8));
+  if (this->Extended)
+  {
+    pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA8))
+      .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
+  }
+  pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
+}
+
+void SceneCapture::Draw(FrameContext& context)
+{
+  std::vector<const char*> outputs = { resource::Albedo, resource::Normal, resource::Ambient };
+  if (this->Extended)
+  {
+    outputs.push_back(resource::Surface);
+    outputs.push_back(resource::Emission);
+  }
+  ScopedState scope(context.State());
+  context.BindTarget(outputs, resource::Depth);
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthMask(true);
+  // Where nothing is captured only the albedo's alpha is read.
+  const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  glClearBufferfv(GL_COLOR, 0, nothing);
+  if (!context.Output(resource::Depth)->IsBorrowed())
+  {
+    const GLfloat far = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &far);
+  }
+  const View& view = context.GetView();
+  CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
+  this->Drawn = this->DrawProps(context.Renderer(), this->Captured);
+}
+
+int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props)
+{
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  this->Hooks->Attach(&state);
+  int drawn = 0;
+  for (vtkProp* prop : props)
+  {
+    if (renderer->GetRenderWindow()->GetAbortRender())
+    {
+      break;
+    }
+    drawn += prop->RenderOpaqueGeometry(renderer);
+  }
+  this->Hooks->Detach(&state);
+  return drawn;
+}
+
+void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView,
+  const glm::dmat4& viewToClip, bool parallel)
+{
+  CameraOverride camera(renderer, worldToView, viewToClip);
+  this->Hooks->OverrideProjection(true, parallel);
+  this->DrawProps(renderer, this->All);
+  this->Hooks->OverrideProjection(false, false);
+}
+
+int SceneCapture::DrawOthers(vtkOpenGLRenderer* renderer)
+{
+  int drawn = 0;
+  for (vtkProp* prop : this->Others)
+  {
+    drawn += prop->RenderOpaqueGeometry(renderer);
+  }
+  return drawn;
+}
+}

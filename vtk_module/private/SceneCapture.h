@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Rasters props into the G-buffer or a shadow map by their own mappers, and knows which props can
+ * take part: the rest is drawn by VTK as it stands.
+ */
+#pragma once
+
+#include "private/MaterialTable.h"
+
+#include "vtkSmartPointer.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+class vtkGICaptureHooks;
+class vtkOpenGLRenderer;
+class vtkProp;
+class vtkRenderState;
+
+namespace penumbra
+{
+class FrameBuilder;
+class FrameContext;
+class ShaderLibrary;
+
+class SceneCapture
+{
+public:
+  SceneCapture(const ShaderLibrary& shaders);
+  ~SceneCapture();
+
+  /// Sort the props of a frame: those in view that can be captured, those that VTK must draw, and
+  /// all visible ones, in view or not, that may cast shadows.
+  void Collect(const vtkRenderState* state);
+
+  /// Add the pass that writes the G-buffer.
+  void Contribute(FrameBuilder& frame);
+
+  /// Draw every caster's depth as seen with these matrices into the bound framebuffer.
+  void DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView,
+    const glm::dmat4& viewToClip, bool parallel);
+
+  /// Opaque geometry of the props that could not be captured, by VTK into its own framebuffer.
+  int DrawOthers(vtkOpenGLRenderer* renderer);
+
+  const std::vector<vtkProp*>& Casters() const { return this->All; }
+  MaterialTable& Materials() { return this->Table; }
+  bool IsExtended() const { return this->Extended; }
+  int CapturedProps() const { return this->Drawn; }
+
+  /// Whether a prop's mapper writes the G-buffer through the render pass hooks.
+  static bool CanCapture(vtkProp* prop);
+
+private:
+  void Draw(FrameContext& context);
+  int DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props);
+
+  vtkSmartPointer<vtkGICaptureHooks> Hooks;
+  MaterialTable Table;
+  std::vector<vtkProp*> Captured;
+  std::vector<vtkProp*> Others;
+  std::vector<vtkProp*> All;
+  bool Extended = false;
+  int Drawn = 0;
+};
+}

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/ShaderLibrary.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace penumbra
+{
+Program::~Program()
+{
+  glDeleteProgram(this->Name);
+}
+
+GLint Program::Location(const char* uniform) const
+{
+  auto found = this->Locations.find(uniform);
+  if (found == this->Locations.end())
+  {
+    found = this->Locations.emplace(uniform, glGetUniformLocation(this->Name, uniform)).first;
+  }
+  return found->second;
+}
+
+void ShaderLibrary::SetOverrideFolder(const std::string& folder)
+{
+  this->Folder = folder;
+  this->Release();
+}
+
+void ShaderLibrary::Append(
+  const std::string& name, std::set<std::string>& seen, std::string& text) const
+{
+  if (!seen.insert(name).second)
+  {
+    return;
+  }
+  std::stringstream lines;
+  std::ifstream replacement;
+  if (!this->Folder.empty())
+  {
+    replacement.open(this->Folder + "/" + name);
+  }
+  if (replacement.is_open())
+  {
+    lines << replacement.rdbuf();
+  }
+  else
+  {
+    auto found = EmbeddedShaders().find(name);
+    if (found == EmbeddedShaders().end())
+    {
+      throw std::runtime_error("no shader is named '" + name + "'; check the #include lines" +
+        (this->Folder.empty() ? "." : " and the folder " + this->Folder + "."));
+    }
+    lines << found->second;
+  }
+  std::string line;
+  while (std::getline(lines, line))
+  {
+    const auto directive = line.find("#include \"");
+    if (directive == std::string::npos)
+    {
+      text += line + "\n";
+      continue;
+    }
+    const auto begin = directive + 10;
+    this->Append(line.substr(begin, line.find('"', begin) - begin), seen, text);
+  }
+}
+
+std::string ShaderLibrary::Source(const std::string& name, const Defines& defines) const
+{
+  std::set<std::string> seen;
+  std::string text;
+  this->Append(name, seen, text);
+  std::string header;
+  for (const auto& define : defines)
+  {
+    header += "#define " + define.first + " " + define.second + "\n";
+  }
+  const auto version = text.find("#version");
+  const auto position = version == std::string::npos ? 0 : text.find('\n', version) + 1;
+  return text.insert(position, header);
+}
+
+namespace
+{
+std::string Key(const std::string& name, const Defines& defines)
+{
+  std::string key = name;
+  for (const auto& define : defines)
+  {
+    key += "|" + define.first + "=" + define.second;
+  }
+  return key;
+}
+
+}
+
+const Program& ShaderLibrary::Fragment(const std::string& name, const Defines& defines)
+{
+  const std::string key = Key(name, defines);
+  auto found = this->Programs.find(key);
+  if (found != this->Programs.end())
+  {
+    return *found->second;
+  }
+  return this->Build(key,
+    { { GL_VERTEX_SHADER, this->Source("lib/fullscreen.vert") },
+      { GL_FRAGMENT_SHADER, this->Source(name, defines) } });
+}
+
+const Program& ShaderLibrary::Compute(const std::string& name, const Defines& defines)
+{
+  const std::string key = Key(name, defines);
+  auto found = this->Programs.find(key);
+  if (found != this->Programs.end())
+  {
+    return *found->second;
+  }
+  return this->Build(key, { { GL_COMPUTE_SHADER, this->Source(name, defines) } });
+}
+
+const Program& ShaderLibrary::Build(
+  const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages)
+{
+  auto program = std::make_unique<Program>(glCreateProgram());
+  std::string problem;
+  for (const auto& stage : stages)
+  {
+    const GLuint shader = glCreateShader(stage.first);
+    const char* text = stage.second.c_str();
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled)
+    {
+      char log[2048] = "";
+      glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
+      problem = log;
+    }
+    glAttachShader(program->Get(), shader);
+    glDeleteShader(shader); // kept alive by the program
+  }
+  if (problem.empty())
+  {
+    glLinkProgram(program->Get());
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program->Get(), GL_LINK_STATUS, &linked);
+    if (!linked)
+    {
+      char log[2048] = "";
+      glGetProgramInfoLog(program->Get(), sizeof(log), nullptr, log);
+      problem = log;
+    }
+  }
+  if (!problem.empty())
+  {
+    throw std::runtime_error("the shader " + key + " does not compile" +
+      (this->Folder.empty() ? "" : " (shaders are overridden from " + this->Folder + ")") + ": " +
+      problem);
+  }
+  return *(this->Programs[key] = std::move(program));
+}
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The shaders: embedded at build time from glsl/, replaceable from a folder at run time, with
+ * #include resolved here (each file once, so includes need no guards) and programs cached by name
+ * and defines.
+ */
+#pragma once
+
+#include "private/GL.h"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace penumbra
+{
+/// The embedded shaders: name relative to glsl/, text.
+const std::map<std::string, const char*>& EmbeddedShaders();
+
+/// Values that key a program: "SAMPLES" -> "16". The only thing that makes another program.
+using Defines = std::map<std::string, std::string>;
+
+/// A linked program. Uniform locations are looked up once.
+class Program
+{
+public:
+  explicit Program(GLuint name)
+    : Name(name)
+  {
+  }
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  GLuint Get() const { return this->Name; }
+  GLint Location(const char* uniform) const;
+
+private:
+  GLuint Name;
+  mutable std::map<std::string, GLint> Locations;
+};
+
+class ShaderLibrary
+{
+public:
+  /// The folder whose files replace embedded ones; "" for none. Drops cached programs.
+  void SetOverrideFolder(const std::string& folder);
+  const std::string& OverrideFolder() const { return this->Folder; }
+
+  /// A shader's text with includes resolved and defines inserted after its #version line. Throws
+  /// std::runtime_error, naming the shader and the remedy, for a missing file.
+  std::string Source(const std::string& name, const Defines& defines = {}) const;
+
+  /// A program of a full-screen vertex shader and a fragment shader ("direct_light/resolve.frag").
+  /// Throws std::runtime_error with the compiler's message where it does not compile.
+  const Program& Fragment(const std::string& name, const Defines& defines = {});
+
+  /// A program of one compute shader.
+  const Program& Compute(const std::string& name, const Defines& defines = {});
+
+  /// Free all programs; the context that made them must be current.
+  void Release() { this->Programs.clear(); }
+
+private:
+  void Append(const std::string& name, std::set<std::string>& seen, std::string& text) const;
+  const Program& Build(
+    const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages);
+
+  std::string Folder;
+  std::map<std::string, std::unique_ptr<Program>> Programs;
+};
+}

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/StockStages.h"
+
+#include "vtkCamera.h"
+#include "vtkHardwareSelector.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
+
+namespace penumbra
+{
+namespace
+{
+// The list that a pick is limited to has no accessor; a derived class may name the member.
+struct PickList : public vtkViewport
+{
+  static vtkPropCollection* Of(vtkViewport* viewport) { return viewport->*(&PickList::PickFromProps); }
+};
+}
+
+StockStages::StockStages(const vtkRenderState* state)
+  : State(state)
+  , Renderer(static_cast<vtkOpenGLRenderer*>(state->GetRenderer()))
+{
+}
+
+void StockStages::UpdateCameraAndLights()
+{
+  this->Renderer->GetActiveCamera()->Render(this->Renderer);
+  if (this->Renderer->GetLightFollowCamera())
+  {
+    this->Renderer->UpdateLightsGeometryToFollowCamera();
+  }
+  this->Renderer->UpdateLights();
+}
+
+bool StockStages::RenderSelection()
+{
+  vtkHardwareSelector* selector = this->Renderer->GetSelector();
+  if (!selector)
+  {
+    return false;
+  }
+  if (vtkPropCollection* chosen = PickList::Of(this->Renderer))
+  {
+    std::vector<vtkProp*> props;
+    vtkCollectionSimpleIterator cookie;
+    chosen->InitTraversal(cookie);
+    while (vtkProp* prop = chosen->GetNextProp(cookie))
+    {
+      if (prop->GetVisibility())
+      {
+        props.push_back(prop);
+      }
+    }
+    this->Rendered =
+      selector->Render(this->Renderer, props.data(), static_cast<int>(props.size()));
+  }
+  else
+  {
+    this->Rendered = selector->Render(
+      this->Renderer, this->State->GetPropArray(), this->State->GetPropArrayCount());
+  }
+  return true;
+}
+
+void StockStages::RenderOpaque()
+{
+  for (int i = 0; i < this->State->GetPropArrayCount(); ++i)
+  {
+    this->Rendered += this->State->GetPropArray()[i]->RenderOpaqueGeometry(this->Renderer);
+  }
+}
+
+void StockStages::RenderAfterOpaque()
+{
+  vtkProp** props = this->State->GetPropArray();
+  const int count = this->State->GetPropArrayCount();
+  const bool translucent = std::any_of(
+    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  if (translucent)
+  {
+    this->Renderer->DeviceRenderTranslucentPolygonalGeometry();
+  }
+  if (this->Renderer->GetRenderWindow()->GetAbortRender())
+  {
+    return;
+  }
+  const bool peeledVolumes =
+    translucent && this->Renderer->GetUseDepthPeeling() && this->Renderer->GetUseDepthPeelingForVolumes();
+  if (!peeledVolumes)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      this->Rendered += props[i]->RenderVolumetricGeometry(this->Renderer);
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    this->Rendered += props[i]->RenderOverlay(this->Renderer);
+  }
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The stages of a frame that stay VTK's own: camera and lights, hardware selection, translucent
+ * props with their peeling, FXAA, volumes and annotations, in VTK's order.
+ */
+#pragma once
+
+class vtkOpenGLRenderer;
+class vtkRenderState;
+
+namespace penumbra
+{
+class StockStages
+{
+public:
+  explicit StockStages(const vtkRenderState* state);
+
+  /// Viewport, clearing, light geometry. What a renderer does first.
+  void UpdateCameraAndLights();
+
+  /// Draw for the hardware selector if one is active; true if that was the whole frame.
+  bool RenderSelection();
+
+  /// All opaque props as VTK draws them.
+  void RenderOpaque();
+
+  /// Everything that follows the opaque props.
+  void RenderAfterOpaque();
+
+  int RenderedProps() const { return this->Rendered; }
+
+private:
+  const vtkRenderState* State;
+  vtkOpenGLRenderer* Renderer;
+  int Rendered = 0;
+};
+}

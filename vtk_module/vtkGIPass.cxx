@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGIPass.h"
+
+#include "private/DirectLight.h"
+#include "private/FrameExecutor.h"
+#include "private/PassInternals.h"
+#include "private/StockStages.h"
+
+#include "vtkImageData.h"
+#include "vtkRenderState.h"
+
+#include <cstring>
+
+vtkStandardNewMacro(vtkGIPass);
+
+namespace
+{
+constexpr std::array<const char*, 4> PresetNames = { { "off", "fast", "balanced", "high" } };
+}
+
+vtkGIPass::vtkGIPass()
+  : Impl(new Internals)
+{
+  this->SetPreset("off");
+  const char* folder = std::getenv("PENUMBRA_SHADER_PATH");
+  this->SetShaderPath(folder ? folder : "");
+}
+
+vtkGIPass::~vtkGIPass()
+{
+  delete[] this->Preset;
+}
+
+void vtkGIPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  for (int i = 0; i < this->GetNumberOfTechniques(); ++i)
+  {
+    os << indent << this->GetTechnique(i)->GetName() << ":\n";
+    this->GetTechnique(i)->PrintSelf(os, indent.GetNextIndent());
+  }
+}
+
+int vtkGIPass::GetNumberOfPresets()
+{
+  return static_cast<int>(PresetNames.size());
+}
+
+const char* vtkGIPass::GetPresetName(int index)
+{
+  return index >= 0 && index < GetNumberOfPresets() ? PresetNames[index] : nullptr;
+}
+
+bool vtkGIPass::SetPreset(const char* preset)
+{
+  const auto known = std::find_if(PresetNames.begin(), PresetNames.end(),
+    [preset](const char* name) { return preset && std::strcmp(name, preset) == 0; });
+  if (known == PresetNames.end())
+  {
+    vtkErrorMacro(<< "there is no preset '" << (preset ? preset : "")
+                  << "': choose off, fast, balanced or high.");
+    return false;
+  }
+  for (auto& technique : this->Impl->Techniques)
+  {
+    technique->ApplyPreset(preset);
+  }
+  delete[] this->Preset;
+  this->Preset = new char[std::strlen(preset) + 1];
+  std::strcpy(this->Preset, preset);
+  this->Modified();
+  return true;
+}
+
+int vtkGIPass::GetNumberOfTechniques()
+{
+  return static_cast<int>(this->Impl->Techniques.size());
+}
+
+vtkGITechnique* vtkGIPass::GetTechnique(int index)
+{
+  const bool inside = index >= 0 && index < this->GetNumberOfTechniques();
+  return inside ? this->Impl->Techniques[index].Get() : nullptr;
+}
+
+vtkGITechnique* vtkGIPass::GetTechnique(const char* name)
+{
+  for (auto& technique : this->Impl->Techniques)
+  {
+    if (name && std::strcmp(technique->GetName(), name) == 0)
+    {
+      return technique;
+    }
+  }
+  return nullptr;
+}
+
+void vtkGIPass::SetShaderPath(const char* path)
+{
+  const std::string folder = path ? path : "";
+  if (folder != this->Impl->ShaderPath)
+  {
+    this->Impl->ShaderPath = folder;
+    this->Modified();
+  }
+}
+
+const char* vtkGIPass::GetShaderPath()
+{
+  return this->Impl->ShaderPath.c_str();
+}
+
+const char* vtkGIPass::GetStatistics()
+{
+  return this->Impl->Statistics.c_str();
+}
+
+const char* vtkGIPass::GetLastError()
+{
+  return this->Impl->LastError.c_str();
+}
+
+int vtkGIPass::GetAccumulatedFrames(vtkRenderer* renderer)
+{
+  const auto* memory = this->Impl->FindMemory(renderer);
+  return memory ? memory->StillFrames : 0;
+}
+
+bool vtkGIPass::GetRadiance(vtkRenderer* renderer, vtkImageData* image)
+{
+  return this->Impl->ReadRadiance(renderer, image);
+}
+
+void vtkGIPass::Render(const vtkRenderState* state)
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(state->GetRenderer());
+  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (!window)
+  {
+    vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
+    return;
+  }
+  window->MakeCurrent();
+  penumbra::StockStages stages(state);
+  stages.UpdateCameraAndLights();
+  if (stages.RenderSelection())
+  {
+    this->NumberOfRenderedProps = stages.RenderedProps();
+    return;
+  }
+  const std::string problem = this->Impl->RenderFrame(this, state);
+  if (!problem.empty())
+  {
+    // Draw as VTK does rather than nothing, and say why once.
+    stages.RenderOpaque();
+    if (problem != this->Impl->LastError)
+    {
+      vtkErrorMacro(<< problem);
+    }
+  }
+  this->Impl->LastError = problem;
+  stages.RenderAfterOpaque();
+  this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
+}
+
+void vtkGIPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto& technique : this->Impl->Techniques)
+  {
+    technique->ReleaseGraphicsResources(window);
+  }
+  this->Impl->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGIPass
+ * @brief   global illumination for a renderer
+ *
+ * Set one on a renderer:
+ * @code
+ * vtkNew<vtkGIPass> gi;
+ * gi->SetPreset("balanced");
+ * renderer->SetPass(gi);
+ * @endcode
+ *
+ * The pass rasters every opaque prop once into a G-buffer, resolves direct light per pixel from
+ * every light of the renderer, and lets its techniques add visibility, indirect light and
+ * filtering. Translucent props, volumes and annotations are drawn as VTK draws them, in VTK's
+ * order. With every technique off the picture equals stock VTK's.
+ *
+ * One pass may serve several renderers of one window; each keeps its own history.
+ *
+ * @sa vtkGITechnique
+ */
+#ifndef vtkGIPass_h
+#define vtkGIPass_h
+
+#include "vtkRenderPass.h"
+#include "vtkRenderingGIModule.h"
+
+#include <memory> // for the implementation
+
+class vtkGITechnique;
+class vtkImageData;
+class vtkRenderer;
+
+class VTKRENDERINGGI_EXPORT vtkGIPass : public vtkRenderPass
+{
+public:
+  static vtkGIPass* New();
+  vtkTypeMacro(vtkGIPass, vtkRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Switch techniques and choose their parameters together: "off" (the default: stock VTK's
+   * picture), "fast", "balanced" or "high". Returns false, with an error, for another name.
+   * Parameters changed afterwards keep their new value.
+   */
+  bool SetPreset(const char* preset);
+  vtkGetStringMacro(Preset);
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int index);
+  ///@}
+
+  ///@{
+  /**
+   * The techniques, by index or by name ("shadow-maps"). An unknown name gives nullptr.
+   */
+  int GetNumberOfTechniques();
+  vtkGITechnique* GetTechnique(int index);
+  vtkGITechnique* GetTechnique(const char* name);
+  ///@}
+
+  ///@{
+  /**
+   * Keep the linear radiance of each frame for GetRadiance(). Off by default, as it costs memory
+   * and a second output.
+   */
+  vtkSetMacro(KeepRadiance, bool);
+  vtkGetMacro(KeepRadiance, bool);
+  vtkBooleanMacro(KeepRadiance, bool);
+  ///@}
+
+  /**
+   * Copy the last frame's linear radiance of opaque surfaces and background into a float image of
+   * four components (red, green, blue, and 1 where a surface was captured, 0 elsewhere), of the
+   * window's size. Needs KeepRadiance. Returns false where no frame of that renderer was kept.
+   */
+  bool GetRadiance(vtkRenderer* renderer, vtkImageData* image);
+
+  /**
+   * Number of still frames averaged in the last picture of a renderer: 1 for a first frame.
+   */
+  int GetAccumulatedFrames(vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * A folder whose shaders replace the built-in ones of the same relative name, for work on
+   * shaders without rebuilding. The environment variable PENUMBRA_SHADER_PATH sets the default.
+   */
+  void SetShaderPath(const char* path);
+  const char* GetShaderPath();
+  ///@}
+
+  ///@{
+  /**
+   * Measure each pass of the frame on the GPU. GetStatistics() gives the last frame's as JSON:
+   * milliseconds per pass, textures and bytes in the pool, lights, frames accumulated.
+   */
+  vtkSetMacro(CollectStatistics, bool);
+  vtkGetMacro(CollectStatistics, bool);
+  vtkBooleanMacro(CollectStatistics, bool);
+  const char* GetStatistics();
+  ///@}
+
+  /**
+   * The sentence that says why the last Render() drew nothing of its own, or "" where all is well.
+   */
+  const char* GetLastError();
+
+protected:
+  vtkGIPass();
+  ~vtkGIPass() override;
+
+  char* Preset = nullptr;
+  bool KeepRadiance = false;
+  bool CollectStatistics = false;
+
+private:
+  vtkGIPass(const vtkGIPass&) = delete;
+  void operator=(const vtkGIPass&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
