@@ -1,9 +1,20 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGIAmbientOcclusion
+ * @brief   how open a surface is to light from all around, from the depth buffer
+ *
+ * Samples a hemisphere over each pixel's surface and counts what lies behind the depth buffer; a
+ * filter aware of depth averages the noise away. The result multiplies ambient and indirect light
+ * only, never direct light or emission. Occluders off the screen, or behind what is seen, are not
+ * known.
+ */
 #ifndef vtkGIAmbientOcclusion_h
 #define vtkGIAmbientOcclusion_h
 
 #include "vtkGIAmbientOcclusionParameters.h"
+
+#include <memory> // for the resources
 
 class VTKRENDERINGGI_EXPORT vtkGIAmbientOcclusion : public vtkGIAmbientOcclusionParameters
 {
@@ -12,6 +23,7 @@ public:
   vtkTypeMacro(vtkGIAmbientOcclusion, vtkGIAmbientOcclusionParameters);
 
   void Contribute(penumbra::FrameBuilder& frame) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkGIAmbientOcclusion();
@@ -20,6 +32,9 @@ protected:
 private:
   vtkGIAmbientOcclusion(const vtkGIAmbientOcclusion&) = delete;
   void operator=(const vtkGIAmbientOcclusion&) = delete;
+
+  struct Resources;
+  std::unique_ptr<Resources> Impl;
 };
 
 #endif

@@ -1,9 +1,20 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGIShadowMaps
+ * @brief   shadow maps for directional, cone and omnidirectional lights
+ *
+ * Every light but a headlight, whose shadows its own eye cannot see, gets a depth map (six if it
+ * shines wider than a cone of 60 degrees half aperture), drawn by the props' own mappers: glyphs,
+ * impostors, clipping and masked opacity cast what they show. A per-pixel pass filters the maps
+ * into the direct light's visibility. Maps are kept until their light or a caster changes.
+ */
 #ifndef vtkGIShadowMaps_h
 #define vtkGIShadowMaps_h
 
 #include "vtkGIShadowMapsParameters.h"
+
+#include <memory> // for the resources
 
 class VTKRENDERINGGI_EXPORT vtkGIShadowMaps : public vtkGIShadowMapsParameters
 {
@@ -12,6 +23,22 @@ public:
   vtkTypeMacro(vtkGIShadowMaps, vtkGIShadowMapsParameters);
 
   void Contribute(penumbra::FrameBuilder& frame) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Draw every map anew in every frame, also where nothing changed. For measuring; off by default.
+   */
+  vtkSetMacro(AlwaysRedraw, bool);
+  vtkGetMacro(AlwaysRedraw, bool);
+  vtkBooleanMacro(AlwaysRedraw, bool);
+
+  /**
+   * Of the last frame: lights that cast shadows, lights that would but exceeded MaximumLights, and
+   * maps that were drawn rather than kept.
+   */
+  vtkGetMacro(ShadowedLights, int);
+  vtkGetMacro(UnshadowedLights, int);
+  vtkGetMacro(DrawnMaps, int);
 
 protected:
   vtkGIShadowMaps();
@@ -20,6 +47,14 @@ protected:
 private:
   vtkGIShadowMaps(const vtkGIShadowMaps&) = delete;
   void operator=(const vtkGIShadowMaps&) = delete;
+
+  struct Resources;
+
+  bool AlwaysRedraw = false;
+  int ShadowedLights = 0;
+  int UnshadowedLights = 0;
+  int DrawnMaps = 0;
+  std::unique_ptr<Resources> Impl;
 };
 
 #endif

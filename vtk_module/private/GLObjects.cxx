@@ -47,6 +47,7 @@ std::size_t TextureDesc::Bytes() const
     case GL_R16F:
       texel = 2;
       break;
+    case GL_RG32F:
     case GL_RGBA16:
     case GL_RGBA16F:
       texel = 8;

@@ -36,13 +36,18 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
     light->GetTransformedPosition(position);
     const glm::dvec3 travel = ToVec3(focal) - ToVec3(position);
     const double length = glm::length(travel);
+    entry.WorldPosition = ToVec3(position);
     glm::dvec3 direction = length > 0.0 ? travel / length : glm::dvec3(0.0, 0.0, -1.0);
+    entry.WorldDirection = direction;
     toView->TransformNormal(&direction[0], &direction[0]);
     toView->TransformPoint(position, position);
     if (userTransform && !light->LightTypeIsSceneLight())
     {
       userTransform->TransformNormal(&direction[0], &direction[0]);
       userTransform->TransformPoint(position, position);
+      vtkLinearTransform* toWorld = toView->GetLinearInverse();
+      toWorld->TransformNormal(&direction[0], &entry.WorldDirection[0]);
+      toWorld->TransformPoint(position, &entry.WorldPosition[0]);
     }
     entry.Direction = direction;
     entry.Position = ToVec3(position);

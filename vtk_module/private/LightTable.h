@@ -23,6 +23,8 @@ struct Light
   glm::dvec3 Color{ 0.0 };     ///< intensity times diffuse colour
   glm::dvec3 Direction{ 0.0 }; ///< view coordinates, the way the light travels, unit length
   glm::dvec3 Position{ 0.0 };  ///< view coordinates
+  glm::dvec3 WorldDirection{ 0.0 };
+  glm::dvec3 WorldPosition{ 0.0 };
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
   double ConeAngle = 90.0; ///< degrees, half aperture; 90 and more shine all round
   double Exponent = 1.0;
