@@ -3,10 +3,129 @@
 #include "vtkGIAntiAliasing.h"
 
 #include "private/Frame.h"
+#include "private/ScopedState.h"
 
 vtkStandardNewMacro(vtkGIAntiAliasing);
+
+using namespace penumbra;
 
 vtkGIAntiAliasing::vtkGIAntiAliasing() = default;
 vtkGIAntiAliasing::~vtkGIAntiAliasing() = default;
 
-void vtkGIAntiAliasing::Contribute(penumbra::FrameBuilder&) {}
+namespace
+{
+enum Modes
+{
+  Auto,
+  Off,
+  Fxaa,
+  Accumulate
+};
+
+// Places among the passes that modify the picture.
+constexpr int AccumulateOrder = 800;
+constexpr int EdgeFilterOrder = 810;
+
+// Below this many averaged frames the edge filter still improves on the average.
+constexpr int FramesToFilter = 8;
+
+// The Halton sequence: evenly spread however many frames there will be.
+double Halton(int index, int base)
+{
+  double result = 0.0;
+  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base)
+  {
+    result += digit * (index % base);
+  }
+  return result;
+}
+
+void DrawFilter(FrameContext& context, const Program& program,
+  const std::vector<const Texture*>& textures, const std::vector<const char*>& outputs)
+{
+  ScopedState scope(context.State());
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, false);
+  scope.DepthMask(false);
+  context.BindTarget(outputs);
+  context.Use(program, textures);
+  context.DrawFullscreen();
+}
+
+// Add this frame to the sum of the frames before, and show the average.
+void Average(FrameContext& context, const char* resource, bool frozen)
+{
+  const View& view = context.GetView();
+  bool fresh = false;
+  Texture& sum = context.History((std::string("sum.") + resource).c_str(),
+    { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, fresh);
+  const Program& program = context.Shaders().Fragment("anti_aliasing/accumulate.frag",
+    { { "GI_FIRST", view.StillFrames == 0 || fresh ? "1" : "0" },
+      { "GI_FROZEN", frozen && !fresh ? "1" : "0" } });
+  glBindImageTexture(0, sum.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  DrawFilter(context, program, { context.Input(resource) }, { resource });
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+// What VTK draws next is not shifted: give it the depth of the frame that was not shifted either.
+void SteadyDepth(FrameContext& context)
+{
+  const View& view = context.GetView();
+  const Texture* depth = context.Input(resource::Depth);
+  bool fresh = false;
+  Texture& kept = context.History("depth", { depth->Desc().Format, depth->Desc().Width,
+                                             depth->Desc().Height, 0 }, fresh);
+  const bool keep = fresh || view.StillFrames == 0;
+  ScopedState scope(context.State());
+  context.BindTarget({}, { keep ? depth : &kept, -1 });
+  GLint source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  context.BindTarget({}, { keep ? &kept : depth, -1 });
+  context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
+  const glm::ivec4& area = view.Viewport;
+  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+    area.x + area.z, area.y + area.w, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+}
+
+void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
+{
+  const View& view = frame.GetView();
+  const int mode = this->Mode != Auto ? this->Mode : view.WantsAntiAliasing ? Accumulate : Off;
+  if (mode == Off)
+  {
+    return;
+  }
+  bool filter = true;
+  if (mode == Accumulate)
+  {
+    const bool frozen = view.StillFrames >= this->MaximumFrames;
+    const int index = frozen ? 0 : view.StillFrames;
+    if (index > 0)
+    {
+      frame.SetJitter({ Halton(index, 2) - 0.5, Halton(index, 3) - 0.5 });
+    }
+    frame.AddPass("accumulate")
+      .Modify(resource::Color, AccumulateOrder)
+      .Execute([frozen](FrameContext& context) { Average(context, resource::Color, frozen); });
+    frame.AddPass("accumulate-radiance")
+      .ModifyIfPresent(resource::Radiance, AccumulateOrder)
+      .Execute([frozen](FrameContext& context) { Average(context, resource::Radiance, frozen); });
+    frame.AddPass("steady-depth")
+      .Read(resource::Depth)
+      .Read(resource::Color)
+      .SideEffect()
+      .Execute(SteadyDepth);
+    filter = view.StillFrames + 1 < FramesToFilter;
+  }
+  if (filter)
+  {
+    frame.AddPass("edge-filter")
+      .Modify(resource::Color, EdgeFilterOrder)
+      .Execute([](FrameContext& context) {
+        DrawFilter(context, context.Shaders().Fragment("anti_aliasing/edge_filter.frag"),
+          { context.Input(resource::Color) }, { resource::Color });
+      });
+  }
+}

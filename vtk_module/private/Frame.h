@@ -94,7 +94,7 @@ private:
 class FrameBuilder
 {
 public:
-  FrameBuilder(FrameGraph& graph, const View& view, LightTable& lights, SceneCapture& scene)
+  FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene)
     : Graph(graph)
     , CurrentView(view)
     , CurrentLights(lights)
@@ -112,13 +112,16 @@ public:
     return { format, this->CurrentView.WindowSize.x, this->CurrentView.WindowSize.y, layers };
   }
 
+  /// Shift this frame's picture by a part of a pixel.
+  void SetJitter(const glm::dvec2& pixels);
+
   /// Ambient radiance that surrounds the scene, added to what materials reflect by themselves.
   void AddAmbientLight(double radiance) { this->AmbientLight += radiance; }
   double GetAmbientLight() const { return this->AmbientLight; }
 
 private:
   FrameGraph& Graph;
-  const View& CurrentView;
+  View& CurrentView;
   LightTable& CurrentLights;
   SceneCapture& Scene;
   double AmbientLight = 0.0;

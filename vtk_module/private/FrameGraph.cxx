@@ -31,6 +31,12 @@ PassDeclaration& PassDeclaration::Modify(const std::string& resource, int order)
   return *this;
 }
 
+PassDeclaration& PassDeclaration::ModifyIfPresent(const std::string& resource, int order)
+{
+  this->Accesses.push_back({ resource, Kind::ModifyIfPresent, {}, order });
+  return *this;
+}
+
 PassDeclaration& PassDeclaration::SideEffect()
 {
   this->HasSideEffect = true;
@@ -77,6 +83,7 @@ FrameGraph::Links FrameGraph::Resolve()
     int Order;
     int Pass;
     std::string Resource;
+    bool Optional;
   };
   std::vector<Modifier> modifiers;
   const int count = static_cast<int>(this->Passes.size());
@@ -84,9 +91,10 @@ FrameGraph::Links FrameGraph::Resolve()
   {
     for (const auto& access : this->Passes[pass]->Accesses)
     {
-      if (access.How == Kind::Modify)
+      if (access.How == Kind::Modify || access.How == Kind::ModifyIfPresent)
       {
-        modifiers.push_back({ access.Order, pass, access.Resource });
+        modifiers.push_back(
+          { access.Order, pass, access.Resource, access.How == Kind::ModifyIfPresent });
       }
       if (access.How != Kind::Write)
       {
@@ -113,6 +121,10 @@ FrameGraph::Links FrameGraph::Resolve()
     const auto found = latest.find(modifier.Resource);
     if (found == latest.end())
     {
+      if (modifier.Optional)
+      {
+        continue;
+      }
       throw missing(modifier.Pass, modifier.Resource);
     }
     links.Inputs[modifier.Pass][modifier.Resource] = found->second;

@@ -23,7 +23,8 @@ class FrameContext;
 /// - ReadIfPresent: as Read, but the pass also runs without it.
 /// - Write: makes the resource. One pass only may write a resource.
 /// - Modify: reads one version and writes the next; modifiers run by rising order, all of them
-///   before any reader.
+///   before any reader. ModifyIfPresent does nothing where the resource has no writer, and the
+///   pass is dropped with it.
 class PassDeclaration
 {
 public:
@@ -35,6 +36,7 @@ public:
   PassDeclaration& ReadIfPresent(const std::string& resource);
   PassDeclaration& Write(const std::string& resource, const TextureDesc& desc);
   PassDeclaration& Modify(const std::string& resource, int order);
+  PassDeclaration& ModifyIfPresent(const std::string& resource, int order);
   /// The pass is needed although nobody reads what it writes.
   PassDeclaration& SideEffect();
   PassDeclaration& Execute(std::function<void(FrameContext&)> work);
@@ -46,7 +48,8 @@ private:
     Read,
     ReadIfPresent,
     Write,
-    Modify
+    Modify,
+    ModifyIfPresent
   };
   struct Access
   {

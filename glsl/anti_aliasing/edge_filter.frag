@@ -1,0 +1,102 @@
+#version 430 core
+// Smooths stairs along edges, after the method of FXAA (Lottes 2009): find the edge through a
+// pixel by its contrast, follow it both ways to its ends, and shift the pixel across it by how far
+// along the stair it lies. Single dots and thin lines, which have no such edge, are blended by how
+// much they stand out.
+#include "shared/view.h"
+
+layout(binding = 0) uniform sampler2D colorTexture;
+layout(location = 0) out vec4 color;
+
+const float SmallestContrast = 0.0312; // in the dark, below which an edge is not seen
+const float RelativeContrast = 0.125;  // of the brightest neighbour
+const float DotBlend = 0.75;
+const int Reach = 10; // pixels along an edge
+
+ivec2 low, high;
+
+vec3 pixelAt(ivec2 p)
+{
+  return texelFetch(colorTexture, clamp(p, low, high), 0).rgb;
+}
+
+float luma(vec3 c)
+{
+  return dot(c, vec3(0.299, 0.587, 0.114));
+}
+
+float lumaAt(ivec2 p)
+{
+  return luma(pixelAt(p));
+}
+
+void main()
+{
+  low = ivec2(view.Viewport.xy);
+  high = low + ivec2(view.Viewport.zw) - 1;
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  vec4 centre = texelFetch(colorTexture, p, 0);
+  float m = luma(centre.rgb);
+  float n = lumaAt(p + ivec2(0, 1));
+  float s = lumaAt(p + ivec2(0, -1));
+  float e = lumaAt(p + ivec2(1, 0));
+  float w = lumaAt(p + ivec2(-1, 0));
+  float brightest = max(m, max(max(n, s), max(e, w)));
+  float darkest = min(m, min(min(n, s), min(e, w)));
+  float contrast = brightest - darkest;
+  color = centre;
+  if (contrast < max(SmallestContrast, brightest * RelativeContrast))
+  {
+    return;
+  }
+
+  float ne = lumaAt(p + ivec2(1, 1));
+  float nw = lumaAt(p + ivec2(-1, 1));
+  float se = lumaAt(p + ivec2(1, -1));
+  float sw = lumaAt(p + ivec2(-1, -1));
+  float acrossVertical = abs(nw - 2.0 * w + sw) + 2.0 * abs(n - 2.0 * m + s) + abs(ne - 2.0 * e + se);
+  float acrossHorizontal = abs(nw - 2.0 * n + ne) + 2.0 * abs(w - 2.0 * m + e) + abs(sw - 2.0 * s + se);
+  bool horizontal = acrossVertical >= acrossHorizontal;
+
+  // The neighbour across the edge, and the way along it.
+  float plus = horizontal ? n : e;
+  float minus = horizontal ? s : w;
+  bool towardPlus = abs(plus - m) >= abs(minus - m);
+  ivec2 across = (horizontal ? ivec2(0, 1) : ivec2(1, 0)) * (towardPlus ? 1 : -1);
+  ivec2 along = horizontal ? ivec2(1, 0) : ivec2(0, 1);
+  float other = towardPlus ? plus : minus;
+  float middle = 0.5 * (m + other);
+  float bound = 0.25 * abs(other - m);
+
+  int forward = 0, backward = 0;
+  float endForward = 0.0, endBackward = 0.0;
+  bool openForward = true, openBackward = true;
+  for (int i = 1; i <= Reach && (openForward || openBackward); ++i)
+  {
+    if (openForward)
+    {
+      ivec2 q = p + along * i;
+      endForward = 0.5 * (lumaAt(q) + lumaAt(q + across)) - middle;
+      forward = i;
+      openForward = abs(endForward) < bound;
+    }
+    if (openBackward)
+    {
+      ivec2 q = p - along * i;
+      endBackward = 0.5 * (lumaAt(q) + lumaAt(q + across)) - middle;
+      backward = i;
+      openBackward = abs(endBackward) < bound;
+    }
+  }
+  float nearest = float(min(forward, backward));
+  float length = float(forward + backward);
+  float end = forward < backward ? endForward : endBackward;
+  // The stair steps toward this pixel only if the edge's end differs the other way than it does.
+  float shift = (end < 0.0) != (m - middle < 0.0) ? 0.5 - nearest / length : 0.0;
+
+  float average = (2.0 * (n + s + e + w) + ne + nw + se + sw) / 12.0;
+  float standsOut = clamp(abs(average - m) / contrast, 0.0, 1.0);
+  float blend = standsOut * standsOut * (3.0 - 2.0 * standsOut);
+  shift = max(shift, blend * blend * DotBlend);
+  color.rgb = mix(centre.rgb, pixelAt(p + across), shift);
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/Frame.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace penumbra
+{
+void FrameBuilder::SetJitter(const glm::dvec2& pixels)
+{
+  View& view = this->CurrentView;
+  const glm::dvec2 size(view.Viewport.z, view.Viewport.w);
+  const glm::dvec3 shift(2.0 * (pixels - view.Jitter) / size, 0.0);
+  view.ViewToClip = glm::translate(glm::dmat4(1.0), shift) * view.ViewToClip;
+  view.Jitter = pixels;
+}
+}
