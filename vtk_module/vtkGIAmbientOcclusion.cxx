@@ -110,7 +110,7 @@ void vtkGIAmbientOcclusion::ReleaseGraphicsResources(vtkWindow*)
 
 void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
 {
-  frame.AddAmbientLight(this->AmbientLight);
+  frame.SpreadLight(this->AmbientShare);
   const double radius =
     this->Radius > 0.0 ? this->Radius : AutomaticRadius * frame.GetView().Diagonal;
   if (radius <= 0.0)

@@ -3,7 +3,8 @@
   {
     discard;
   }
-  gl_FragData[0] = vec4(diffuseColor * giTexture.rgb, 1.0);
+  // Only VTK's edges drawn as tubes shorten the normal, where they blend into the surface.
+  gl_FragData[0] = vec4(diffuseColor * giTexture.rgb * length(normalVCVSOutput), 1.0);
   gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput),
     float(gl_FrontFacing ? giMaterial : giBackMaterial) / 65535.0, 0.0);
   gl_FragData[2] = vec4(ambientColor * giTexture.rgb, 1.0);

@@ -22,7 +22,7 @@ layout(binding = 6) uniform sampler2DArray directVisibility;
 layout(binding = 7) uniform sampler2D ambientVisibility;
 
 uniform int lightCount;
-uniform float ambientLight; // radiance of the uniform surroundings
+uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
 
 layout(location = 0) out vec4 color;
 #ifdef GI_RADIANCE
@@ -117,7 +117,8 @@ void main()
   vec3 result;
   if (pbr)
   {
-    vec3 surroundings = ambientLight * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
+    // VTK's PBR reflects 1 / pi of what its Phong materials do.
+    vec3 surroundings = ambientLight / GI_PI * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
     result = openness * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
     color = vec4(pow(max(result, 0.0), vec3(1.0 / 2.2)), 1.0);
   }

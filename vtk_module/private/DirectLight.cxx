@@ -29,7 +29,7 @@ struct Resolve
   MaterialTable* Materials;
   bool Extended;
   bool Radiance;
-  double AmbientLight;
+  double Share; ///< of the lights' strength that is spread over all directions
 
   Defines Variant(const FrameContext& context) const
   {
@@ -82,10 +82,11 @@ struct Resolve
         context.Input(resource::Normal), context.Input(resource::Ambient),
         context.Input(resource::Surface), context.Input(resource::Emission),
         context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility) });
-    this->Lights->Bind(0);
+    this->Lights->Bind(0, 1.0 - this->Share);
     this->Materials->Bind(1);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
-    glUniform1f(program.Location("ambientLight"), static_cast<GLfloat>(this->AmbientLight));
+    const glm::vec3 ambient(this->Share * this->Lights->TotalColor());
+    glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
     context.DrawFullscreen();
   }
 };
@@ -128,7 +129,7 @@ void ContributeDirectLight(
   {
     pass.Write(resource::Radiance, frame.WindowTexture(GL_RGBA32F));
   }
-  pass.Execute(Resolve{ &lights, &materials, extended, radiance, frame.GetAmbientLight() });
+  pass.Execute(Resolve{ &lights, &materials, extended, radiance, frame.GetSpreadShare() });
   frame.AddPass("present").Read(resource::Color).Read(resource::Depth).SideEffect().Execute(Present);
 }
 }

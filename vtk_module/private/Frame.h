@@ -115,15 +115,15 @@ public:
   /// Shift this frame's picture by a part of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
-  /// Ambient radiance that surrounds the scene, added to what materials reflect by themselves.
-  void AddAmbientLight(double radiance) { this->AmbientLight += radiance; }
-  double GetAmbientLight() const { return this->AmbientLight; }
+  /// Take a share of the lights' strength and spread it evenly over all directions.
+  void SpreadLight(double share) { this->Share = share; }
+  double GetSpreadShare() const { return this->Share; }
 
 private:
   FrameGraph& Graph;
   View& CurrentView;
   LightTable& CurrentLights;
   SceneCapture& Scene;
-  double AmbientLight = 0.0;
+  double Share = 0.0;
 };
 }

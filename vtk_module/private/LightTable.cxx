@@ -63,14 +63,24 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
   this->SingleHeadlight = this->All.size() == 1 && onlyHeadlights && !this->Positional;
 }
 
-void LightTable::Bind(GLuint index)
+glm::dvec3 LightTable::TotalColor() const
+{
+  glm::dvec3 total(0.0);
+  for (const auto& light : this->All)
+  {
+    total += light.Color;
+  }
+  return total;
+}
+
+void LightTable::Bind(GLuint index, double scale)
 {
   std::vector<shared::LightData> data;
   for (const auto& light : this->All)
   {
     shared::LightData entry;
     const bool cone = light.IsCone();
-    entry.Color = glm::vec4(light.Color, cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0);
+    entry.Color = glm::vec4(light.Color * scale, cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0);
     entry.Direction = glm::vec4(light.Direction, light.Exponent);
     entry.Position = glm::vec4(light.Position, 0.0);
     entry.Attenuation = glm::vec4(light.Attenuation, 0.0);

@@ -48,8 +48,11 @@ public:
   bool IsSingleHeadlight() const { return this->SingleHeadlight; }
   bool HasPositional() const { return this->Positional; }
 
-  /// Upload for binding GI 0 of the direct light shader.
-  void Bind(GLuint index);
+  /// The colours of all lights added up.
+  glm::dvec3 TotalColor() const;
+
+  /// Upload, with every light's strength scaled.
+  void Bind(GLuint index, double scale);
 
   void ReleaseGraphicsResources() { this->Storage = Buffer(); }
 
