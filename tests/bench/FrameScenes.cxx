@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameScenes.h"
+
+#include "vtkGIPass.h"
+#include "vtkGIShadowMaps.h"
+#include "vtkGITechnique.h"
+#include "vtkHeadlessRenderWindow.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkLight.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <chrono>
+#include <fstream>
+#include <stdexcept>
+
+namespace bench
+{
+namespace
+{
+constexpr int OcclusionSamples = 32; // vtkSSAOPass's own default
+constexpr int MapResolution = 1024;  // vtkShadowMapBakerPass's own default
+
+vtkGIPass* AddPass(vtkRenderer* renderer)
+{
+  vtkNew<vtkGIPass> pass;
+  pass->GetTechnique("anti-aliasing")->EnabledOff(); // the windows are not multisampled either
+  renderer->SetPass(pass);
+  return pass;
+}
+
+void AddLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> key;
+  key->SetLightTypeToSceneLight();
+  key->SetPosition(-300.0, 600.0, 500.0);
+  key->SetFocalPoint(0.0, 0.0, 0.0);
+  key->SetIntensity(0.8);
+  renderer->AddLight(key);
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity(0.25);
+  renderer->AddLight(fill);
+}
+}
+
+std::vector<Variant> Variants()
+{
+  const auto nothing = [](vtkActor*) {};
+  const auto stale = [](vtkActor* actor) { actor->Modified(); };
+  return {
+    { "stock", [](vtkRenderer*) {}, nothing },
+    { "pass", [](vtkRenderer* renderer) { AddPass(renderer); }, nothing },
+    { "stock ssao",
+      [](vtkRenderer* renderer) {
+        renderer->UseSSAOOn();
+        renderer->SetSSAOKernelSize(OcclusionSamples);
+        renderer->SetSSAORadius(30.0);
+        renderer->SetSSAOBias(0.3);
+        renderer->SSAOBlurOn();
+      },
+      nothing },
+    { "pass ssao",
+      [](vtkRenderer* renderer) {
+        vtkGITechnique* occlusion = AddPass(renderer)->GetTechnique("ambient-occlusion");
+        occlusion->EnabledOn();
+        occlusion->SetParameter("samples", OcclusionSamples);
+      },
+      nothing },
+    { "stock shadow", [](vtkRenderer* renderer) { renderer->UseShadowsOn(); }, stale },
+    { "pass shadow",
+      [](vtkRenderer* renderer) {
+        vtkGITechnique* shadows = AddPass(renderer)->GetTechnique("shadow-maps");
+        shadows->EnabledOn();
+        shadows->SetParameter("resolution", MapResolution);
+        vtkGIShadowMaps::SafeDownCast(shadows)->AlwaysRedrawOn();
+      },
+      stale },
+  };
+}
+
+vtkSmartPointer<vtkPolyData> ReadHead(const std::string& file, double isovalue)
+{
+  if (!std::ifstream(file))
+  {
+    throw std::runtime_error(file + " cannot be read; install Debian's mricron-data, or name "
+                                    "another NIfTI volume with --volume=FILE.");
+  }
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkFlyingEdges3D> surface;
+  surface->SetInputConnection(reader->GetOutputPort());
+  surface->SetValue(0, isovalue);
+  surface->Update();
+  return surface->GetOutput();
+}
+
+Stage::Stage(const Variant& variant, vtkPolyData* surface, int width, int height)
+  : Way(variant)
+  , Window(vtkSmartPointer<vtkHeadlessRenderWindow>::New())
+  , Renderer(vtkSmartPointer<vtkRenderer>::New())
+  , Actor(vtkSmartPointer<vtkActor>::New())
+{
+  this->Window->SetSize(width, height);
+  this->Window->SetMultiSamples(0);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetBackground(0.9, 0.92, 0.95);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->ScalarVisibilityOff();
+  this->Actor->SetMapper(mapper);
+  this->Actor->GetProperty()->SetColor(0.9, 0.75, 0.65);
+  this->Renderer->AddActor(this->Actor);
+  AddLights(this->Renderer);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(-1.0, 2.0, 0.3);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  this->Renderer->ResetCamera();
+  camera->Zoom(1.4);
+  this->Way.Prepare(this->Renderer);
+}
+
+Stage::~Stage() = default;
+
+double Stage::DrawFrame()
+{
+  this->Renderer->GetActiveCamera()->Azimuth(1.0);
+  this->Way.Touch(this->Actor);
+  const auto begin = std::chrono::steady_clock::now();
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+}

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Frame times of the pass beside stock VTK's on the same scene, drawn in turn in random order so
+ * that the machine's moods meet all of them alike. What it does not measure: reading, surfacing,
+ * first frames with their shader compilation, and read-back.
+ */
+#include "FrameScenes.h"
+#include "Report.h"
+
+#include "vtkHeadlessRenderWindow.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+namespace
+{
+struct Options
+{
+  std::string Volume = "/usr/share/mricron/templates/ch2.nii.gz";
+  double Isovalue = 10.0; // the skin, and little of what lies inside
+  std::string Json;
+  int Repetitions = 9;
+  int Width = 1280;
+  int Height = 720;
+};
+
+void Declare(CLI::App& app, Options& options)
+{
+  app.description(
+    "Times frames of the pass and of stock VTK on the surface of a volume, and prints medians and "
+    "ratios. Exit code 1 where a ratio is exceeded.");
+  app.add_option("--volume", options.Volume, "a NIfTI volume (default: mricron-data's MRI head)");
+  app.add_option("--isovalue", options.Isovalue, "value of the surface")->capture_default_str();
+  app.add_option("--json", options.Json, "also write the figures to this file");
+  app.add_option("--repetitions", options.Repetitions, "frames per way of drawing")
+    ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
+  app.add_option("--width", options.Width, "pixels")->check(CLI::Range(16, 16384));
+  app.add_option("--height", options.Height, "pixels")->check(CLI::Range(16, 16384));
+}
+
+bool Run(const Options& options)
+{
+  const auto head = bench::ReadHead(options.Volume, options.Isovalue);
+  std::vector<std::unique_ptr<bench::Stage>> stages;
+  for (const auto& variant : bench::Variants())
+  {
+    stages.push_back(
+      std::make_unique<bench::Stage>(variant, head, options.Width, options.Height));
+    bench::Stage* stage = stages.back().get();
+    stage->DrawFrame(); // compiles shaders
+    stage->DrawFrame();
+    benchmark::RegisterBenchmark(variant.Name.c_str(), [stage](benchmark::State& state) {
+      for (auto _ : state)
+      {
+        state.SetIterationTime(stage->DrawFrame());
+      }
+    })
+      ->UseManualTime()
+      ->Iterations(1)
+      ->Repetitions(options.Repetitions);
+  }
+  std::string name = "penumbra_bench";
+  std::string interleave = "--benchmark_enable_random_interleaving=true";
+  char* arguments[] = { &name[0], &interleave[0], nullptr };
+  int count = 2;
+  benchmark::Initialize(&count, arguments);
+  bench::Report report;
+  benchmark::RunSpecifiedBenchmarks(&report);
+
+  vtkNew<vtkHeadlessRenderWindow> window;
+  window->Render();
+  const std::string description = std::to_string(head->GetNumberOfPolys()) + " triangles, " +
+    std::to_string(options.Width) + " x " + std::to_string(options.Height) + ", " +
+    window->GetDescription() + ", median of " + std::to_string(options.Repetitions);
+  return report.Conclude(
+    {
+      { "frame of the pass, techniques off / stock", "pass", "", "stock", "", 1.3 },
+      { "added by occlusion of 32 samples / by vtkSSAOPass", "pass ssao", "pass", "stock ssao",
+        "stock", 1.0 },
+      { "added by a redrawn shadow map / by vtkShadowMapPass", "pass shadow", "pass",
+        "stock shadow", "stock", 1.2 },
+    },
+    description, options.Json);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app;
+  Declare(app, options);
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    return Run(options) ? 0 : 1;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "penumbra_bench: %s\n", error.what());
+    return 1;
+  }
+}
