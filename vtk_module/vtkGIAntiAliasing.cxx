@@ -40,30 +40,31 @@ double Halton(int index, int base)
   return result;
 }
 
-void DrawFilter(FrameContext& context, const Program& program,
-  const std::vector<const Texture*>& textures, const std::vector<const char*>& outputs)
+void DrawFilter(FrameContext& context, const Program& program, const char* resource)
 {
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, false);
   scope.DepthMask(false);
-  context.BindTarget(outputs);
-  context.Use(program, textures);
+  context.BindTarget({ resource });
+  context.Use(program, { context.Input(resource) });
   context.DrawFullscreen();
 }
 
 // Add this frame to the sum of the frames before, and show the average.
-void Average(FrameContext& context, const char* resource, bool frozen)
+void Average(FrameContext& context, const char* resource, int maximum)
 {
   const View& view = context.GetView();
   bool fresh = false;
   Texture& sum = context.History((std::string("sum.") + resource).c_str(),
     { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, fresh);
+  const bool first = fresh || view.StillFrames == 0;
+  const bool frozen = !first && view.StillFrames >= maximum;
   const Program& program = context.Shaders().Fragment("anti_aliasing/accumulate.frag",
-    { { "GI_FIRST", view.StillFrames == 0 || fresh ? "1" : "0" },
-      { "GI_FROZEN", frozen && !fresh ? "1" : "0" } });
+    { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } });
+  glProgramUniform1f(program.Get(), program.Location("frames"), frozen ? maximum : first ? 1.0f : view.StillFrames + 1.0f);
   glBindImageTexture(0, sum.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  DrawFilter(context, program, { context.Input(resource) }, { resource });
+  DrawFilter(context, program, resource);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
@@ -100,18 +101,18 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   bool filter = true;
   if (mode == Accumulate)
   {
-    const bool frozen = view.StillFrames >= this->MaximumFrames;
-    const int index = frozen ? 0 : view.StillFrames;
+    const int maximum = this->MaximumFrames;
+    const int index = view.StillFrames < maximum ? view.StillFrames : 0;
     if (index > 0)
     {
       frame.SetJitter({ Halton(index, 2) - 0.5, Halton(index, 3) - 0.5 });
     }
     frame.AddPass("accumulate")
       .Modify(resource::Color, AccumulateOrder)
-      .Execute([frozen](FrameContext& context) { Average(context, resource::Color, frozen); });
+      .Execute([maximum](FrameContext& context) { Average(context, resource::Color, maximum); });
     frame.AddPass("accumulate-radiance")
       .ModifyIfPresent(resource::Radiance, AccumulateOrder)
-      .Execute([frozen](FrameContext& context) { Average(context, resource::Radiance, frozen); });
+      .Execute([maximum](FrameContext& context) { Average(context, resource::Radiance, maximum); });
     frame.AddPass("steady-depth")
       .Read(resource::Depth)
       .Read(resource::Color)
@@ -125,7 +126,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       .Modify(resource::Color, EdgeFilterOrder)
       .Execute([](FrameContext& context) {
         DrawFilter(context, context.Shaders().Fragment("anti_aliasing/edge_filter.frag"),
-          { context.Input(resource::Color) }, { resource::Color });
+          resource::Color);
       });
   }
 }

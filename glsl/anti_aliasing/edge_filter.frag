@@ -15,9 +15,9 @@ const int Reach = 10; // pixels along an edge
 
 ivec2 low, high;
 
-vec3 pixelAt(ivec2 p)
+vec4 pixelAt(ivec2 p)
 {
-  return texelFetch(colorTexture, clamp(p, low, high), 0).rgb;
+  return texelFetch(colorTexture, clamp(p, low, high), 0);
 }
 
 float luma(vec3 c)
@@ -27,7 +27,7 @@ float luma(vec3 c)
 
 float lumaAt(ivec2 p)
 {
-  return luma(pixelAt(p));
+  return luma(pixelAt(p).rgb);
 }
 
 void main()
@@ -98,5 +98,5 @@ void main()
   float standsOut = clamp(abs(average - m) / contrast, 0.0, 1.0);
   float blend = standsOut * standsOut * (3.0 - 2.0 * standsOut);
   shift = max(shift, blend * blend * DotBlend);
-  color.rgb = mix(centre.rgb, pixelAt(p + across), shift);
+  color = mix(centre, pixelAt(p + across), shift);
 }

@@ -209,6 +209,6 @@ void FrameContext::DrawFullscreen() const
 
 Texture& FrameContext::History(const char* name, const TextureDesc& desc, bool& fresh) const
 {
-  return this->Executor->Pool.History(this->Executor->ViewName + "/" + name, desc, fresh);
+  return this->Executor->Pool.History(this->Executor->ViewName, name, desc, fresh);
 }
 }

@@ -107,7 +107,12 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   }
   const int eye = renderer->GetActiveCamera()->GetLeftEye();
   Memory& memory = this->Views[{ renderer, eye }];
-  memory.Renderer = renderer;
+  if (!memory.Renderer)
+  {
+    memory = Memory(); // another renderer at a dead one's address
+    memory.Renderer = renderer;
+    memory.Name = std::to_string(++this->ViewsMade);
+  }
   try
   {
     this->DrawFrame(self, state, memory);
@@ -118,10 +123,16 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   {
     problem = error.what();
   }
-  this->Pool.EndFrame();
+  this->Pool.EndFrame(memory.Name);
   for (auto it = this->Views.begin(); it != this->Views.end();)
   {
-    it = it->second.Renderer ? std::next(it) : this->Views.erase(it);
+    if (it->second.Renderer)
+    {
+      ++it;
+      continue;
+    }
+    this->Pool.ForgetView(it->second.Name);
+    it = this->Views.erase(it);
   }
   return problem;
 }
@@ -182,10 +193,8 @@ void vtkGIPass::Internals::DrawFrame(
   target.Framebuffer = static_cast<GLuint>(bound);
   target.Multisampled = window->GetMultiSamples() > 1;
   target.Depth = depth.get();
-  const std::string viewName = std::to_string(reinterpret_cast<std::uintptr_t>(renderer)) + "." +
-    std::to_string(renderer->GetActiveCamera()->GetLeftEye());
   GpuTimer timer;
-  FrameExecutor executor(this->Pool, this->Shaders, view, renderer, target, viewName);
+  FrameExecutor executor(this->Pool, this->Shaders, view, renderer, target, memory.Name);
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
   if (self->GetCollectStatistics())

@@ -31,6 +31,7 @@ public:
   struct Memory
   {
     vtkWeakPointer<vtkRenderer> Renderer;
+    std::string Name; ///< of its textures in the pool
     penumbra::SceneSignature Signature;
     int StillFrames = 0;
     int FrameNumber = 0;
@@ -58,5 +59,6 @@ private:
   penumbra::SceneCapture Capture{ Shaders };
   penumbra::LightTable Lights;
   std::map<std::pair<vtkRenderer*, int>, Memory> Views;
+  int ViewsMade = 0;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 };

@@ -8,7 +8,7 @@ namespace penumbra
 {
 namespace
 {
-// A view that is not drawn for this many frames of its window gives its textures back.
+// What this many frames have not used is given back.
 constexpr int IdleLimit = 16;
 }
 
@@ -38,18 +38,20 @@ void ResourcePool::Release(Texture* texture)
   }
 }
 
-Texture& ResourcePool::History(const std::string& name, const TextureDesc& desc, bool& fresh)
+Texture& ResourcePool::History(
+  const std::string& view, const std::string& name, const TextureDesc& desc, bool& fresh)
 {
-  auto found = this->Histories.find(name);
-  fresh = found == this->Histories.end() || !(found->second.Storage.Desc() == desc);
+  auto& histories = this->Histories[view];
+  auto found = histories.find(name);
+  fresh = found == histories.end() || !(found->second.Storage.Desc() == desc);
   if (fresh)
   {
-    if (found != this->Histories.end())
+    if (found != histories.end())
     {
       this->ForgetFramebuffersOf(found->second.Storage);
-      this->Histories.erase(found);
+      histories.erase(found);
     }
-    found = this->Histories.emplace(name, Slot{ Texture(desc), false, 0 }).first;
+    found = histories.emplace(name, Slot{ Texture(desc), false, 0 }).first;
   }
   found->second.IdleFrames = 0;
   return found->second.Storage;
@@ -135,7 +137,7 @@ void ResourcePool::ForgetFramebuffersOf(const Texture& texture)
   }
 }
 
-void ResourcePool::EndFrame()
+void ResourcePool::EndFrame(const std::string& view)
 {
   this->FrameFramebuffers.clear();
   for (auto it = this->Slots.begin(); it != this->Slots.end();)
@@ -148,16 +150,26 @@ void ResourcePool::EndFrame()
     }
     ++it;
   }
-  for (auto it = this->Histories.begin(); it != this->Histories.end();)
+  auto& histories = this->Histories[view];
+  for (auto it = histories.begin(); it != histories.end();)
   {
     if (++it->second.IdleFrames > IdleLimit)
     {
       this->ForgetFramebuffersOf(it->second.Storage);
-      it = this->Histories.erase(it);
+      it = histories.erase(it);
       continue;
     }
     ++it;
   }
+}
+
+void ResourcePool::ForgetView(const std::string& view)
+{
+  for (const auto& history : this->Histories[view])
+  {
+    this->ForgetFramebuffersOf(history.second.Storage);
+  }
+  this->Histories.erase(view);
 }
 
 void ResourcePool::Clear()
@@ -175,15 +187,23 @@ std::size_t ResourcePool::Bytes() const
   {
     bytes += slot.Storage.Desc().Bytes();
   }
-  for (const auto& history : this->Histories)
+  for (const auto& view : this->Histories)
   {
-    bytes += history.second.Storage.Desc().Bytes();
+    for (const auto& history : view.second)
+    {
+      bytes += history.second.Storage.Desc().Bytes();
+    }
   }
   return bytes;
 }
 
 int ResourcePool::Count() const
 {
-  return static_cast<int>(this->Slots.size() + this->Histories.size());
+  std::size_t count = this->Slots.size();
+  for (const auto& view : this->Histories)
+  {
+    count += view.second.size();
+  }
+  return static_cast<int>(count);
 }
 }

@@ -29,14 +29,18 @@ public:
   Texture* Acquire(const TextureDesc& desc);
   void Release(Texture* texture);
 
-  /// A texture that keeps its contents from frame to frame. fresh tells that it was made now.
-  Texture& History(const std::string& name, const TextureDesc& desc, bool& fresh);
+  /// A texture that a view keeps from frame to frame. fresh tells that it was made now.
+  Texture& History(
+    const std::string& view, const std::string& name, const TextureDesc& desc, bool& fresh);
 
   /// A framebuffer of these attachments (colour in order, then depth), made once.
   GLuint Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth);
 
-  /// Forget what no frame has used lately. Call once a frame.
-  void EndFrame();
+  /// End a frame of a view: forget what no frame, and histories that none of this view, has used
+  /// lately.
+  void EndFrame(const std::string& view);
+  /// Forget the histories of a view that is gone.
+  void ForgetView(const std::string& view);
   void Clear();
 
   std::size_t Bytes() const;
@@ -52,7 +56,7 @@ private:
   void ForgetFramebuffersOf(const Texture& texture);
 
   std::list<Slot> Slots;
-  std::map<std::string, Slot> Histories;
+  std::map<std::string, std::map<std::string, Slot>> Histories; ///< by view and name
   std::map<std::vector<GLuint>, FramebufferHandle> Framebuffers;
   /// Those that bind a texture of VTK's, which may be replaced behind our back between frames.
   std::map<std::vector<GLuint>, FramebufferHandle> FrameFramebuffers;
