@@ -60,7 +60,7 @@ macro(penumbra_build_module)
     LIBRARY_NAME_SUFFIX ""
     PACKAGE Penumbra
     VERSION "${PROJECT_VERSION}"
-    SOVERSION "${PROJECT_VERSION_MAJOR}")
+    SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
   if(PENUMBRA_WRAP_PYTHON)
     include(PenumbraPython)
   endif()

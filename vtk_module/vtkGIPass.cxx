@@ -161,7 +161,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
     }
   }
   this->Impl->LastError = problem;
-  stages.RenderAfterOpaque();
+  stages.RenderAfterOpaque(this->Impl->CapturedProps);
   this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
 }
 

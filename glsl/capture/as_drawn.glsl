@@ -3,10 +3,10 @@
   {
     discard;
   }
-  gl_FragData[0] = vec4(0.0, 0.0, 0.0, 1.0);
+  gl_FragData[0] = vec4(0.0, 0.0, 0.0, giDrawn.a);
   gl_FragData[1] = vec4(0.5, 0.5, 0.0, 0.0);
   gl_FragData[2] = giDrawn;
 #ifdef GI_EXTENDED
   gl_FragData[3] = vec4(0.0);
-  gl_FragData[4] = vec4(0.0);
+  gl_FragData[4] = vec4(0.0, 0.0, 0.0, giDrawn.a);
 #endif

@@ -2,7 +2,8 @@
 // The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
 // GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
-// GI_RADIANCE (keep the linear radiance).
+// GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
+// radiance, not the colour as displayed).
 #include "shared/view.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -25,9 +26,6 @@ uniform int lightCount;
 uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
 
 layout(location = 0) out vec4 color;
-#ifdef GI_RADIANCE
-layout(location = 1) out vec4 radiance;
-#endif
 
 float visibility(ivec2 pixel, int channel)
 {
@@ -50,6 +48,11 @@ void main()
   }
   vec4 packedNormal = texelFetch(normalTexture, pixel, 0);
   vec3 ambient = texelFetch(ambientTexture, pixel, 0).rgb;
+#ifdef GI_COVERAGE
+  // Blended over black, so multiplied by the coverage.
+  albedo.rgb /= albedo.a;
+  ambient /= albedo.a;
+#endif
   int index = int(packedNormal.z * 65535.0 + 0.5);
   float openness = 1.0;
 #ifdef GI_AMBIENT_VISIBILITY
@@ -114,28 +117,35 @@ void main()
 
 #ifdef GI_EXTENDED
   vec3 emission = texelFetch(emissionTexture, pixel, 0).rgb;
+#ifdef GI_COVERAGE
+  emission /= albedo.a;
+#endif
   vec3 result;
   if (pbr)
   {
     // VTK's PBR reflects 1 / pi of what its Phong materials do.
     vec3 surroundings = ambientLight / GI_PI * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
     result = openness * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
-    color = vec4(pow(max(result, 0.0), vec3(1.0 / 2.2)), 1.0);
+    color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
   }
   else
   {
     result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light +
       material.Specular.rgb * surface.rgb * gloss + emission;
-    color = vec4(result, 1.0);
+    color.rgb = result;
   }
 #else
   vec3 result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;
 #endif
-  color = vec4(result, 1.0);
+  color.rgb = result;
 #endif
 #ifdef GI_RADIANCE
-  radiance = vec4(result, 1.0);
+  color.rgb = result;
+#endif
+  color.a = 1.0;
+#ifdef GI_COVERAGE
+  color.a = albedo.a;
 #endif
 }

@@ -31,7 +31,7 @@ struct Resolve
   bool Radiance;
   double Share; ///< of the lights' strength that is spread over all directions
 
-  Defines Variant(const FrameContext& context) const
+  Defines Variant(const FrameContext& context, bool radiance) const
   {
     Defines defines;
     const auto flag = [&defines](const char* name, bool set) {
@@ -46,7 +46,8 @@ struct Resolve
     flag("GI_POSITIONAL", this->Lights->HasPositional());
     flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
-    flag("GI_RADIANCE", this->Radiance);
+    flag("GI_COVERAGE", this->Materials->CoverInPart());
+    flag("GI_RADIANCE", radiance);
     return defines;
   }
 
@@ -56,27 +57,29 @@ struct Resolve
     {
       CopyWindow(context, resource::Color);
     }
+    // The radiance by a second drawing: the colour may go straight to the window, alone.
     if (this->Radiance)
     {
       CopyWindow(context, resource::Radiance);
+      this->Draw(context, resource::Radiance);
     }
+    this->Draw(context, resource::Color);
+  }
+
+  void Draw(FrameContext& context, const char* target) const
+  {
     ScopedState scope(context.State());
-    scope.Set(GL_BLEND, false);
-    if (this->Radiance)
-    {
-      context.BindTarget({ resource::Color, resource::Radiance }, resource::Depth);
-    }
-    else
-    {
-      context.BindTarget({ resource::Color }, resource::Depth);
-    }
+    scope.Set(GL_BLEND, this->Materials->CoverInPart());
+    context.State()->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    context.BindTarget({ target }, resource::Depth);
     // The triangle lies at the far plane: only pixels with something nearer are resolved. Depth is
     // read while bound, which is defined as long as nothing writes it.
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_GREATER);
     scope.DepthMask(false);
-    const Program& program =
-      context.Shaders().Fragment("direct_light/resolve.frag", this->Variant(context));
+    const Program& program = context.Shaders().Fragment(
+      "direct_light/resolve.frag", this->Variant(context, target == resource::Radiance));
     context.Use(program,
       { context.Input(resource::Depth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Ambient),

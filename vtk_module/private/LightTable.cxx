@@ -16,7 +16,6 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
 {
   this->All.clear();
   this->Positional = false;
-  bool onlyHeadlights = true;
   vtkTransform* toView = renderer->GetActiveCamera()->GetModelViewTransformObject();
   vtkTransform* userTransform = renderer->GetUserLightTransform();
   vtkLightCollection* lights = renderer->GetLights();
@@ -57,10 +56,10 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
     entry.Positional = light->GetPositional() != 0;
     entry.Headlight = light->LightTypeIsHeadlight() != 0;
     this->Positional |= entry.Positional;
-    onlyHeadlights &= entry.Headlight;
     this->All.push_back(entry);
   }
-  this->SingleHeadlight = this->All.size() == 1 && onlyHeadlights && !this->Positional;
+  // VTK's own verdict, which lights that are off sway too.
+  this->SingleHeadlight = this->All.size() == 1 && renderer->GetLightingComplexity() == 1;
 }
 
 glm::dvec3 LightTable::TotalColor() const

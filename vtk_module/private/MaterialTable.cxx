@@ -12,6 +12,7 @@ void MaterialTable::Clear()
   this->Index.clear();
   this->PBR = false;
   this->Specular = false;
+  this->PartCover = false;
 }
 
 int MaterialTable::Find(vtkProperty* property)

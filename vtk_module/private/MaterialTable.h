@@ -31,6 +31,11 @@ public:
   bool HasPBR() const { return this->PBR; }
   bool HasSpecular() const { return this->Specular; }
 
+  /// Whether fragments drawn as opaque may cover a pixel in part, by the alpha of a texture or of
+  /// colours; VTK blends such fragments in the order of drawing.
+  void SetCoverInPart(bool part) { this->PartCover = part; }
+  bool CoverInPart() const { return this->PartCover; }
+
   void Bind(GLuint index);
   void ReleaseGraphicsResources() { this->Storage = Buffer(); }
 
@@ -39,6 +44,7 @@ private:
   std::map<std::array<float, 5>, int> Index;
   bool PBR = false;
   bool Specular = false;
+  bool PartCover = false;
   Buffer Storage;
 };
 }

@@ -77,18 +77,22 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
     view.Diagonal = glm::length(glm::dvec3(view.Bounds[1] - view.Bounds[0],
       view.Bounds[3] - view.Bounds[2], view.Bounds[5] - view.Bounds[4]));
   }
+  const SceneSignature signature = this->Sign(renderer, view);
+  memory.StillFrames = signature == memory.Signature ? memory.StillFrames : 0;
+  memory.WindowSize = view.WindowSize;
+  view.StillFrames = memory.StillFrames;
+  view.FrameNumber = memory.FrameNumber;
+  return view;
+}
+
+SceneSignature vtkGIPass::Internals::Sign(vtkOpenGLRenderer* renderer, const View& view)
+{
   vtkMTimeType time = 0;
   for (auto& technique : this->Techniques)
   {
     time = std::max(time, technique->GetMTime());
   }
-  const SceneSignature signature = SceneSignature::Of(renderer, view, time);
-  memory.StillFrames = signature == memory.Signature ? memory.StillFrames : 0;
-  memory.Signature = signature;
-  memory.WindowSize = view.WindowSize;
-  view.StillFrames = memory.StillFrames;
-  view.FrameNumber = memory.FrameNumber;
-  return view;
+  return SceneSignature::Of(renderer, view, time);
 }
 
 std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderState* state)
@@ -168,6 +172,7 @@ void vtkGIPass::Internals::DrawFrame(
   this->Capture.Collect(state);
   this->Lights.Collect(renderer);
 
+  const View unshifted = view;
   FrameGraph graph;
   FrameBuilder builder(graph, view, this->Lights, this->Capture);
   for (auto& technique : this->Techniques)
@@ -197,6 +202,8 @@ void vtkGIPass::Internals::DrawFrame(
   FrameExecutor executor(this->Pool, this->Shaders, view, renderer, target, memory.Name);
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
+  // Signed after drawing, as drawing brings pipelines and lights up to date.
+  memory.Signature = this->Sign(renderer, unshifted);
   if (self->GetCollectStatistics())
   {
     this->WriteStatistics(timer.Collect(), view);

@@ -49,6 +49,7 @@ public:
 private:
   std::string CheckContext(vtkOpenGLRenderWindow* window);
   penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
+  penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
   void DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory);
   void KeepRadiance(penumbra::FrameBuilder& frame, Memory& memory);
   void WriteStatistics(

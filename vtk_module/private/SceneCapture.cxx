@@ -59,6 +59,31 @@ bool NeedsExtended(vtkProp* prop)
 }
 }
 
+namespace
+{
+// Whether a prop's opaque fragments may have an alpha below one: VTK looks at neither where the
+// actor is forced opaque, nor at the textures of its property.
+bool MayCoverInPart(vtkProp* prop)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (MayCoverInPart(part))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor && (actor->GetForceOpaque() || actor->GetProperty()->GetNumberOfTextures() > 0);
+}
+}
+
 SceneCapture::SceneCapture(const ShaderLibrary& shaders)
   : Hooks(vtkSmartPointer<vtkGICaptureHooks>::New())
 {
@@ -98,12 +123,14 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->All.clear();
   this->Table.Clear();
   bool extended = false;
+  bool part = false;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = state->GetPropArray()[i];
     const bool captured = CanCapture(prop);
     (captured ? this->Captured : this->Others).push_back(prop);
     extended |= captured && NeedsExtended(prop);
+    part |= captured && MayCoverInPart(prop);
   }
   // VTK culls the list above to the view; what is behind the camera still casts shadows into it.
   vtkPropCollection* props = state->GetRenderer()->GetViewProps();
@@ -116,6 +143,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
       this->All.push_back(prop);
     }
   }
+  this->Table.SetCoverInPart(part);
   this->Extended = extended;
   this->Hooks->SetExtended(extended);
 }
@@ -148,7 +176,15 @@ void SceneCapture::Draw(FrameContext& context)
   }
   ScopedState scope(context.State());
   context.BindTarget(outputs, resource::Depth);
-  scope.Set(GL_BLEND, false);
+  scope.Set(GL_BLEND, this->Table.CoverInPart());
+  if (this->Table.CoverInPart())
+  {
+    context.State()->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // The normal and the surface's factors cannot be mixed: the last drawn counts.
+    glDisablei(GL_BLEND, 1);
+    glDisablei(GL_BLEND, 3);
+  }
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthMask(true);
   // Where nothing is captured only the albedo's alpha is read.
@@ -162,6 +198,7 @@ void SceneCapture::Draw(FrameContext& context)
   const View& view = context.GetView();
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
   this->Drawn = this->DrawProps(context.Renderer(), this->Captured);
+  scope.Set(GL_BLEND, false); // for every output, before VTK's state returns
 }
 
 int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props)

@@ -18,6 +18,13 @@ struct PickList : public vtkViewport
 {
   static vtkPropCollection* Of(vtkViewport* viewport) { return viewport->*(&PickList::PickFromProps); }
 };
+
+// Volume mappers on the CPU look for surfaces in the depth buffer only where the renderer counts
+// props already drawn.
+struct PropCount : public vtkRenderer
+{
+  static int& Of(vtkRenderer* renderer) { return renderer->*(&PropCount::NumberOfPropsRendered); }
+};
 }
 
 StockStages::StockStages(const vtkRenderState* state)
@@ -74,8 +81,9 @@ void StockStages::RenderOpaque()
   }
 }
 
-void StockStages::RenderAfterOpaque()
+void StockStages::RenderAfterOpaque(int opaque)
 {
+  PropCount::Of(this->Renderer) = opaque + this->Rendered;
   vtkProp** props = this->State->GetPropArray();
   const int count = this->State->GetPropArrayCount();
   const bool translucent = std::any_of(
@@ -101,5 +109,6 @@ void StockStages::RenderAfterOpaque()
   {
     this->Rendered += props[i]->RenderOverlay(this->Renderer);
   }
+  PropCount::Of(this->Renderer) = opaque + this->Rendered;
 }
 }

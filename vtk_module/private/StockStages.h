@@ -25,8 +25,8 @@ public:
   /// All opaque props as VTK draws them.
   void RenderOpaque();
 
-  /// Everything that follows the opaque props.
-  void RenderAfterOpaque();
+  /// Everything that follows the opaque props. opaque: how many of those were drawn elsewhere.
+  void RenderAfterOpaque(int opaque);
 
   int RenderedProps() const { return this->Rendered; }
 
