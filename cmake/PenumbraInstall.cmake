@@ -16,7 +16,4 @@ install(
   DESTINATION "${_package}"
   COMPONENT development)
 
-if(TARGET penumbra)
-  install(TARGETS penumbra RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT runtime)
-endif()
-install(FILES LICENSE README.md DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT runtime)
+install(FILES LICENSE README.md DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/penumbra" COMPONENT runtime)

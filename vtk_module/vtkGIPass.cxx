@@ -150,7 +150,16 @@ void vtkGIPass::Render(const vtkRenderState* state)
     this->NumberOfRenderedProps = stages.RenderedProps();
     return;
   }
-  const std::string problem = this->Impl->RenderFrame(this, state);
+  std::string problem;
+  this->Impl->CapturedProps = 0;
+  if (stages.NeedsStockOpaque())
+  {
+    stages.RenderOpaque();
+  }
+  else
+  {
+    problem = this->Impl->RenderFrame(this, state);
+  }
   if (!problem.empty())
   {
     // Draw as VTK does rather than nothing, and say why once.
@@ -161,7 +170,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
     }
   }
   this->Impl->LastError = problem;
-  stages.RenderAfterOpaque(this->Impl->CapturedProps);
+  stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
   this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
 }
 

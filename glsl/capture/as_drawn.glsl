@@ -1,12 +1,14 @@
+  // In VTK's own colour. Where it covers the pixel in part, what lies below keeps its normal.
   vec4 giDrawn = vec4(giLit.rgb * gl_FragData[0].rgb, gl_FragData[0].a);
   if (giDrawn.a <= 0.0)
   {
     discard;
   }
+  float giWhole = giDrawn.a < 1.0 ? 0.0 : 1.0;
   gl_FragData[0] = vec4(0.0, 0.0, 0.0, giDrawn.a);
-  gl_FragData[1] = vec4(0.5, 0.5, 0.0, 0.0);
+  gl_FragData[1] = vec4(0.5, 0.5, 0.0, giWhole);
   gl_FragData[2] = giDrawn;
 #ifdef GI_EXTENDED
-  gl_FragData[3] = vec4(0.0);
+  gl_FragData[3] = vec4(0.0, 0.0, 0.0, giWhole);
   gl_FragData[4] = vec4(0.0, 0.0, 0.0, giDrawn.a);
 #endif

@@ -1,14 +1,17 @@
-  vec4 giTexture = gl_FragData[0];
-  if (giTexture.a <= 0.0)
+  if (gl_FragData[0].a < 1.0)
   {
-    discard;
+#include "capture/as_drawn.glsl"
   }
-  // Only VTK's edges drawn as tubes shorten the normal, where they blend into the surface.
-  gl_FragData[0] = vec4(diffuseColor * giTexture.rgb * length(normalVCVSOutput), giTexture.a);
-  gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput),
-    float(gl_FrontFacing ? giMaterial : giBackMaterial) / 65535.0, 0.0);
-  gl_FragData[2] = vec4(ambientColor * giTexture.rgb, giTexture.a);
+  else
+  {
+    vec3 giTexture = gl_FragData[0].rgb;
+    // Only VTK's edges drawn as tubes shorten the normal, where they blend into the surface.
+    gl_FragData[0] = vec4(diffuseColor * giTexture * length(normalVCVSOutput), 1.0);
+    gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput),
+      float(gl_FrontFacing ? giMaterial : giBackMaterial) / 65535.0, 1.0);
+    gl_FragData[2] = vec4(ambientColor * giTexture, 1.0);
 #ifdef GI_EXTENDED
-  gl_FragData[3] = vec4(giTexture.rgb, 1.0);
-  gl_FragData[4] = vec4(0.0, 0.0, 0.0, giTexture.a);
+    gl_FragData[3] = vec4(giTexture, 1.0);
+    gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
+  }

@@ -93,7 +93,7 @@ void main()
       strength *= reaching.Attenuation;
       vec3 L = -reaching.Travel;
 #endif
-      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, packedNormal.w, f0, f90);
+      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90);
       continue;
     }
 #endif

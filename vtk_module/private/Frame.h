@@ -28,7 +28,7 @@ namespace resource
 {
 constexpr const char* Depth = "depth";                          ///< window depth of opaque surfaces
 constexpr const char* Albedo = "gbuffer.albedo";                ///< rgb, a: 1 where captured
-constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material, roughness
+constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material
 constexpr const char* Ambient = "gbuffer.ambient";              ///< ambient light reflected
 constexpr const char* Surface = "gbuffer.surface";              ///< see capture/gbuffer.glsl
 constexpr const char* Emission = "gbuffer.emission";            ///< radiance not due to light
@@ -52,6 +52,7 @@ struct View
   double Diagonal = 0.0;                                   ///< of Bounds
   int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
   int FrameNumber = 0;
+  GLenum DepthFormat = 0; ///< of the window, so that depth can be copied; 0 if it cannot
   bool WantsAntiAliasing = false; ///< the window is multisampled, or the renderer asks for FXAA
 };
 

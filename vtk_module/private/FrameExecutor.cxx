@@ -51,7 +51,7 @@ void FrameExecutor::UploadView()
 bool FrameExecutor::IsWindow(int version) const
 {
   const auto& entry = this->Graph->Versions()[version];
-  return entry.Resource == resource::Color && entry.IsFinal && !this->Window.Multisampled;
+  return entry.Resource == resource::Color && entry.IsFinal && this->Window.Direct;
 }
 
 const Texture* FrameExecutor::Find(int version) const

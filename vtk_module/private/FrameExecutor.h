@@ -15,7 +15,7 @@ namespace penumbra
 struct WindowTarget
 {
   GLuint Framebuffer = 0;
-  bool Multisampled = false;
+  bool Direct = false;      ///< passes may draw straight into it
   Texture* Depth = nullptr; ///< its depth texture where that can be sampled, else nullptr
 };
 

@@ -59,6 +59,18 @@ std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
   return "";
 }
 
+namespace
+{
+GLenum TextureFormat(vtkTextureObject* texture)
+{
+  GLint format = 0;
+  glBindTexture(texture->GetTarget(), texture->GetHandle());
+  glGetTexLevelParameteriv(texture->GetTarget(), 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+  glBindTexture(texture->GetTarget(), 0);
+  return static_cast<GLenum>(format);
+}
+}
+
 View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
 {
   View view;
@@ -70,6 +82,13 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
   view.ViewToWorld = glm::inverse(view.WorldToView);
   view.ViewToClip = CameraOverride::ViewToClip(renderer);
   view.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  if (auto* depth = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
+                      ->GetRenderFramebuffer()
+                      ->GetDepthAttachmentAsTextureObject())
+  {
+    const TextureDesc desc = { TextureFormat(depth), 0, 0, 0 };
+    view.DepthFormat = desc.IsDepth() ? desc.Format : 0;
+  }
   view.WantsAntiAliasing = renderer->GetRenderWindow()->GetMultiSamples() > 1;
   renderer->ComputeVisiblePropBounds(view.Bounds.data());
   if (view.Bounds[0] <= view.Bounds[1])
@@ -143,23 +162,21 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
 
 namespace
 {
-// VTK's depth buffer as a texture, where it can be bound and sampled as such.
-std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window)
+// VTK's depth buffer as a texture, where it can be bound and sampled as such: not if it is
+// multisampled, or if another pass has bound a framebuffer of its own.
+std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound)
 {
   vtkOpenGLFramebufferObject* framebuffer = window->GetRenderFramebuffer();
   vtkTextureObject* depth = framebuffer->GetDepthAttachmentAsTextureObject();
-  if (!depth || window->GetMultiSamples() > 1 || depth->GetTarget() != GL_TEXTURE_2D)
+  if (bound != framebuffer->GetFBOIndex() || !depth || window->GetMultiSamples() > 1 ||
+    depth->GetTarget() != GL_TEXTURE_2D)
   {
     return nullptr;
   }
-  GLint format = 0;
-  glBindTexture(GL_TEXTURE_2D, depth->GetHandle());
-  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-  glBindTexture(GL_TEXTURE_2D, 0);
   const int width = static_cast<int>(depth->GetWidth());
   const int height = static_cast<int>(depth->GetHeight());
-  return std::make_unique<Texture>(Texture::Borrow(
-    depth->GetHandle(), { static_cast<GLenum>(format), width, height, 0 }));
+  return std::make_unique<Texture>(
+    Texture::Borrow(depth->GetHandle(), { TextureFormat(depth), width, height, 0 }));
 }
 }
 
@@ -191,12 +208,12 @@ void vtkGIPass::Internals::DrawFrame(
   }
   graph.Compile();
 
-  const std::unique_ptr<Texture> depth = WindowDepth(window);
-  WindowTarget target;
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const std::unique_ptr<Texture> depth = WindowDepth(window, static_cast<GLuint>(bound));
+  WindowTarget target;
   target.Framebuffer = static_cast<GLuint>(bound);
-  target.Multisampled = window->GetMultiSamples() > 1;
+  target.Direct = depth != nullptr;
   target.Depth = depth.get();
   GpuTimer timer;
   FrameExecutor executor(this->Pool, this->Shaders, view, renderer, target, memory.Name);
@@ -275,6 +292,7 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   {
     context->MakeCurrent();
   }
+  this->FxaaFilter->ReleaseGraphicsResources();
   this->Pool.Clear();
   this->Shaders.Release();
   this->Lights.ReleaseGraphicsResources();

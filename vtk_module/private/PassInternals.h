@@ -13,6 +13,7 @@
 #include "private/SceneSignature.h"
 #include "private/TechniqueRegistry.h"
 
+#include "vtkOpenGLFXAAFilter.h"
 #include "vtkWeakPointer.h"
 
 class vtkGIPass::Internals
@@ -41,6 +42,7 @@ public:
   const Memory* FindMemory(vtkRenderer* renderer) const;
 
   std::vector<vtkSmartPointer<vtkGITechnique>> Techniques;
+  vtkSmartPointer<vtkOpenGLFXAAFilter> FxaaFilter = vtkSmartPointer<vtkOpenGLFXAAFilter>::New();
   std::string ShaderPath;
   std::string LastError;
   std::string Statistics = "{}";

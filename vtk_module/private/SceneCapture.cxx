@@ -154,13 +154,14 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   // its linear values need more.
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
-  pass.Write(resource::Depth, frame.WindowTexture(GL_DEPTH_COMPONENT32F))
+  const GLenum depth = frame.GetView().DepthFormat;
+  pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
     .Write(resource::Ambient, frame.WindowTexture(this->Extended ? GL_RGBA16F : GL_RGBA8));
   if (this->Extended)
   {
-    pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA8))
+    pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
       .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
   }
   pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
@@ -175,15 +176,15 @@ void SceneCapture::Draw(FrameContext& context)
     outputs.push_back(resource::Emission);
   }
   ScopedState scope(context.State());
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const auto window = static_cast<unsigned int>(bound);
   context.BindTarget(outputs, resource::Depth);
   scope.Set(GL_BLEND, this->Table.CoverInPart());
   if (this->Table.CoverInPart())
   {
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    // The normal and the surface's factors cannot be mixed: the last drawn counts.
-    glDisablei(GL_BLEND, 1);
-    glDisablei(GL_BLEND, 3);
   }
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthMask(true);
@@ -192,13 +193,20 @@ void SceneCapture::Draw(FrameContext& context)
   glClearBufferfv(GL_COLOR, 0, nothing);
   if (!context.Output(resource::Depth)->IsBorrowed())
   {
+    // Depth of our own starts from what the window holds: another layer's, or cleared.
     const GLfloat far = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &far);
+  }
+  if (!context.Output(resource::Depth)->IsBorrowed() && context.GetView().DepthFormat)
+  {
+    context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, window);
+    const glm::ivec4& area = context.GetView().Viewport;
+    glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+      area.x + area.z, area.y + area.w, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   }
   const View& view = context.GetView();
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
   this->Drawn = this->DrawProps(context.Renderer(), this->Captured);
-  scope.Set(GL_BLEND, false); // for every output, before VTK's state returns
 }
 
 int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props)

@@ -3,7 +3,10 @@
 #include "private/StockStages.h"
 
 #include "vtkCamera.h"
+#include "vtkFXAAOptions.h"
 #include "vtkHardwareSelector.h"
+#include "vtkHiddenLineRemovalPass.h"
+#include "vtkOpenGLFXAAFilter.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
@@ -73,15 +76,19 @@ bool StockStages::RenderSelection()
   return true;
 }
 
-void StockStages::RenderOpaque()
+bool StockStages::NeedsStockOpaque() const
 {
-  for (int i = 0; i < this->State->GetPropArrayCount(); ++i)
-  {
-    this->Rendered += this->State->GetPropArray()[i]->RenderOpaqueGeometry(this->Renderer);
-  }
+  return this->Renderer->GetUseHiddenLineRemoval() &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(
+      this->State->GetPropArray(), this->State->GetPropArrayCount());
 }
 
-void StockStages::RenderAfterOpaque(int opaque)
+void StockStages::RenderOpaque()
+{
+  this->Renderer->DeviceRenderOpaqueGeometry();
+}
+
+void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
 {
   PropCount::Of(this->Renderer) = opaque + this->Rendered;
   vtkProp** props = this->State->GetPropArray();
@@ -95,6 +102,16 @@ void StockStages::RenderAfterOpaque(int opaque)
   if (this->Renderer->GetRenderWindow()->GetAbortRender())
   {
     return;
+  }
+  // On a multisampled window VTK's filter fails (it copies a multisampled depth buffer), and is not
+  // needed: edges are smooth there already.
+  if (this->Renderer->GetUseFXAA() && this->Renderer->GetRenderWindow()->GetMultiSamples() <= 1)
+  {
+    if (vtkFXAAOptions* options = this->Renderer->GetFXAAOptions())
+    {
+      fxaa->UpdateConfiguration(options);
+    }
+    fxaa->Execute(this->Renderer);
   }
   const bool peeledVolumes =
     translucent && this->Renderer->GetUseDepthPeeling() && this->Renderer->GetUseDepthPeelingForVolumes();

@@ -6,6 +6,7 @@
  */
 #pragma once
 
+class vtkOpenGLFXAAFilter;
 class vtkOpenGLRenderer;
 class vtkRenderState;
 
@@ -22,11 +23,16 @@ public:
   /// Draw for the hardware selector if one is active; true if that was the whole frame.
   bool RenderSelection();
 
+  /// Whether the renderer asks for something that only VTK's own drawing of opaque props does:
+  /// the removal of hidden lines.
+  bool NeedsStockOpaque() const;
+
   /// All opaque props as VTK draws them.
   void RenderOpaque();
 
   /// Everything that follows the opaque props. opaque: how many of those were drawn elsewhere.
-  void RenderAfterOpaque(int opaque);
+  /// fxaa filters the picture where the renderer asks for it.
+  void RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa);
 
   int RenderedProps() const { return this->Rendered; }
 
