@@ -17,3 +17,7 @@ install(
   COMPONENT development)
 
 install(FILES LICENSE README.md DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/penumbra" COMPONENT runtime)
+
+if(PENUMBRA_BUILD_TESTS)
+  add_subdirectory(tests/install)
+endif()

@@ -71,7 +71,7 @@ struct Work
     const Program& program = context.Shaders().Fragment("ambient_occlusion/sample.frag",
       { { "GI_SAMPLES", std::to_string(this->Samples) } });
     context.Use(program,
-      { context.Input(resource::Depth), context.Input(resource::Normal) });
+      { context.Input(resource::WindowDepth), context.Input(resource::Normal) });
     this->KernelBlock->BindBase(GL_UNIFORM_BUFFER, 1);
     glUniform1f(program.Location("radius"), static_cast<GLfloat>(this->Radius));
     glUniform1f(program.Location("bias"), static_cast<GLfloat>(this->Bias * this->Radius));
@@ -121,6 +121,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
   const char* sampled = this->Filter ? Raw : resource::AmbientVisibility;
   frame.AddPass("ambient-occlusion")
     .Read(resource::Depth)
+    .Read(resource::WindowDepth)
     .Read(resource::Normal)
     .Write(sampled, frame.WindowTexture(this->Filter ? GL_RG32F : GL_R8))
     .Execute([this, work, sampled](FrameContext& context) {
@@ -137,6 +138,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     frame.AddPass("ambient-occlusion-filter")
       .Read(Raw)
       .Read(resource::Depth)
+      .Read(resource::WindowDepth)
       .Read(resource::Normal)
       .Write(resource::AmbientVisibility, frame.WindowTexture(GL_R8))
       .Execute([work](FrameContext& context) { work.Smooth(context); });

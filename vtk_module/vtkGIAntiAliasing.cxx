@@ -70,23 +70,34 @@ void Average(FrameContext& context, const char* resource, int maximum)
 }
 
 // What VTK draws next is not shifted: give it the depth of the frame that was not shifted either.
+// A window drawn to directly holds it in its depth buffer; another one is presented it later.
 void SteadyDepth(FrameContext& context)
 {
   const View& view = context.GetView();
-  const Texture* depth = context.Input(resource::Depth);
+  const Texture* buffer = context.Input(resource::Depth);
+  const bool direct = buffer->IsBorrowed();
+  const Texture* depth = direct ? buffer : context.Input(resource::WindowDepth);
   bool fresh = false;
-  Texture& kept = context.History("depth", { depth->Desc().Format, depth->Desc().Width,
-                                             depth->Desc().Height, 0 }, fresh);
+  Texture& kept = context.History("depth", depth->Desc(), fresh);
   const bool keep = fresh || view.StillFrames == 0;
+  const auto bind = [&context, direct](const Texture* texture) {
+    std::vector<Attachment> colors;
+    if (!direct)
+    {
+      colors.push_back({ texture, -1 });
+    }
+    context.BindTarget(colors, { direct ? texture : nullptr, -1 });
+  };
   ScopedState scope(context.State());
-  context.BindTarget({}, { keep ? depth : &kept, -1 });
+  bind(keep ? depth : &kept);
   GLint source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
-  context.BindTarget({}, { keep ? &kept : depth, -1 });
+  bind(keep ? &kept : depth);
   context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
   const glm::ivec4& area = view.Viewport;
   glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
-    area.x + area.z, area.y + area.w, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    area.x + area.z, area.y + area.w, direct ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT,
+    GL_NEAREST);
 }
 }
 
@@ -115,6 +126,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       .Execute([maximum](FrameContext& context) { Average(context, resource::Radiance, maximum); });
     frame.AddPass("steady-depth")
       .Read(resource::Depth)
+      .Read(resource::WindowDepth)
       .Read(resource::Color)
       .SideEffect()
       .Execute(SteadyDepth);

@@ -135,6 +135,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
   const int maskLayers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
     .Read(resource::Depth)
+    .Read(resource::WindowDepth)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Write(resource::DirectVisibility, frame.WindowTexture(GL_RGBA8, maskLayers))
@@ -184,7 +185,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
         context.BindTarget({ { context.Output(resource::DirectVisibility), layer } },
           { context.Input(resource::Depth), -1 });
         context.Use(program,
-          { context.Input(resource::Depth), context.Input(resource::Albedo),
+          { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
             context.Input(resource::Normal), &maps });
         this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
         this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);

@@ -1,4 +1,4 @@
-  if (gl_FragData[0].a < 1.0)
+  if (gl_FragData[0].a < giOpaque)
   {
 #include "capture/as_drawn.glsl"
   }
@@ -10,8 +10,9 @@
     gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput),
       float(gl_FrontFacing ? giMaterial : giBackMaterial) / 65535.0, 1.0);
     gl_FragData[2] = vec4(ambientColor * giTexture, 1.0);
+    gl_FragData[3] = vec4(GI_WINDOW_DEPTH, 0.0, 0.0, 1.0);
 #ifdef GI_EXTENDED
-    gl_FragData[3] = vec4(giTexture, 1.0);
-    gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);
+    gl_FragData[4] = vec4(giTexture, 1.0);
+    gl_FragData[5] = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
   }

@@ -41,15 +41,13 @@ void vtkGICaptureHooks::SetExtended(bool extended)
   }
 }
 
-void vtkGICaptureHooks::OverrideProjection(bool active, bool parallel)
-{
-  this->Overriding = active;
-  this->Parallel = parallel;
-}
-
-std::string vtkGICaptureHooks::Snippet(const char* name) const
+std::string vtkGICaptureHooks::Snippet(const char* name, const char* depth) const
 {
   penumbra::Defines defines;
+  if (depth)
+  {
+    defines["GI_WINDOW_DEPTH"] = depth;
+  }
   if (this->Extended)
   {
     defines["GI_EXTENDED"] = "1";
@@ -67,9 +65,15 @@ bool vtkGICaptureHooks::PreReplaceShaderValues(std::string&, std::string&,
   return true;
 }
 
-bool vtkGICaptureHooks::PostReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
 {
+  // Mappers take the kind of projection from the camera object, after the hook that sets uniforms;
+  // a shadow map's view may be of the other kind, so the shaders ask a uniform of ours.
+  for (std::string* source : { &vertexShader, &geometryShader, &fragmentShader })
+  {
+    vtkShaderProgram::Substitute(*source, "cameraParallel", "giParallel");
+  }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   const bool unlit = !Contains(fragmentShader, "normalVCVSOutput") ||
     Contains(fragmentShader, "vec4(ambientColor + diffuseColor, opacity)");
@@ -89,16 +93,18 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string&, std::string&,
   {
     snippet = "phong.glsl";
   }
-  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet), false);
+  const char* depth =
+    Contains(fragmentShader, "gl_FragDepth = ") ? "gl_FragDepth" : "gl_FragCoord.z";
+  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet, depth), false);
   return true;
 }
 
 bool vtkGICaptureHooks::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
-  if (this->Overriding && program->IsUniformUsed("cameraParallel"))
+  if (program->IsUniformUsed("giParallel"))
   {
-    program->SetUniformi("cameraParallel", this->Parallel ? 1 : 0);
+    program->SetUniformi("giParallel", this->Parallel ? 1 : 0);
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   if (actor && program->IsUniformUsed("giMaterial"))

@@ -28,8 +28,8 @@ public:
   /// when this changes.
   void SetExtended(bool extended);
 
-  /// While true, mappers draw with a parallel (or perspective) projection whatever the camera's.
-  void OverrideProjection(bool active, bool parallel);
+  /// The kind of projection of the draws that follow, whatever the active camera's is.
+  void SetParallel(bool parallel) { this->Parallel = parallel; }
 
   /// Put this pass on the props' list of passes, and take it off.
   void Attach(const vtkRenderState* state) { this->PreRender(state); }
@@ -52,12 +52,11 @@ private:
   vtkGICaptureHooks(const vtkGICaptureHooks&) = delete;
   void operator=(const vtkGICaptureHooks&) = delete;
 
-  std::string Snippet(const char* name) const;
+  std::string Snippet(const char* name, const char* depth = nullptr) const;
 
   penumbra::MaterialTable* Materials = nullptr;
   const penumbra::ShaderLibrary* Shaders = nullptr;
   bool Extended = false;
-  bool Overriding = false;
   bool Parallel = false;
   vtkMTimeType StageTime = 1;
 };

@@ -73,15 +73,14 @@ struct Resolve
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     context.BindTarget({ target }, resource::Depth);
-    // The triangle lies at the far plane: only pixels with something nearer are resolved. Depth is
-    // read while bound, which is defined as long as nothing writes it.
+    // The triangle lies at the far plane: only pixels with something nearer are resolved.
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_GREATER);
     scope.DepthMask(false);
     const Program& program = context.Shaders().Fragment(
       "direct_light/resolve.frag", this->Variant(context, target == resource::Radiance));
     context.Use(program,
-      { context.Input(resource::Depth), context.Input(resource::Albedo),
+      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Ambient),
         context.Input(resource::Surface), context.Input(resource::Emission),
         context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility) });
@@ -95,7 +94,7 @@ struct Resolve
 };
 
 // A multisampled window cannot be the target of the passes before: write every sample of a pixel
-// alike, colour and depth.
+// alike, the colour everywhere, the depth where something was captured.
 void Present(FrameContext& context)
 {
   const Texture* color = context.Input(resource::Color);
@@ -105,11 +104,15 @@ void Present(FrameContext& context)
   }
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, false);
+  context.Use(context.Shaders().Fragment("direct_light/present_color.frag"), { color });
+  context.DrawFullscreen();
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthFunc(GL_ALWAYS);
   scope.DepthMask(true);
-  context.Use(context.Shaders().Fragment("direct_light/present.frag"),
-    { color, context.Input(resource::Depth) });
+  scope.ColorMask(false);
+  context.Use(context.Shaders().Fragment("direct_light/present_depth.frag"),
+    { context.Input(resource::WindowDepth), context.Input(resource::Albedo) });
   context.DrawFullscreen();
 }
 }
@@ -119,6 +122,7 @@ void ContributeDirectLight(
 {
   auto& pass = frame.AddPass("direct-light");
   pass.Read(resource::Depth)
+    .Read(resource::WindowDepth)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::Ambient)
@@ -133,6 +137,11 @@ void ContributeDirectLight(
     pass.Write(resource::Radiance, frame.WindowTexture(GL_RGBA32F));
   }
   pass.Execute(Resolve{ &lights, &materials, extended, radiance, frame.GetSpreadShare() });
-  frame.AddPass("present").Read(resource::Color).Read(resource::Depth).SideEffect().Execute(Present);
+  frame.AddPass("present")
+    .Read(resource::Color)
+    .Read(resource::WindowDepth)
+    .Read(resource::Albedo)
+    .SideEffect()
+    .Execute(Present);
 }
 }

@@ -26,9 +26,10 @@ class SceneCapture;
 /// Names of the resources that passes share. A technique meets the others only through these.
 namespace resource
 {
-constexpr const char* Depth = "depth";                          ///< window depth of opaque surfaces
+constexpr const char* Depth = "depth";                          ///< the depth buffer, to test against
 constexpr const char* Albedo = "gbuffer.albedo";                ///< rgb, a: 1 where captured
 constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material
+constexpr const char* WindowDepth = "gbuffer.depth";           ///< window depth, to read
 constexpr const char* Ambient = "gbuffer.ambient";              ///< ambient light reflected
 constexpr const char* Surface = "gbuffer.surface";              ///< see capture/gbuffer.glsl
 constexpr const char* Emission = "gbuffer.emission";            ///< radiance not due to light

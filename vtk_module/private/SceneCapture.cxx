@@ -16,6 +16,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
+#include "vtkShaderProperty.h"
 
 namespace penumbra
 {
@@ -34,6 +35,38 @@ bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
 {
   return std::any_of(
     classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
+}
+
+bool Contains(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+
+// Whether a user's own shader code says what the final colour is: there is no light to take apart.
+bool DecidesItsColor(vtkActor* actor)
+{
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  if (shader->HasFragmentShaderCode())
+  {
+    const std::string code = shader->GetFragmentShaderCode();
+    if (!Contains(code, "//VTK::Light::Impl") || !Contains(code, "//VTK::TCoord::Impl"))
+    {
+      return true;
+    }
+  }
+  for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
+  {
+    std::string tag;
+    std::string code;
+    bool first = false;
+    bool all = false;
+    shader->GetNthShaderReplacement(i, tag, first, code, all);
+    if (Contains(code, "gl_FragData") || Contains(code, "fragOutput"))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool NeedsExtended(vtkProp* prop)
@@ -113,7 +146,8 @@ bool SceneCapture::CanCapture(vtkProp* prop)
   {
     return false;
   }
-  return IsAny(actor->GetMapper(), Hooked) && !IsAny(actor->GetMapper(), Unhooked);
+  return IsAny(actor->GetMapper(), Hooked) && !IsAny(actor->GetMapper(), Unhooked) &&
+    !DecidesItsColor(actor);
 }
 
 void SceneCapture::Collect(const vtkRenderState* state)
@@ -158,7 +192,8 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
-    .Write(resource::Ambient, frame.WindowTexture(this->Extended ? GL_RGBA16F : GL_RGBA8));
+    .Write(resource::Ambient, frame.WindowTexture(this->Extended ? GL_RGBA16F : GL_RGBA8))
+    .Write(resource::WindowDepth, frame.WindowTexture(GL_R32F));
   if (this->Extended)
   {
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
@@ -169,7 +204,8 @@ void SceneCapture::Contribute(FrameBuilder& frame)
 
 void SceneCapture::Draw(FrameContext& context)
 {
-  std::vector<const char*> outputs = { resource::Albedo, resource::Normal, resource::Ambient };
+  std::vector<const char*> outputs = { resource::Albedo, resource::Normal, resource::Ambient,
+    resource::WindowDepth };
   if (this->Extended)
   {
     outputs.push_back(resource::Surface);
@@ -188,9 +224,15 @@ void SceneCapture::Draw(FrameContext& context)
   }
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthMask(true);
-  // Where nothing is captured only the albedo's alpha is read.
+  // Where nothing is captured only the albedo's alpha and the depth are read; blending reads all.
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  glClearBufferfv(GL_COLOR, 0, nothing);
+  const GLint cleared = this->Table.CoverInPart() ? static_cast<GLint>(outputs.size()) : 1;
+  for (GLint output = 0; output < cleared; ++output)
+  {
+    glClearBufferfv(GL_COLOR, output, nothing);
+  }
+  const GLfloat farthest[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
+  glClearBufferfv(GL_COLOR, 3, farthest);
   if (!context.Output(resource::Depth)->IsBorrowed())
   {
     // Depth of our own starts from what the window holds: another layer's, or cleared.
@@ -205,6 +247,7 @@ void SceneCapture::Draw(FrameContext& context)
       area.x + area.z, area.y + area.w, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   }
   const View& view = context.GetView();
+  this->Hooks->SetParallel(view.Parallel);
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
   this->Drawn = this->DrawProps(context.Renderer(), this->Captured);
 }
@@ -231,9 +274,8 @@ void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& wo
   const glm::dmat4& viewToClip, bool parallel)
 {
   CameraOverride camera(renderer, worldToView, viewToClip);
-  this->Hooks->OverrideProjection(true, parallel);
+  this->Hooks->SetParallel(parallel);
   this->DrawProps(renderer, this->All);
-  this->Hooks->OverrideProjection(false, false);
 }
 
 int SceneCapture::DrawOthers(vtkOpenGLRenderer* renderer)

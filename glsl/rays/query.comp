@@ -1,0 +1,36 @@
+#version 430 core
+// One ray per invocation, from a buffer into a buffer. Variants: GI_RAY_ANY (report whether there is
+// a hit, in Hit.x as 0 or -1, not which), those of rays/trace.glsl.
+#include "rays/trace.glsl"
+#include "shared/ray_query.h"
+
+layout(local_size_x = GI_RAY_QUERY_GROUP) in;
+
+uniform int rayCount;
+
+void main()
+{
+  uint index = gl_GlobalInvocationID.y * gl_NumWorkGroups.x * uint(GI_RAY_QUERY_GROUP) +
+    gl_GlobalInvocationID.x;
+  if (index >= uint(rayCount))
+  {
+    return;
+  }
+  RayQuery query = rayQueries[index];
+  Ray ray = Ray(query.Origin.xyz, query.Origin.w, query.Direction.xyz, query.Direction.w);
+  RayAnswer answer;
+  answer.Unused = ivec2(0);
+#ifdef GI_RAY_ANY
+  answer.Hit = ivec2(traceAny(ray) ? 0 : -1, -1);
+  answer.Barycentrics = vec2(0.0);
+  answer.Distance = ray.tMax;
+  answer.User = -1;
+#else
+  RayHit hit = traceClosest(ray);
+  answer.Hit = ivec2(hit.instance, hit.primitive);
+  answer.Barycentrics = hit.barycentrics;
+  answer.Distance = hit.t;
+  answer.User = hit.user;
+#endif
+  rayAnswers[index] = answer;
+}

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays against the scene that penumbra::RayScene bound. Coordinates are relative to the scene's
+// origin, distances in units of the direction's length. Variants: GI_RAY_SPHERES, GI_RAY_CYLINDERS
+// (the scene has some; RayScene::ShaderDefines() says).
+//
+// The shape of the loop is chosen for software GL, where one lane of a vector is one ray: both sides
+// of an if are executed, a store to a varying place of an array is eight branches, and only a loop
+// ends early, once its last lane is done. So nodes push and pop without conditions, and bounds are
+// compared as integers, which have no NaN to look after.
+#include "shared/ray_scene.h"
+#include "rays/primitives.glsl"
+
+struct Ray
+{
+  vec3 origin;
+  float tMin; // not below 0
+  vec3 direction;
+  float tMax;
+};
+
+struct RayHit
+{
+  float t;      // tMax where nothing is hit
+  int instance; // -1 where nothing is hit
+  int primitive;
+  int user;          // the number given with the instance
+  vec2 barycentrics; // triangle: weights of its second and third vertex
+};
+
+vec4 rayNode(int texel)
+{
+  return uintBitsToFloat(imageLoad(rayNodes, texel));
+}
+vec4 rayPrimitive(int texel)
+{
+  return uintBitsToFloat(imageLoad(rayPrimitives, texel));
+}
+vec4 rayInstance(int texel)
+{
+  return uintBitsToFloat(imageLoad(rayInstances, texel));
+}
+
+// 1/d, finite where d is zero: a slab's faces are then far away on either side of the origin, since
+// bounds are a little larger than what they bound and the origin is never on a face of interest.
+vec3 rayInverse(vec3 direction)
+{
+  const float tiny = 1e-30;
+  return 1.0 / mix(direction, vec3(tiny), lessThan(abs(direction), vec3(tiny)));
+}
+
+RayHit rayTrace(Ray ray, const bool any)
+{
+  RayHit result = RayHit(ray.tMax, -1, -1, -1, vec2(0.0));
+  int nearest = floatBitsToInt(max(ray.tMin, 0.0));
+  vec3 origin = ray.origin;
+  vec3 inverse = rayInverse(ray.direction);
+  vec3 direction = ray.direction;
+  RayShear sheared = RayShear(0, vec3(0.0));
+  int instance = -1;
+  int user = -1;
+  bool top = true;
+
+  int stack[GI_RAY_STACK];
+  stack[0] = GI_RAY_DONE;
+  int size = 1;
+  int current = int(imageLoad(rayInstances, GI_RAY_INSTANCE_TEXELS - 1).x);
+
+  while (current != GI_RAY_DONE)
+  {
+    while (current >= 0)
+    {
+      int at = current * GI_RAY_NODE_TEXELS;
+      vec4 lower0 = rayNode(at);
+      vec4 upper0 = rayNode(at + 1);
+      vec3 lower1 = rayNode(at + 2).xyz;
+      vec3 upper1 = rayNode(at + 3).xyz;
+      precise vec3 p0 = (lower0.xyz - origin) * inverse;
+      precise vec3 q0 = (upper0.xyz - origin) * inverse;
+      precise vec3 p1 = (lower1 - origin) * inverse;
+      precise vec3 q1 = (upper1 - origin) * inverse;
+      // Floats of one sign compare as integers do, and what the sign itself decides survives: the
+      // entry is not before `nearest`, and an exit before it is a miss whatever its size.
+      ivec3 enter0 = min(floatBitsToInt(p0), floatBitsToInt(q0));
+      ivec3 leave0 = max(floatBitsToInt(p0), floatBitsToInt(q0));
+      ivec3 enter1 = min(floatBitsToInt(p1), floatBitsToInt(q1));
+      ivec3 leave1 = max(floatBitsToInt(p1), floatBitsToInt(q1));
+      int farthest = floatBitsToInt(result.t);
+      int near0 = max(max(enter0.x, enter0.y), max(enter0.z, nearest));
+      int near1 = max(max(enter1.x, enter1.y), max(enter1.z, nearest));
+      // Ize 2013, "Robust BVH ray traversal" (JCGT 2:2): the computed exit may be two units in the
+      // last place too early, the entry as much too late.
+      int far0 = min(min(leave0.x, leave0.y), min(leave0.z, farthest)) + 4;
+      int far1 = min(min(leave1.x, leave1.y), min(leave1.z, farthest)) + 4;
+      bool hit0 = near0 <= far0;
+      bool hit1 = near1 <= far1;
+      bool first0 = hit0 && !(hit1 && near1 < near0);
+      int child0 = floatBitsToInt(lower0.w);
+      int child1 = floatBitsToInt(upper0.w);
+      stack[size] = first0 ? child1 : child0;
+      int popped = stack[size - 1];
+      current = hit0 || hit1 ? (first0 ? child0 : child1) : popped;
+      size += hit0 && hit1 ? 1 : (hit0 || hit1 ? 0 : -1);
+    }
+
+    // The records of a leaf of a mesh.
+    bool leaf = !top && current > GI_RAY_LEAVE;
+    int first = ~current >> GI_RAY_LEAF_SHIFT;
+    int count = leaf ? (~current & (GI_RAY_LEAF_SIZE - 1)) + 1 : 0;
+    for (int i = 0; i < count; ++i)
+    {
+      int at = (first + i) * GI_RAY_PRIMITIVE_TEXELS;
+      vec4 a = rayPrimitive(at);
+      vec4 b = rayPrimitive(at + 1);
+      vec4 c = rayPrimitive(at + 2);
+      vec3 hit = vec3(result.t, 0.0, 0.0);
+      int kind = floatBitsToInt(b.w);
+      bool closer = false;
+#if defined(GI_RAY_SPHERES) || defined(GI_RAY_CYLINDERS)
+      if (kind == GI_RAY_TRIANGLE)
+#endif
+      {
+        closer = rayTriangle(origin, sheared, ray.tMin, a.xyz, b.xyz, c.xyz, hit);
+      }
+#ifdef GI_RAY_SPHERES
+      if (kind == GI_RAY_SPHERE)
+      {
+        closer = raySphere(origin, direction, ray.tMin, a.xyz, c.w, hit);
+      }
+#endif
+#ifdef GI_RAY_CYLINDERS
+      if (kind >= GI_RAY_CYLINDER)
+      {
+        closer = rayCylinder(origin, direction, ray.tMin, a.xyz, b.xyz, c.w,
+          kind == GI_RAY_CAPPED_CYLINDER, hit);
+      }
+#endif
+      if (closer)
+      {
+        result = RayHit(hit.x, instance, floatBitsToInt(a.w), user, hit.yz);
+      }
+    }
+
+    bool enter = top && current != GI_RAY_DONE;
+    bool leave = current == GI_RAY_LEAVE;
+    if (enter)
+    {
+      int at = (first + 1) * GI_RAY_INSTANCE_TEXELS;
+      vec4 x = rayInstance(at);
+      vec4 y = rayInstance(at + 1);
+      vec4 z = rayInstance(at + 2);
+      ivec4 what = floatBitsToInt(rayInstance(at + 3));
+      origin = vec3(dot(x.xyz, ray.origin) + x.w, dot(y.xyz, ray.origin) + y.w,
+        dot(z.xyz, ray.origin) + z.w);
+      direction =
+        vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction));
+      inverse = rayInverse(direction);
+      sheared = rayShear(direction);
+      instance = what.y;
+      user = what.z;
+      top = false;
+      stack[size] = GI_RAY_LEAVE;
+      ++size;
+      current = what.x;
+    }
+    else
+    {
+      if (leave)
+      {
+        origin = ray.origin;
+        inverse = rayInverse(ray.direction);
+        top = true;
+      }
+      --size;
+      current = stack[size];
+    }
+    if (any && result.instance >= 0)
+    {
+      current = GI_RAY_DONE;
+    }
+  }
+  return result;
+}
+
+RayHit traceClosest(Ray ray)
+{
+  return rayTrace(ray, false);
+}
+
+// Whether anything lies between tMin and tMax.
+bool traceAny(Ray ray)
+{
+  return rayTrace(ray, true).instance >= 0;
+}

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What rays are traced against: two levels of binary trees over triangles, spheres and cylinders.
+// Compiled as C++ and as GLSL. The shader reads these records as texels of image buffers, not as
+// storage blocks: software GL gathers a 16-byte texel in two instructions a lane where it loads each
+// float of a storage block in a branch of its own, and allows 2 GiB a buffer instead of 128 MiB.
+#ifdef __cplusplus
+#pragma once
+#include <glm/glm.hpp>
+#include <cstdint>
+namespace penumbra
+{
+namespace shared
+{
+#endif
+
+// Image units, of the eight that every OpenGL 4.3 has.
+#define GI_RAY_NODE_UNIT 5
+#define GI_RAY_PRIMITIVE_UNIT 6
+#define GI_RAY_INSTANCE_UNIT 7
+
+// Texels of a record.
+#define GI_RAY_NODE_TEXELS 4
+#define GI_RAY_PRIMITIVE_TEXELS 3
+#define GI_RAY_INSTANCE_TEXELS 4
+
+// A child is a node (0 and up) or a leaf: ~(first record * 8 + number of records - 1). In the top
+// level a leaf's record is an instance. Two values that no leaf has mark the ends of the levels.
+#define GI_RAY_LEAF_SHIFT 3
+#define GI_RAY_LEAF_SIZE 8
+#define GI_RAY_DONE (-2147483647 - 1)
+#define GI_RAY_LEAVE (-2147483647)
+
+// The deepest trees that the shader's stack of GI_RAY_STACK entries holds: a level each, and the
+// two marks.
+#define GI_RAY_MESH_DEPTH 40
+#define GI_RAY_TOP_DEPTH 22
+#define GI_RAY_STACK 64
+
+#define GI_RAY_TRIANGLE 0
+#define GI_RAY_SPHERE 1
+#define GI_RAY_CYLINDER 2        // open at its ends
+#define GI_RAY_CAPPED_CYLINDER 3
+
+#ifdef __cplusplus
+/// The bounds of two children, one cache line.
+struct RayNode
+{
+  glm::vec3 Lower0;
+  std::int32_t Child0;
+  glm::vec3 Upper0;
+  std::int32_t Child1;
+  glm::vec3 Lower1;
+  std::int32_t Unused0;
+  glm::vec3 Upper1;
+  std::int32_t Unused1;
+};
+
+/// Triangle: A, B, C. Sphere: centre A. Cylinder: axis from A to B.
+struct RayPrimitive
+{
+  glm::vec3 A;
+  std::int32_t Primitive; ///< index in the geometry as given
+  glm::vec3 B;
+  std::int32_t Kind;
+  glm::vec3 C;
+  float Radius;
+};
+
+/// Record 0 holds the top level's root in Root and nothing else.
+struct RayInstance
+{
+  glm::vec4 SceneToMesh[3]; ///< rows, from coordinates relative to the scene's origin
+  std::int32_t Root;
+  std::int32_t Instance; ///< index that hits report
+  std::int32_t User;     ///< the caller's number: a material, a prop
+  std::int32_t Unused;
+};
+static_assert(sizeof(RayNode) == GI_RAY_NODE_TEXELS * 16, "texels");
+static_assert(sizeof(RayPrimitive) == GI_RAY_PRIMITIVE_TEXELS * 16, "texels");
+static_assert(sizeof(RayInstance) == GI_RAY_INSTANCE_TEXELS * 16, "texels");
+}
+}
+#else
+layout(rgba32ui, binding = GI_RAY_NODE_UNIT) readonly uniform uimageBuffer rayNodes;
+layout(rgba32ui, binding = GI_RAY_PRIMITIVE_UNIT) readonly uniform uimageBuffer rayPrimitives;
+layout(rgba32ui, binding = GI_RAY_INSTANCE_UNIT) readonly uniform uimageBuffer rayInstances;
+#endif

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+
+#include "../image/Metrics.h"
+#include "../scene/Failure.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <optional>
+
+namespace penumbra::tool
+{
+namespace
+{
+class CompareCommand : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& app) override
+  {
+    CLI::App* command = app.add_subcommand("compare", "measure how far a picture is from a reference");
+    command->add_option("PICTURE", this->Picture, "the picture to judge")->required();
+    command->add_option("REFERENCE", this->Reference, "what it should look like")->required();
+    command->add_option("--epsilon", this->Measuring.Epsilon, "of relMSE: (a - b)^2 / (b^2 + epsilon)")
+      ->check(CLI::PositiveNumber)->capture_default_str();
+    command->add_option("--tolerance", this->Measuring.Tolerance, "in 255ths: pixels further off are counted")
+      ->check(CLI::NonNegativeNumber)->capture_default_str();
+    command->add_option("--diff", this->Difference, "write a picture of the absolute difference");
+    command->add_option("--diff-gain", this->Gain, "the difference times this")
+      ->check(CLI::PositiveNumber)->capture_default_str();
+    command->add_option("--max-relmse", this->MaximumRelativeMse, "fail above this");
+    command->add_option("--min-ssim", this->MinimumSsim, "fail below this");
+    command->add_option("--fail-over", this->MaximumFraction, "fail when a greater fraction of pixels is over the tolerance");
+    command->add_flag("--json", this->Json, "for machines");
+    command->footer("Exit status: 0 within the limits, 1 outside them or on failure, 2 on wrong usage.\n"
+                    "Examples:\n"
+                    "  penumbra compare a.png b.png\n"
+                    "  penumbra compare a.exr b.exr --max-relmse 0.01 --diff difference.png\n"
+                    "  penumbra compare a.png b.png --tolerance 2 --fail-over 0.001 --json");
+    return command;
+  }
+
+  int Run(Console& console) override
+  {
+    if (!this->Difference.empty())
+    {
+      RequireWritablePicture(this->Difference);
+    }
+    tool::Picture a, b;
+    {
+      Step step(console, fmt::format("reading '{}' and '{}'", this->Picture, this->Reference));
+      a = ReadPicture(this->Picture);
+      b = ReadPicture(this->Reference);
+    }
+    if (a.Width != b.Width || a.Height != b.Height)
+    {
+      Fail("'{}' has {}x{} pixels and '{}' has {}x{}: pictures of one size can be compared", this->Picture,
+        a.Width, a.Height, this->Reference, b.Width, b.Height);
+    }
+    const Metrics metrics = Measure(a, b, this->Measuring);
+    if (!this->Difference.empty())
+    {
+      WritePicture(this->Difference, DifferencePicture(a, b, this->Gain));
+    }
+    this->Print(metrics);
+    return this->Judge(metrics, console);
+  }
+
+private:
+  void Print(const Metrics& metrics) const
+  {
+    const nlohmann::ordered_json values = { { "relmse", metrics.RelativeMse },
+      { "signed-mean", metrics.SignedMean }, { "p99", metrics.Percentile99 }, { "maximum", metrics.Maximum },
+      { "ssim", metrics.Ssim }, { "fraction-over", metrics.FractionOver },
+      { "tolerance", this->Measuring.Tolerance }, { "epsilon", this->Measuring.Epsilon },
+      { "non-finite-pixels", metrics.NonFinite } };
+    if (this->Json)
+    {
+      std::cout << values.dump(2) << std::endl;
+      return;
+    }
+    fmt::print("relMSE            {:.6g}   (epsilon {:g})\n"
+               "signed mean       {:+.6g}   (luminance, picture - reference)\n"
+               "99th percentile   {:.6g}\n"
+               "maximum           {:.6g}\n"
+               "SSIM              {:.6f}\n"
+               "over {:g}/255        {:.6g} of the pixels\n"
+               "not finite        {} pixels\n",
+      metrics.RelativeMse, this->Measuring.Epsilon, metrics.SignedMean, metrics.Percentile99, metrics.Maximum,
+      metrics.Ssim, this->Measuring.Tolerance, metrics.FractionOver, metrics.NonFinite);
+  }
+
+  int Judge(const Metrics& metrics, Console& console) const
+  {
+    std::vector<std::string> reasons;
+    if (this->MaximumRelativeMse && metrics.RelativeMse > *this->MaximumRelativeMse)
+    {
+      reasons.push_back(fmt::format("relMSE {:.6g} is above {:g}", metrics.RelativeMse, *this->MaximumRelativeMse));
+    }
+    if (this->MinimumSsim && metrics.Ssim < *this->MinimumSsim)
+    {
+      reasons.push_back(fmt::format("SSIM {:.6f} is below {:g}", metrics.Ssim, *this->MinimumSsim));
+    }
+    if (this->MaximumFraction && metrics.FractionOver > *this->MaximumFraction)
+    {
+      reasons.push_back(fmt::format("{:.6g} of the pixels are over {:g}/255 and {:g} may be",
+        metrics.FractionOver, this->Measuring.Tolerance, *this->MaximumFraction));
+    }
+    const bool limited = this->MaximumRelativeMse || this->MinimumSsim || this->MaximumFraction;
+    if (limited && metrics.NonFinite > 0)
+    {
+      reasons.push_back(fmt::format("{} pixels are not finite", metrics.NonFinite));
+    }
+    if (reasons.empty())
+    {
+      return 0;
+    }
+    console.Error(fmt::format("'{}' is too far from '{}': {}", this->Picture, this->Reference, fmt::join(reasons, ", ")));
+    return Failure::Failed;
+  }
+
+  std::string Picture;
+  std::string Reference;
+  MetricOptions Measuring;
+  std::string Difference;
+  double Gain = 8;
+  std::optional<double> MaximumRelativeMse;
+  std::optional<double> MinimumSsim;
+  std::optional<double> MaximumFraction;
+  bool Json = false;
+};
+}
+
+std::unique_ptr<Command> MakeCompareCommand()
+{
+  return std::make_unique<CompareCommand>();
+}
+}

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Command.h"
+#include "RenderOptions.h"
+
+#include "../image/Picture.h"
+#include "../scene/Capture.h"
+#include "../scene/Failure.h"
+#include "../scene/SceneBuilder.h"
+#include "../scene/Techniques.h"
+#include "../scene/VtkMessages.h"
+#include "../scene/Windows.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <vtkGIPass.h>
+#include <vtkNew.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkTextureObject.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace penumbra::tool
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double MillisecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Colour, depth, eight samples, the G-buffer and histories, and a float copy to write.
+constexpr double BytesPerPixel = 250;
+
+void RequireDrawableSize(const Scene& scene, vtkRenderWindow* window)
+{
+  auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
+  const int largest = glWindow ? vtkTextureObject::GetMaximumTextureSize(glWindow) : -1;
+  if (largest > 0 && std::max(scene.Width, scene.Height) > largest)
+  {
+    Fail("a picture of {}x{} is too big: this OpenGL draws up to {} pixels a side", scene.Width,
+      scene.Height, largest);
+  }
+  const double needed = BytesPerPixel * scene.Width * scene.Height;
+  const double memory = double(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE);
+  if (needed > memory)
+  {
+    Fail("a picture of {}x{} is too big: it needs about {:.0f} GB of memory and there are {:.0f}",
+      scene.Width, scene.Height, needed / 1e9, memory / 1e9);
+  }
+}
+
+class RenderCommand : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& app) override
+  {
+    CLI::App* command = app.add_subcommand("render", "render data files or a scene file to a picture");
+    DeclareRenderOptions(*command, this->Options);
+    return command;
+  }
+
+  int Run(Console& console) override
+  {
+    console.SetQuiet(this->Options.Quiet);
+    console.SetVerbose(this->Options.Verbose);
+    const Scene scene = MakeScene(this->Options);
+    RequireWritablePicture(this->Options.Output);
+    const auto start = Clock::now();
+    vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Options.Backend);
+    vtkNew<vtkGIPass> pass;
+    if (!this->Options.Stock)
+    {
+      ApplyTechniques(scene.Techniques, pass);
+    }
+    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
+    ConfigureWindow(scene, built, window);
+    this->Report["scene-ms"] = MillisecondsSince(start);
+    {
+      Step step(console, "opening an OpenGL window");
+      this->ReportGraphics(OpenWindow(window));
+      RequireDrawableSize(scene, window);
+    }
+    if (!this->Options.Stock)
+    {
+      pass->SetKeepRadiance(HoldsRadiance(this->Options.Output));
+      pass->SetCollectStatistics(this->Options.Statistics);
+      built.Renderer->SetPass(pass);
+    }
+    this->Draw(window, pass, scene, console);
+    this->Write(built.Renderer, pass, scene, console);
+    this->ReportScene(scene, built, pass);
+    if (this->Options.Statistics)
+    {
+      std::cout << this->Report.dump(2) << std::endl;
+    }
+    window->Finalize();
+    return 0;
+  }
+
+private:
+  /// Renders the still frames; stock VTK's are all alike, so that one is enough.
+  void Draw(vtkRenderWindow* window, vtkGIPass* pass, const Scene& scene, Console& console)
+  {
+    const bool repeat = !this->Options.Stock || this->Options.Frames;
+    const int frames = repeat ? scene.Frames : 1;
+    Step step(console, fmt::format("rendering '{}'", this->Options.Output));
+    std::vector<double> times;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      const auto start = Clock::now();
+      window->Render();
+      window->WaitForCompletion();
+      times.push_back(MillisecondsSince(start));
+      step.Advance(double(frame + 1) / frames);
+      ThrowVtkErrors("rendering failed");
+      const char* error = this->Options.Stock ? nullptr : pass->GetLastError();
+      if (error && *error)
+      {
+        Fail("rendering failed: {}", error);
+      }
+    }
+    this->Report["frames"] = frames;
+    this->Report["first-frame-ms"] = times.front();
+    std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
+    this->Report["median-frame-ms"] = times[times.size() / 2];
+  }
+
+  void Write(vtkRenderer* renderer, vtkGIPass* pass, const Scene& scene, Console& console)
+  {
+    const bool alpha = scene.Backdrop.Transparent;
+    const bool radiance = HoldsRadiance(this->Options.Output) && !this->Options.Stock;
+    Picture picture;
+    {
+      Step step(console, fmt::format("writing '{}'", this->Options.Output));
+      vtkRenderWindow* window = renderer->GetRenderWindow();
+      picture = radiance
+        ? CaptureRadiance(pass, renderer, alpha, [&] { this->DrawAgain(window, scene.Frames); })
+        : CaptureWindow(window, alpha);
+    }
+    if (const std::size_t bad = RemoveNonFinite(picture))
+    {
+      console.Note(fmt::format("{} pixels were not finite and are written as 0", bad));
+    }
+    WritePicture(this->Options.Output, picture);
+  }
+
+  void DrawAgain(vtkRenderWindow* window, int frames)
+  {
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      window->Render();
+    }
+  }
+
+  void ReportGraphics(const GraphicsInfo& graphics)
+  {
+    this->Report["opengl"] = { { "backend", graphics.Backend }, { "vendor", graphics.Vendor },
+      { "renderer", graphics.Renderer }, { "version", graphics.Version } };
+  }
+
+  void ReportScene(const Scene& scene, const BuiltScene& built, vtkGIPass* pass)
+  {
+    this->Report["output"] = this->Options.Output;
+    this->Report["size"] = { scene.Width, scene.Height };
+    this->Report["triangles"] = built.Triangles;
+    this->Report["balls"] = built.Balls;
+    this->Report["stock"] = this->Options.Stock;
+    if (!this->Options.Stock)
+    {
+      this->Report["accumulated-frames"] = pass->GetAccumulatedFrames(built.Renderer);
+      const char* statistics = pass->GetStatistics();
+      this->Report["pass"] = nlohmann::json::parse(statistics ? statistics : "", nullptr, false);
+    }
+  }
+
+  RenderOptions Options;
+  nlohmann::ordered_json Report;
+};
+}
+
+std::unique_ptr<Command> MakeRenderCommand()
+{
+  return std::make_unique<RenderCommand>();
+}
+}

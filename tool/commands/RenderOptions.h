@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The options of penumbra render, and the scene they describe.
+#ifndef penumbra_tool_RenderOptions_h
+#define penumbra_tool_RenderOptions_h
+
+#include "../scene/SceneModel.h"
+
+#include <optional>
+
+namespace CLI
+{
+class App;
+}
+
+namespace penumbra::tool
+{
+struct RenderOptions
+{
+  std::vector<std::string> Files;
+  std::string Output;
+  std::vector<double> IsoValues;
+  std::string IsoArray;
+  std::vector<double> Opacities;
+  std::optional<double> Smoothing;
+  std::string ColorBy;
+  std::string ColorMap;
+  std::string ColorRange;
+  bool ScalarBar = false;
+  std::string Color;
+  std::string Molecule;
+  bool Terrain = false;
+  std::optional<double> Exaggeration;
+  std::optional<double> Spacing;
+  std::optional<int> Stride;
+  bool Points = false;
+  std::optional<double> Radius;
+  std::optional<double> FeatureAngle;
+  std::string Size;
+  std::string Preset;
+  std::vector<std::string> On;
+  std::vector<std::string> Off;
+  std::vector<std::string> Set;
+  std::vector<std::string> Lights;
+  std::string Camera;
+  std::string Environment;
+  bool ShowEnvironment = false;
+  std::string Background;
+  std::string Backend = "auto";
+  std::optional<int> Frames;
+  long long MaximumTriangles = 10000000;
+  bool Statistics = false;
+  bool Stock = false;
+  bool Quiet = false;
+  bool Verbose = false;
+};
+
+void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
+
+/// The scene of the files or the scene file, with what the options say on top. Throws a Failure for an
+/// option that makes no sense.
+Scene MakeScene(const RenderOptions& options);
+}
+
+#endif

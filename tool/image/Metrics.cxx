@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Metrics.h"
+
+#include "StructuralSimilarity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra::tool
+{
+Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options)
+{
+  Metrics metrics;
+  std::vector<double> worst;
+  worst.reserve(a.PixelCount());
+  double squares = 0, bias = 0;
+  std::size_t over = 0;
+  for (std::size_t i = 0; i < a.PixelCount(); ++i)
+  {
+    double greatest = 0, square = 0;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double reference = b.Color(i, channel);
+      const double difference = a.Color(i, channel) - reference;
+      square += difference * difference / (reference * reference + options.Epsilon);
+      greatest = std::max(greatest, std::abs(difference));
+    }
+    if (!std::isfinite(square) || !std::isfinite(greatest))
+    {
+      ++metrics.NonFinite;
+      continue;
+    }
+    squares += square / 3;
+    bias += a.Luminance(i) - b.Luminance(i);
+    // Half a 255th absorbs the rounding of 8-bit files.
+    over += greatest > (options.Tolerance + 0.5) / 255 ? 1 : 0;
+    worst.push_back(greatest);
+  }
+  if (worst.empty())
+  {
+    return metrics;
+  }
+  const double count = static_cast<double>(worst.size());
+  metrics.RelativeMse = squares / count;
+  metrics.SignedMean = bias / count;
+  metrics.FractionOver = over / count;
+  metrics.Maximum = *std::max_element(worst.begin(), worst.end());
+  const auto rank = worst.begin() + static_cast<std::ptrdiff_t>(0.99 * (count - 1));
+  std::nth_element(worst.begin(), rank, worst.end());
+  metrics.Percentile99 = *rank;
+  metrics.Ssim = StructuralSimilarity(a, b);
+  return metrics;
+}
+
+Picture DifferencePicture(const Picture& a, const Picture& b, double gain)
+{
+  Picture difference(a.Width, a.Height, 3);
+  for (std::size_t i = 0; i < a.PixelCount(); ++i)
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double value = gain * std::abs(a.Color(i, channel) - b.Color(i, channel));
+      difference.Pixel(i)[channel] = std::isfinite(value) ? static_cast<float>(value) : 1.0f;
+    }
+  }
+  return difference;
+}
+}

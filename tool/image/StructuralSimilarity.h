@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Mean SSIM of two pictures' luminance.
+#ifndef penumbra_tool_StructuralSimilarity_h
+#define penumbra_tool_StructuralSimilarity_h
+
+#include "Picture.h"
+
+namespace penumbra::tool
+{
+/// Wang, Bovik, Sheikh and Simoncelli 2004, Image Quality Assessment: From Error Visibility to
+/// Structural Similarity. Values are taken as display values with a range of 1.
+double StructuralSimilarity(const Picture& a, const Picture& b);
+}
+
+#endif

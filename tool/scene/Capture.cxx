@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Capture.h"
+
+#include "Failure.h"
+
+#include <vtkDataArray.h>
+#include <vtkGIPass.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkProp.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cmath>
+#include <vector>
+
+namespace penumbra::tool
+{
+namespace
+{
+/// VTK's first row is the bottom one.
+template <typename Convert>
+Picture FromImage(vtkImageData* image, int channels, Convert convert)
+{
+  int size[3];
+  image->GetDimensions(size);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  Picture picture(size[0], size[1], channels);
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      float* pixel = picture.Pixel(std::size_t(size[1] - 1 - y) * size[0] + x);
+      for (int channel = 0; channel < channels; ++channel)
+      {
+        pixel[channel] =
+          static_cast<float>(convert(values->GetComponent(vtkIdType(y) * size[0] + x, channel)));
+      }
+    }
+  }
+  return picture;
+}
+
+/// Props that the opaque radiance does not contain, hidden for as long as this lives.
+class HiddenOverlays
+{
+public:
+  explicit HiddenOverlays(vtkRenderer* renderer)
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator cursor;
+    props->InitTraversal(cursor);
+    while (vtkProp* prop = props->GetNextProp(cursor))
+    {
+      const bool overlay = prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume") ||
+        prop->IsA("vtkActor2D");
+      if (overlay && prop->GetVisibility())
+      {
+        prop->VisibilityOff();
+        this->Props.push_back(prop);
+      }
+    }
+  }
+  ~HiddenOverlays()
+  {
+    for (vtkProp* prop : this->Props)
+    {
+      prop->VisibilityOn();
+    }
+  }
+  HiddenOverlays(const HiddenOverlays&) = delete;
+  HiddenOverlays& operator=(const HiddenOverlays&) = delete;
+  bool None() const { return this->Props.empty(); }
+
+private:
+  std::vector<vtkProp*> Props;
+};
+}
+
+Picture CaptureWindow(vtkRenderWindow* window, bool alpha)
+{
+  vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(window);
+  alpha ? capture->SetInputBufferTypeToRGBA() : capture->SetInputBufferTypeToRGB();
+  capture->ReadFrontBufferOff();
+  capture->ShouldRerenderOff();
+  capture->Update();
+  return FromImage(capture->GetOutput(), alpha ? 4 : 3, [](double value) { return value / 255; });
+}
+
+Picture CaptureRadiance(
+  vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render)
+{
+  vtkNew<vtkImageData> image;
+  if (!pass->GetRadiance(renderer, image))
+  {
+    Fail("the pass kept no radiance of the last frame, so that no linear picture can be written");
+  }
+  Picture radiance = FromImage(image, alpha ? 4 : 3, [](double value) { return value; });
+  const HiddenOverlays hidden(renderer);
+  if (hidden.None())
+  {
+    return radiance;
+  }
+  const Picture shown = CaptureWindow(renderer->GetRenderWindow(), alpha);
+  render();
+  const Picture opaque = CaptureWindow(renderer->GetRenderWindow(), alpha);
+  constexpr float rounding = 1.5f / 255; // one step of the 8-bit picture is no difference
+  for (std::size_t i = 0; i < radiance.PixelCount(); ++i)
+  {
+    bool differs = false;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      differs = differs || std::abs(shown.Color(i, channel) - opaque.Color(i, channel)) > rounding;
+    }
+    for (int channel = 0; differs && channel < radiance.Channels; ++channel)
+    {
+      radiance.Pixel(i)[channel] = shown.Pixel(i)[channel];
+    }
+  }
+  return radiance;
+}
+}

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Makes VTK's XML files readable with today's expat.
+#ifndef penumbra_tool_ExpatDeferral_h
+#define penumbra_tool_ExpatDeferral_h
+
+namespace penumbra::tool
+{
+/// Keeps this file's replacement of XML_ParserCreate() in the program; does nothing else.
+void KeepXmlReadable();
+}
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Reads NumPy's array files: .npy, and .npz, which is a zip archive of them.
+#ifndef penumbra_tool_NumpyFile_h
+#define penumbra_tool_NumpyFile_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace penumbra::tool
+{
+struct NumpyArray
+{
+  std::vector<std::size_t> Shape; ///< empty for a single number
+  std::vector<double> Values;     ///< in C order
+};
+
+/// The arrays by name; those that are not numbers are left out. A .npy file's array is named "".
+std::map<std::string, NumpyArray> ReadNumpyFile(const std::string& path);
+}
+
+#endif

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The scene as plain data: what the command line and the scene file both describe.
+///
+/// A default-constructed value of each struct is the documented default of the scene file.
+#ifndef penumbra_tool_SceneModel_h
+#define penumbra_tool_SceneModel_h
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penumbra::tool
+{
+using Vec3 = std::array<double, 3>;
+
+enum class Shading
+{
+  Flat,
+  Gouraud,
+  Phong,
+  Pbr
+};
+
+enum class Representation
+{
+  Surface,
+  Wireframe,
+  Points
+};
+
+enum class Culling
+{
+  None,
+  Back,
+  Front
+};
+
+struct Material
+{
+  Shading Model = Shading::Gouraud;
+  Vec3 Color = { 1, 1, 1 };
+  double Ambient = 0;
+  double Diffuse = 1;
+  double Specular = 0;
+  double SpecularPower = 1;
+  std::optional<Vec3> SpecularColor; ///< white unless given
+  double Metallic = 0;               ///< with Shading::Pbr, as roughness
+  double Roughness = 0.5;
+  Vec3 Emission = { 0, 0, 0 }; ///< radiance
+  double Opacity = 1;
+  bool Lighting = true;
+  Representation Style = Representation::Surface;
+  Culling Cull = Culling::None;
+  std::optional<Vec3> EdgeColor; ///< edges are drawn where given
+  double LineWidth = 1;
+  double PointSize = 3;
+  std::string Texture; ///< colour picture; for Shading::Pbr the base colour
+  std::string NormalTexture;
+  std::string OrmTexture; ///< occlusion, roughness, metallic in red, green, blue
+  std::string EmissionTexture;
+  std::optional<Vec3> BackColor; ///< colour of back faces where it differs
+};
+
+struct ColorBy
+{
+  std::string Array;
+  std::string Component; ///< "", "magnitude", "x", "y", "z" or an index
+  std::optional<std::array<double, 2>> Range;
+  std::string Map = "viridis";
+  bool ScalarBar = false;
+};
+
+struct Terrain
+{
+  std::optional<double> Exaggeration; ///< chosen from the relief where absent
+  std::optional<double> Spacing;      ///< world units between samples; the file's own or 1
+  int Stride = 1;                     ///< take every n-th sample
+};
+
+enum class MoleculeStyle
+{
+  Balls,
+  BallAndStick,
+  Sticks
+};
+
+/// A simple shape; each kind uses the fields that make sense for it.
+struct Primitive
+{
+  std::string Kind; ///< sphere, box, plane, disk, cylinder, cone, torus
+  Vec3 Center = { 0, 0, 0 };
+  Vec3 Size = { 1, 1, 1 };   ///< box; plane uses the first two
+  Vec3 Normal = { 0, 0, 1 }; ///< plane and disk; axis of cylinder, cone and torus
+  double Radius = 0.5;
+  double InnerRadius = 0; ///< disk: hole; torus: radius of the tube
+  double Height = 1;
+  int Resolution = 64;
+};
+
+/// Geometry written out in the scene file.
+struct Mesh
+{
+  std::vector<Vec3> Points;
+  std::vector<std::vector<long long>> Polygons;
+  std::vector<std::vector<long long>> Lines;
+  std::vector<Vec3> Normals;
+  std::vector<std::array<double, 2>> TextureCoordinates;
+  std::map<std::string, std::vector<double>> PointArrays;
+  std::map<std::string, std::vector<double>> CellArrays;
+};
+
+struct Placement
+{
+  Vec3 Translate = { 0, 0, 0 };
+  Vec3 Rotate = { 0, 0, 0 }; ///< degrees about x, then y, then z
+  Vec3 Scale = { 1, 1, 1 };
+};
+
+struct Object
+{
+  std::string Name;
+  std::string Path;               ///< one of Path, Shape and Geometry
+  std::optional<Primitive> Shape; ///
+  std::optional<Mesh> Geometry;
+  std::vector<double> IsoValues;
+  std::string IsoArray;
+  std::vector<double> Opacities; ///< one per isosurface, outermost first; the last repeats
+  double Smoothing = 0;          ///< volumes: Gaussian standard deviation in voxels
+  std::optional<ColorBy> Color;
+  std::optional<Terrain> Heights;
+  MoleculeStyle Molecule = MoleculeStyle::Balls;
+  std::optional<Material> Look; ///< a pleasing one is chosen where absent
+  std::optional<Placement> Place;
+  std::optional<double> FeatureAngle; ///< degrees; edges sharper than this stay sharp
+  bool PointsAsBalls = false;
+  double Radius = 0; ///< of balls at points and of tubes along lines; 0 chooses one
+};
+
+enum class LightKind
+{
+  Key,         ///< directional, fixed to the camera
+  Head,        ///< at the camera
+  Directional, ///< from Position towards Target
+  Point,
+  Cone
+};
+
+struct Light
+{
+  LightKind Kind = LightKind::Directional;
+  Vec3 Position = { 0, 0, 1 };
+  Vec3 Target = { 0, 0, 0 };
+  double Azimuth = -40; ///< key: degrees to the right of the camera
+  double Elevation = 45;
+  double Angle = 30; ///< cone: half angle in degrees
+  double Exponent = 1;
+  Vec3 Attenuation = { 1, 0, 0 };
+  Vec3 Color = { 1, 1, 1 };
+  double Intensity = 1;
+  bool On = true;
+};
+
+struct Camera
+{
+  std::optional<Vec3> Position; ///< the scene is framed where absent
+  std::optional<Vec3> FocalPoint;
+  std::optional<Vec3> ViewUp;
+  double ViewAngle = 30;
+  std::optional<double> Azimuth; ///< degrees about the up axis, from the default view
+  std::optional<double> Elevation;
+  double Roll = 0;
+  double Zoom = 1;
+  bool Parallel = false;
+  std::optional<double> ParallelScale;
+};
+
+struct Environment
+{
+  std::string Path;
+  bool Visible = false; ///< drawn as the background too
+};
+
+struct Background
+{
+  Vec3 Bottom = { 0.74, 0.77, 0.81 };
+  Vec3 Top = { 0.95, 0.96, 0.97 };
+  bool Transparent = false;
+};
+
+struct ParameterSetting
+{
+  std::string Technique;
+  std::string Parameter;
+  std::string Value;
+};
+
+struct TechniqueSettings
+{
+  std::string Preset = "balanced";
+  std::vector<std::string> On;
+  std::vector<std::string> Off;
+  std::vector<ParameterSetting> Parameters;
+};
+
+struct Scene
+{
+  std::vector<Object> Objects;
+  std::optional<std::vector<Light>> Lights; ///< a key light and a weak headlight where absent
+  Camera View;
+  std::optional<Environment> Surroundings;
+  Background Backdrop;
+  TechniqueSettings Techniques;
+  int Width = 1280;
+  int Height = 720;
+  int Frames = 16; ///< still frames to accumulate
+  bool DepthPeeling = true;
+};
+}
+
+#endif

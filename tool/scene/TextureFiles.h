@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Textures and environments from picture files.
+#ifndef penumbra_tool_TextureFiles_h
+#define penumbra_tool_TextureFiles_h
+
+#include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+
+#include <string>
+
+namespace penumbra::tool
+{
+enum class TextureUse
+{
+  Color, ///< display colours that PBR shading makes linear
+  Data   ///< values used as they are
+};
+
+/// An 8-bit texture of a picture file.
+vtkSmartPointer<vtkTexture> ReadTexture(const std::string& path, TextureUse use);
+
+/// One white pixel.
+vtkSmartPointer<vtkTexture> MakeWhiteTexture();
+
+/// A float texture of linear radiance, latitude by longitude; 8-bit files are made linear.
+vtkSmartPointer<vtkTexture> ReadEnvironmentTexture(const std::string& path);
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What one dataset brings to the rays: triangles, spheres and cylinders. Primitives are numbered in
+ * this order: all triangles, all spheres, all cylinders.
+ */
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace penumbra
+{
+struct RaySphere
+{
+  glm::vec3 Center{ 0.0f };
+  float Radius = 0.0f;
+};
+
+struct RayCylinder
+{
+  glm::vec3 End0{ 0.0f };
+  glm::vec3 End1{ 0.0f };
+  float Radius = 0.0f;
+  bool Capped = false;
+};
+
+struct RayGeometry
+{
+  /// What all coordinates below are relative to. Near the data, so that floats near it lose nothing.
+  glm::dvec3 Origin{ 0.0 };
+  std::vector<glm::vec3> Points;
+  std::vector<glm::uvec3> Triangles; ///< indices into Points
+  std::vector<RaySphere> Spheres;
+  std::vector<RayCylinder> Cylinders;
+
+  std::size_t Size() const
+  {
+    return this->Triangles.size() + this->Spheres.size() + this->Cylinders.size();
+  }
+
+  /// Take points in double precision: chooses the origin in the middle of the finite ones.
+  void SetPoints(const std::vector<glm::dvec3>& points);
+};
+}

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A binary tree of bounds over anything that has bounds, built by Embree's builder and laid out for
+ * the shader.
+ */
+#pragma once
+
+#include "ray_scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace penumbra
+{
+struct RayBounds
+{
+  glm::vec3 Lower{ 3e38f };
+  glm::vec3 Upper{ -3e38f };
+
+  void Add(const glm::vec3& point)
+  {
+    this->Lower = glm::min(this->Lower, point);
+    this->Upper = glm::max(this->Upper, point);
+  }
+  void Add(const RayBounds& other)
+  {
+    this->Lower = glm::min(this->Lower, other.Lower);
+    this->Upper = glm::max(this->Upper, other.Upper);
+  }
+  bool IsEmpty() const { return !(this->Lower.x <= this->Upper.x); }
+  /// The same, larger all round.
+  RayBounds Grown(float by) const { return { this->Lower - by, this->Upper + by }; }
+  float LargestCoordinate() const;
+};
+
+/// Coordinates from here on are treated like infinities: Embree's own limit (FLT_LARGE).
+constexpr float RayCoordinateLimit = 1.8e18f;
+
+struct RayTree
+{
+  /// Parents come before their children. Children and leaves count from 0 in this tree.
+  std::vector<shared::RayNode> Nodes;
+  /// The items in the order of the leaves.
+  std::vector<std::uint32_t> Order;
+  std::int32_t Root = GI_RAY_DONE; ///< GI_RAY_DONE where there are no items
+  int Depth = 0;
+  RayBounds Bounds;
+
+  /// Build over the items with non-empty bounds.
+  void Build(const std::vector<RayBounds>& items, int leafSize, int depthLimit);
+
+  /// Give the nodes new bounds, keeping the tree's shape. items: in the order given to Build.
+  void Refit(const std::vector<RayBounds>& items);
+
+  /// By how much bounds are larger than what they bound: a unit in the last place of the largest
+  /// coordinate, which also keeps a ray in a plane of bounds from being lost (rays/trace.glsl).
+  static float Margin(const RayBounds& all);
+
+  /// A leaf's or node's reference moved by so many nodes and records.
+  static std::int32_t Moved(std::int32_t reference, std::int32_t nodes, std::int32_t records);
+};
+}
