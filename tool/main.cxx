@@ -55,8 +55,9 @@ int ReportUsage(CLI::App& app, const CLI::ParseError& error, Console& console)
     return app.exit(error); // --help and --version
   }
   const auto chosen = app.get_subcommands();
-  const std::string help =
-    chosen.empty() ? "penumbra --help" : fmt::format("penumbra {} --help", chosen.front()->get_name());
+  const std::string help = chosen.empty()
+    ? "penumbra --help"
+    : fmt::format("penumbra {} --help", chosen.front()->get_name());
   // Without a command the first argument is a misspelt one.
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
     (chosen.empty() && !app.remaining().empty());
@@ -79,14 +80,16 @@ int ReportLeftovers(int status, Console& console)
   {
     return status;
   }
-  console.Error(fmt::format("VTK reports an error, so that the result may be wrong: {}", messages.Errors.front()));
+  console.Error(fmt::format(
+    "VTK reports an error, so that the result may be wrong: {}", messages.Errors.front()));
   return Failure::Failed;
 }
 
 int RunCommandLine(int argc, char** argv)
 {
   Console console;
-  CLI::App app("Real-time global illumination for VTK data, with or without a GPU or a screen.", "penumbra");
+  CLI::App app(
+    "Real-time global illumination for VTK data, with or without a GPU or a screen.", "penumbra");
   app.set_version_flag("--version", "penumbra " PENUMBRA_VERSION);
   app.require_subcommand(1);
   app.footer("Examples:\n"
@@ -126,7 +129,8 @@ int RunCommandLine(int argc, char** argv)
   }
   catch (const std::bad_alloc&)
   {
-    console.Error("this machine has too little memory for that: use less data or a smaller picture");
+    console.Error(
+      "this machine has too little memory for that: use less data or a smaller picture");
   }
   catch (const std::exception& error)
   {

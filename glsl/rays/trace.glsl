@@ -163,7 +163,7 @@ RayHit rayTrace(Ray ray, const bool any)
       ++size;
       current = what.x;
     }
-    else
+    else if (current != GI_RAY_DONE)
     {
       if (leave)
       {

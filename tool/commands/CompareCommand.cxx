@@ -20,25 +20,34 @@ class CompareCommand : public Command
 public:
   CLI::App* Declare(CLI::App& app) override
   {
-    CLI::App* command = app.add_subcommand("compare", "measure how far a picture is from a reference");
+    CLI::App* command =
+      app.add_subcommand("compare", "measure how far a picture is from a reference");
     command->add_option("PICTURE", this->Picture, "the picture to judge")->required();
     command->add_option("REFERENCE", this->Reference, "what it should look like")->required();
-    command->add_option("--epsilon", this->Measuring.Epsilon, "of relMSE: (a - b)^2 / (b^2 + epsilon)")
-      ->check(CLI::PositiveNumber)->capture_default_str();
-    command->add_option("--tolerance", this->Measuring.Tolerance, "in 255ths: pixels further off are counted")
-      ->check(CLI::NonNegativeNumber)->capture_default_str();
+    command
+      ->add_option("--epsilon", this->Measuring.Epsilon, "of relMSE: (a - b)^2 / (b^2 + epsilon)")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+    command
+      ->add_option(
+        "--tolerance", this->Measuring.Tolerance, "in 255ths: pixels further off are counted")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
     command->add_option("--diff", this->Difference, "write a picture of the absolute difference");
     command->add_option("--diff-gain", this->Gain, "the difference times this")
-      ->check(CLI::PositiveNumber)->capture_default_str();
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
     command->add_option("--max-relmse", this->MaximumRelativeMse, "fail above this");
     command->add_option("--min-ssim", this->MinimumSsim, "fail below this");
-    command->add_option("--fail-over", this->MaximumFraction, "fail when a greater fraction of pixels is over the tolerance");
+    command->add_option("--fail-over", this->MaximumFraction,
+      "fail when a greater fraction of pixels is over the tolerance");
     command->add_flag("--json", this->Json, "for machines");
-    command->footer("Exit status: 0 within the limits, 1 outside them or on failure, 2 on wrong usage.\n"
-                    "Examples:\n"
-                    "  penumbra compare a.png b.png\n"
-                    "  penumbra compare a.exr b.exr --max-relmse 0.01 --diff difference.png\n"
-                    "  penumbra compare a.png b.png --tolerance 2 --fail-over 0.001 --json");
+    command->footer(
+      "Exit status: 0 within the limits, 1 outside them or on failure, 2 on wrong usage.\n"
+      "Examples:\n"
+      "  penumbra compare a.png b.png\n"
+      "  penumbra compare a.exr b.exr --max-relmse 0.01 --diff difference.png\n"
+      "  penumbra compare a.png b.png --tolerance 2 --fail-over 0.001 --json");
     return command;
   }
 
@@ -56,8 +65,8 @@ public:
     }
     if (a.Width != b.Width || a.Height != b.Height)
     {
-      Fail("'{}' has {}x{} pixels and '{}' has {}x{}: pictures of one size can be compared", this->Picture,
-        a.Width, a.Height, this->Reference, b.Width, b.Height);
+      Fail("'{}' has {}x{} pixels and '{}' has {}x{}: pictures of one size can be compared",
+        this->Picture, a.Width, a.Height, this->Reference, b.Width, b.Height);
     }
     const Metrics metrics = Measure(a, b, this->Measuring);
     if (!this->Difference.empty())
@@ -72,10 +81,10 @@ private:
   void Print(const Metrics& metrics) const
   {
     const nlohmann::ordered_json values = { { "relmse", metrics.RelativeMse },
-      { "signed-mean", metrics.SignedMean }, { "p99", metrics.Percentile99 }, { "maximum", metrics.Maximum },
-      { "ssim", metrics.Ssim }, { "fraction-over", metrics.FractionOver },
-      { "tolerance", this->Measuring.Tolerance }, { "epsilon", this->Measuring.Epsilon },
-      { "non-finite-pixels", metrics.NonFinite } };
+      { "signed-mean", metrics.SignedMean }, { "p99", metrics.Percentile99 },
+      { "maximum", metrics.Maximum }, { "ssim", metrics.Ssim },
+      { "fraction-over", metrics.FractionOver }, { "tolerance", this->Measuring.Tolerance },
+      { "epsilon", this->Measuring.Epsilon }, { "non-finite-pixels", metrics.NonFinite } };
     if (this->Json)
     {
       std::cout << values.dump(2) << std::endl;
@@ -88,8 +97,9 @@ private:
                "SSIM              {:.6f}\n"
                "over {:g}/255        {:.6g} of the pixels\n"
                "not finite        {} pixels\n",
-      metrics.RelativeMse, this->Measuring.Epsilon, metrics.SignedMean, metrics.Percentile99, metrics.Maximum,
-      metrics.Ssim, this->Measuring.Tolerance, metrics.FractionOver, metrics.NonFinite);
+      metrics.RelativeMse, this->Measuring.Epsilon, metrics.SignedMean, metrics.Percentile99,
+      metrics.Maximum, metrics.Ssim, this->Measuring.Tolerance, metrics.FractionOver,
+      metrics.NonFinite);
   }
 
   int Judge(const Metrics& metrics, Console& console) const
@@ -97,7 +107,8 @@ private:
     std::vector<std::string> reasons;
     if (this->MaximumRelativeMse && metrics.RelativeMse > *this->MaximumRelativeMse)
     {
-      reasons.push_back(fmt::format("relMSE {:.6g} is above {:g}", metrics.RelativeMse, *this->MaximumRelativeMse));
+      reasons.push_back(
+        fmt::format("relMSE {:.6g} is above {:g}", metrics.RelativeMse, *this->MaximumRelativeMse));
     }
     if (this->MinimumSsim && metrics.Ssim < *this->MinimumSsim)
     {
@@ -117,7 +128,8 @@ private:
     {
       return 0;
     }
-    console.Error(fmt::format("'{}' is too far from '{}': {}", this->Picture, this->Reference, fmt::join(reasons, ", ")));
+    console.Error(fmt::format(
+      "'{}' is too far from '{}': {}", this->Picture, this->Reference, fmt::join(reasons, ", ")));
     return Failure::Failed;
   }
 

@@ -25,9 +25,11 @@ public:
     CLI::App* command = app.add_subcommand("info", "OpenGL, VTK, and the table of techniques");
     command->add_flag("--parameters", this->Parameters, "each technique's parameters too");
     auto* json = command->add_flag("--json", this->Json, "for machines");
-    command->add_flag("--markdown", this->Markdown, "the tables for the documentation, without OpenGL")
+    command
+      ->add_flag("--markdown", this->Markdown, "the tables for the documentation, without OpenGL")
       ->excludes(json);
-    command->add_option("--backend", this->Backend, "egl, osmesa, x11 or auto")->capture_default_str();
+    command->add_option("--backend", this->Backend, "egl, osmesa, x11 or auto")
+      ->capture_default_str();
     command->footer("Examples:\n"
                     "  penumbra info\n"
                     "  penumbra info --parameters --backend osmesa\n"

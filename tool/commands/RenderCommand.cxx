@@ -61,7 +61,8 @@ class RenderCommand : public Command
 public:
   CLI::App* Declare(CLI::App& app) override
   {
-    CLI::App* command = app.add_subcommand("render", "render data files or a scene file to a picture");
+    CLI::App* command =
+      app.add_subcommand("render", "render data files or a scene file to a picture");
     DeclareRenderOptions(*command, this->Options);
     return command;
   }

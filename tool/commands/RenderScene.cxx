@@ -41,7 +41,8 @@ ColorBy ParseColorBy(const RenderOptions& options)
     const std::vector<double> range = ParseNumbers(options.ColorRange, "--color-range");
     if (range.size() != 2 || range[0] >= range[1])
     {
-      FailUsage("--color-range is '{}': it must be two rising numbers, LOW,HIGH", options.ColorRange);
+      FailUsage(
+        "--color-range is '{}': it must be two rising numbers, LOW,HIGH", options.ColorRange);
     }
     color.Range = { range[0], range[1] };
   }
@@ -146,7 +147,9 @@ void ApplyTechniqueOptions(const RenderOptions& options, TechniqueSettings& sett
     const auto dot = text.find('.'), equals = text.find('=');
     if (dot == std::string::npos || equals == std::string::npos || equals < dot)
     {
-      FailUsage("--set is '{}': it must be TECHNIQUE.PARAMETER=VALUE, such as shadow-maps.resolution=4096", text);
+      FailUsage(
+        "--set is '{}': it must be TECHNIQUE.PARAMETER=VALUE, such as shadow-maps.resolution=4096",
+        text);
     }
     settings.Parameters.push_back(
       { text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1) });
@@ -187,12 +190,13 @@ Scene MakeScene(const RenderOptions& options)
   for (std::size_t i = 0; i < options.Lights.size(); ++i)
   {
     scene.Lights = i == 0 ? std::vector<Light>() : *scene.Lights;
-    scene.Lights->push_back(
-      ReadLight(ParseSpec(options.Lights[i], SpecKind::TypeFirst), fmt::format("--light '{}'", options.Lights[i])));
+    scene.Lights->push_back(ReadLight(ParseSpec(options.Lights[i], SpecKind::TypeFirst),
+      fmt::format("--light '{}'", options.Lights[i])));
   }
   if (!options.Camera.empty())
   {
-    scene.View = ReadCamera(ParseSpec(options.Camera, SpecKind::KeysOnly), fmt::format("--camera '{}'", options.Camera));
+    scene.View = ReadCamera(
+      ParseSpec(options.Camera, SpecKind::KeysOnly), fmt::format("--camera '{}'", options.Camera));
   }
   if (!options.Environment.empty())
   {
@@ -212,9 +216,9 @@ Scene MakeScene(const RenderOptions& options)
     const std::string where = fmt::format("--background '{}'", options.Background);
     scene.Backdrop = options.Background == "transparent"
       ? ReadBackground(nlohmann::json("transparent"), where)
-      : (keys ? ReadBackground(ParseSpec(options.Background, SpecKind::KeysOnly), where) : Background{
-            ParseColorOption(options.Background, "--background"),
-            ParseColorOption(options.Background, "--background"), false });
+      : (keys ? ReadBackground(ParseSpec(options.Background, SpecKind::KeysOnly), where)
+              : Background{ ParseColorOption(options.Background, "--background"),
+                  ParseColorOption(options.Background, "--background"), false });
   }
   scene.Frames = options.Frames.value_or(scene.Frames);
   ApplyTechniqueOptions(options, scene.Techniques);

@@ -49,9 +49,10 @@ std::string RangeText(const ordered_json& parameter)
   {
     return fmt::format("{}", fmt::join(parameter["values"].get<std::vector<std::string>>(), ", "));
   }
-  return parameter["type"] == "bool" ? "on, off"
-                                     : fmt::format("{:g} to {:g}", parameter["minimum"].get<double>(),
-                                         parameter["maximum"].get<double>());
+  return parameter["type"] == "bool"
+    ? "on, off"
+    : fmt::format(
+        "{:g} to {:g}", parameter["minimum"].get<double>(), parameter["maximum"].get<double>());
 }
 
 std::string Text(const ordered_json& object, const char* key)
@@ -118,9 +119,9 @@ std::string PlainTable(const ordered_json& techniques, bool parameters)
     for (const auto& parameter : row["parameters"])
     {
       const std::string unit = Text(parameter, "unit");
-      table += fmt::format("  {}.{} = {} ({}{}{})\n      {}\n", Text(row, "name"), Text(parameter, "name"),
-        DefaultText(parameter), RangeText(parameter), unit.empty() ? "" : "; ", unit,
-        Text(parameter, "doc"));
+      table += fmt::format("  {}.{} = {} ({}{}{})\n      {}\n", Text(row, "name"),
+        Text(parameter, "name"), DefaultText(parameter), RangeText(parameter),
+        unit.empty() ? "" : "; ", unit, Text(parameter, "doc"));
     }
   }
   return table;
@@ -128,7 +129,8 @@ std::string PlainTable(const ordered_json& techniques, bool parameters)
 
 std::string MarkdownTable(const ordered_json& techniques, bool parameters)
 {
-  std::string table = "| technique | term it buys | verb | follows a moving scene? |\n|---|---|---|---|\n";
+  std::string table =
+    "| technique | term it buys | verb | follows a moving scene? |\n|---|---|---|---|\n";
   for (const auto& row : techniques)
   {
     table += fmt::format("| {} | {} | {} | {} |\n", Text(row, "name"), Text(row, "term"),
@@ -140,12 +142,14 @@ std::string MarkdownTable(const ordered_json& techniques, bool parameters)
     {
       break;
     }
-    table += fmt::format("\n## {} (`{}`)\n\n{}.\n\n", Text(row, "title"), Text(row, "name"), Text(row, "source"));
+    table += fmt::format(
+      "\n## {} (`{}`)\n\n{}.\n\n", Text(row, "title"), Text(row, "name"), Text(row, "source"));
     table += "| parameter | default | range | unit | meaning |\n|---|---|---|---|---|\n";
     for (const auto& parameter : row["parameters"])
     {
       table += fmt::format("| `{}` | {} | {} | {} | {} |\n", Text(parameter, "name"),
-        DefaultText(parameter), RangeText(parameter), Text(parameter, "unit"), Text(parameter, "doc"));
+        DefaultText(parameter), RangeText(parameter), Text(parameter, "unit"),
+        Text(parameter, "doc"));
     }
   }
   return table;

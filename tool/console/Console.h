@@ -39,8 +39,8 @@ private:
   void Silence();
   void Restore();
 
-  int TrueOutput;  ///< a copy of stdout, for when it is silenced
-  int TrueError;   ///< a copy of stderr
+  int TrueOutput; ///< a copy of stdout, for when it is silenced
+  int TrueError;  ///< a copy of stderr
   bool Terminal;
   bool Quiet = false;
   bool Verbose = false;

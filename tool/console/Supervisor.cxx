@@ -121,7 +121,8 @@ void LimitProcessorTime(double seconds)
     return;
   }
   const double used = double(std::clock()) / CLOCKS_PER_SEC;
-  limit.rlim_cur = seconds > 0 ? std::min<rlim_t>(limit.rlim_max, rlim_t(used + seconds)) : limit.rlim_max;
+  limit.rlim_cur =
+    seconds > 0 ? std::min<rlim_t>(limit.rlim_max, rlim_t(used + seconds)) : limit.rlim_max;
   setrlimit(RLIMIT_CPU, &limit);
 }
 }

@@ -10,19 +10,19 @@ namespace penumbra::tool
 {
 struct MetricOptions
 {
-  double Epsilon = 1e-2;  ///< added to the squared reference in relMSE
-  double Tolerance = 2;   ///< in 255ths: a pixel differs where a channel is further off
+  double Epsilon = 1e-2; ///< added to the squared reference in relMSE
+  double Tolerance = 2;  ///< in 255ths: a pixel differs where a channel is further off
 };
 
 struct Metrics
 {
-  double RelativeMse = 0;      ///< mean of (a - b)^2 / (b^2 + epsilon) over channels and pixels
-  double SignedMean = 0;       ///< mean of luminance a - luminance b: bias, not noise
-  double Percentile99 = 0;     ///< of the pixels' greatest channel difference
+  double RelativeMse = 0;  ///< mean of (a - b)^2 / (b^2 + epsilon) over channels and pixels
+  double SignedMean = 0;   ///< mean of luminance a - luminance b: bias, not noise
+  double Percentile99 = 0; ///< of the pixels' greatest channel difference
   double Maximum = 0;
-  double Ssim = 1;             ///< mean structural similarity of the luminance
-  double FractionOver = 0;     ///< pixels further off than the tolerance
-  std::size_t NonFinite = 0;   ///< pixels with NaN or infinity in either picture, left out
+  double Ssim = 1;           ///< mean structural similarity of the luminance
+  double FractionOver = 0;   ///< pixels further off than the tolerance
+  std::size_t NonFinite = 0; ///< pixels with NaN or infinity in either picture, left out
 };
 
 /// Measures picture a against reference b; both must have the same size.

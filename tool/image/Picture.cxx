@@ -21,7 +21,8 @@ constexpr int LargestSide = 65536; // beyond it a picture file is damaged, not b
 std::string Extension(const std::string& path)
 {
   std::string end = std::filesystem::path(path).extension();
-  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(
+    end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
   return end;
 }
 }
@@ -43,8 +44,8 @@ Picture ReadPicture(const std::string& path)
     spec.width <= LargestSide && spec.height <= LargestSide;
   if (!sane)
   {
-    Fail("the picture '{}' has a size of {} by {} pixels: it is damaged or too big", path, spec.width,
-      spec.height);
+    Fail("the picture '{}' has a size of {} by {} pixels: it is damaged or too big", path,
+      spec.width, spec.height);
   }
   Picture picture(spec.width, spec.height, std::min(spec.nchannels, 4));
   if (!file->read_image(0, 0, 0, picture.Channels, OIIO::TypeDesc::FLOAT, picture.Values.data()))
@@ -66,7 +67,8 @@ void RequireWritablePicture(const std::string& path)
   const auto folder = std::filesystem::absolute(path).parent_path();
   if (!std::filesystem::is_directory(folder))
   {
-    Fail("the output '{}' cannot be written: the folder '{}' does not exist", path, folder.string());
+    Fail(
+      "the output '{}' cannot be written: the folder '{}' does not exist", path, folder.string());
   }
   const bool existed = std::filesystem::exists(path);
   if (std::filesystem::is_directory(path) || !std::ofstream(path, std::ios::app))
@@ -100,7 +102,8 @@ void WritePicture(const std::string& path, const Picture& picture)
     file->write_image(OIIO::TypeDesc::FLOAT, picture.Values.data()) && file->close();
   if (!written)
   {
-    Fail("the output '{}' cannot be written ({})", path, file ? file->geterror() : OIIO::geterror());
+    Fail(
+      "the output '{}' cannot be written ({})", path, file ? file->geterror() : OIIO::geterror());
   }
 }
 

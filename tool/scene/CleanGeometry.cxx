@@ -85,9 +85,10 @@ void DroppedPoints::Report(const std::string& what, Reporter& reporter) const
 {
   if (this->Points + this->Cells > 0)
   {
-    reporter.Note(fmt::format("{}: left out {} points that are not finite and {} cells that use such "
-                              "points or ones that do not exist",
-      what, this->Points, this->Cells));
+    reporter.Note(
+      fmt::format("{}: left out {} points that are not finite and {} cells that use such "
+                  "points or ones that do not exist",
+        what, this->Points, this->Cells));
   }
 }
 
@@ -121,7 +122,8 @@ vtkSmartPointer<vtkPolyData> DropNonFinite(vtkPolyData* geometry, DroppedPoints&
   {
     if (!usable[i])
     {
-      points->SetPoint(i, usable[stand] ? points->GetPoint(stand) : std::vector<double>(3, 0.0).data());
+      points->SetPoint(
+        i, usable[stand] ? points->GetPoint(stand) : std::vector<double>(3, 0.0).data());
     }
   }
   clean->SetPoints(points);
@@ -130,8 +132,8 @@ vtkSmartPointer<vtkPolyData> DropNonFinite(vtkPolyData* geometry, DroppedPoints&
   vtkSmartPointer<vtkCellArray> kept[4];
   for (int i = 0; i < 4; ++i)
   {
-    kept[i] = Filter(
-      groups[i], usable, firstId, geometry->GetCellData(), clean->GetCellData(), written);
+    kept[i] =
+      Filter(groups[i], usable, firstId, geometry->GetCellData(), clean->GetCellData(), written);
     firstId += groups[i] ? groups[i]->GetNumberOfCells() : 0;
   }
   clean->SetVerts(kept[0]);

@@ -26,18 +26,23 @@ const std::map<std::string, Stops>& Maps()
 {
   static const std::map<std::string, Stops> maps = {
     // Smith and van der Walt 2015, A Better Default Colormap for Matplotlib.
-    { "viridis", { 0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6dcd59,
-                   0xb4de2c, 0xfde725 } },
-    { "plasma", { 0x0d0887, 0x47039f, 0x7301a8, 0x9c179e, 0xbd3786, 0xd8576b, 0xed7953, 0xfa9e3b,
-                  0xfdc926, 0xf0f921 } },
-    { "inferno", { 0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60, 0xcf4446, 0xed6925, 0xfb9a06,
-                   0xf7d03c, 0xfcffa4 } },
+    { "viridis",
+      { 0x440154, 0x482878, 0x3e4a89, 0x31688e, 0x26828e, 0x1f9e89, 0x35b779, 0x6dcd59, 0xb4de2c,
+        0xfde725 } },
+    { "plasma",
+      { 0x0d0887, 0x47039f, 0x7301a8, 0x9c179e, 0xbd3786, 0xd8576b, 0xed7953, 0xfa9e3b, 0xfdc926,
+        0xf0f921 } },
+    { "inferno",
+      { 0x000004, 0x1b0c42, 0x4b0c6b, 0x781c6d, 0xa52c60, 0xcf4446, 0xed6925, 0xfb9a06, 0xf7d03c,
+        0xfcffa4 } },
     // Moreland 2009, Diverging Color Maps for Scientific Visualization.
-    { "cool-warm", { 0x3b4cc0, 0x6282ea, 0x8db0fe, 0xb8d0f9, 0xdddddd, 0xf5c4ad, 0xf49a7b, 0xde604d,
-                     0xb40426 } },
+    { "cool-warm",
+      { 0x3b4cc0, 0x6282ea, 0x8db0fe, 0xb8d0f9, 0xdddddd, 0xf5c4ad, 0xf49a7b, 0xde604d,
+        0xb40426 } },
     // Hypsometric tints after Imhof 1965, Cartographic Relief Presentation: green valleys to bare tops.
-    { "terrain", { 0x5f8a5a, 0x86a366, 0xb3b878, 0xcdb981, 0xb99468, 0x9b7657, 0xa89484, 0xd2c9c0,
-                   0xf4f2f0 } },
+    { "terrain",
+      { 0x5f8a5a, 0x86a366, 0xb3b878, 0xcdb981, 0xb99468, 0x9b7657, 0xa89484, 0xd2c9c0,
+        0xf4f2f0 } },
     { "gray", { 0x202020, 0xf0f0f0 } },
   };
   return maps;
@@ -90,7 +95,8 @@ int ComponentIndex(const ColorBy& color, int components, const std::string& what
                                             : (number ? std::stoi(color.Component) : components);
   if (index >= components)
   {
-    FailUsage("array '{}' of {} has no component '{}': it has {}; take magnitude, x, y, z or 0 to {}",
+    FailUsage(
+      "array '{}' of {} has no component '{}': it has {}; take magnitude, x, y, z or 0 to {}",
       color.Array, what, color.Component, components, components - 1);
   }
   return index;
@@ -182,7 +188,8 @@ vtkSmartPointer<vtkLookupTable> MakeColoring(
   return table;
 }
 
-void ColorMapper(vtkMapper* mapper, vtkPolyData* geometry, const ColorBy& color, vtkLookupTable* table)
+void ColorMapper(
+  vtkMapper* mapper, vtkPolyData* geometry, const ColorBy& color, vtkLookupTable* table)
 {
   bool atPoints;
   if (!FindArray(geometry, color.Array, atPoints))

@@ -24,7 +24,8 @@ vtkSmartPointer<vtkLookupTable> MakeColoring(
   const std::vector<Part>& parts, const ColorBy& color, const std::string& what);
 
 /// Lets a mapper colour its data by the array, at points or at cells as it is there.
-void ColorMapper(vtkMapper* mapper, vtkPolyData* geometry, const ColorBy& color, vtkLookupTable* table);
+void ColorMapper(
+  vtkMapper* mapper, vtkPolyData* geometry, const ColorBy& color, vtkLookupTable* table);
 }
 
 #endif

@@ -37,7 +37,8 @@ public:
   /// Bytes the file must have, or 0 where the header is of another kind.
   double RequiredSize() const
   {
-    const double records = this->FirstRecord > 0 ? this->FirstRecord + this->Records * this->RecordSize : 0;
+    const double records =
+      this->FirstRecord > 0 ? this->FirstRecord + this->Records * this->RecordSize : 0;
     // The last value needs no padding.
     return this->Understood ? std::max(this->End, records) - 3 : 0;
   }

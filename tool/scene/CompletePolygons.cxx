@@ -17,10 +17,10 @@ namespace
 /// Bytes of a scalar by its name in PLY files; 0 for a name there is not.
 std::size_t PlyTypeSize(const std::string& name)
 {
-  static const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "uchar", 1 }, { "int8", 1 },
-    { "uint8", 1 }, { "short", 2 }, { "ushort", 2 }, { "int16", 2 }, { "uint16", 2 }, { "int", 4 },
-    { "uint", 4 }, { "int32", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 }, { "double", 8 },
-    { "float64", 8 } };
+  static const std::map<std::string, std::size_t> sizes = { { "char", 1 }, { "uchar", 1 },
+    { "int8", 1 }, { "uint8", 1 }, { "short", 2 }, { "ushort", 2 }, { "int16", 2 }, { "uint16", 2 },
+    { "int", 4 }, { "uint", 4 }, { "int32", 4 }, { "uint32", 4 }, { "float", 4 }, { "float32", 4 },
+    { "double", 8 }, { "float64", 8 } };
   const auto found = sizes.find(name);
   return found == sizes.end() ? 0 : found->second;
 }

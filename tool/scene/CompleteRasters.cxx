@@ -84,8 +84,8 @@ double MetaDataSize(std::map<std::string, std::string>& keys)
 double NrrdDataSize(std::map<std::string, std::string>& keys)
 {
   static const std::vector<std::pair<std::string, double>> sizes = { { "char", 1 }, { "int8", 1 },
-    { "short", 2 }, { "int16", 2 }, { "long long", 8 }, { "longlong", 8 }, { "int64", 8 }, { "int", 4 },
-    { "float", 4 }, { "double", 8 } };
+    { "short", 2 }, { "int16", 2 }, { "long long", 8 }, { "longlong", 8 }, { "int64", 8 },
+    { "int", 4 }, { "float", 4 }, { "double", 8 } };
   double bytes = 0;
   for (const auto& [name, size] : sizes)
   {
@@ -125,7 +125,8 @@ void RequireCompleteMetaImage(const std::string& path)
   const bool compressed = keys["CompressedData"] == "True";
   if (compressed && !InflatesTo(values, needed))
   {
-    Fail("'{}' is damaged or cut off: its values cannot be decompressed to {:.0f} bytes", data, needed);
+    Fail("'{}' is damaged or cut off: its values cannot be decompressed to {:.0f} bytes", data,
+      needed);
   }
   if (!compressed && FileSize(data) - start < needed)
   {
@@ -165,7 +166,8 @@ void RequireCompleteNrrd(const std::string& path)
   const std::string encoding = keys["encoding"];
   if ((encoding == "gzip" || encoding == "gz") && !InflatesTo(file, needed))
   {
-    Fail("'{}' is damaged or cut off: its values cannot be decompressed to {:.0f} bytes", path, needed);
+    Fail("'{}' is damaged or cut off: its values cannot be decompressed to {:.0f} bytes", path,
+      needed);
   }
   if (encoding == "raw" && FileSize(path) - start < needed)
   {

@@ -13,7 +13,8 @@ namespace penumbra::tool
 {
 [[noreturn]] inline void FailShort(const std::string& path, double needed, double present)
 {
-  Fail("'{}' is cut off: its header asks for {:.0f} bytes and it has {:.0f}; copy or download it again",
+  Fail("'{}' is cut off: its header asks for {:.0f} bytes and it has {:.0f}; copy or download it "
+       "again",
     path, needed, present);
 }
 

@@ -10,7 +10,8 @@
 #include <expat.h>
 
 // Older libraries lack it, and the delay.
-extern "C" XML_Bool XMLCALL XML_SetReparseDeferralEnabled(XML_Parser, XML_Bool) __attribute__((weak));
+extern "C" XML_Bool XMLCALL XML_SetReparseDeferralEnabled(XML_Parser, XML_Bool)
+  __attribute__((weak));
 
 extern "C" __attribute__((visibility("default"))) XML_Parser XMLCALL XML_ParserCreate(
   const XML_Char* encoding)

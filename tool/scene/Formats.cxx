@@ -43,7 +43,7 @@ const DefaultView Land = { { 0, -1, 0 }, { 0, 0, 1 }, -20, 38 };
 /// Some readers never end on damaged files; the slowest good ones (text, XML) do ten megabytes a second.
 double LongestReading(const std::string& path)
 {
-  constexpr double least = 20, secondsPerByte = 1e-6;
+  constexpr double least = 10, secondsPerByte = 1e-6;
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   return least + (error ? 0 : secondsPerByte * static_cast<double>(size));
@@ -68,8 +68,10 @@ const std::vector<Format>& Formats()
     { ".pdb", "Protein Data Bank", ReadPdb, Model },
     { ".nii", "NIfTI volume", ReadNifti, Patient },
     { ".nii.gz", "NIfTI volume, compressed", ReadNifti, Patient },
-    { ".mha", "MetaImage volume", ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>, Simulation },
-    { ".mhd", "MetaImage volume with a header of its own", ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>, Simulation },
+    { ".mha", "MetaImage volume", ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>,
+      Simulation },
+    { ".mhd", "MetaImage volume with a header of its own",
+      ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>, Simulation },
     { ".nrrd", "nearly raw raster data", ReadNrrd, Simulation },
     { ".slc", "SLC volume", ReadWith<vtkSLCReader>, Simulation },
     { ".ex2", "Exodus II", ReadExodus, Simulation },
@@ -90,7 +92,8 @@ const std::vector<Format>& Formats()
 const Format* FindFormat(const std::string& path)
 {
   std::string lower = path;
-  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::transform(
+    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
   const Format* found = nullptr;
   for (const Format& format : Formats())
   {

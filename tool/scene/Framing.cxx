@@ -72,7 +72,8 @@ struct Fit
   double ParallelScale = 1;
 };
 
-Fit FitPoints(const std::vector<Vec3>& points, const Axes& axes, double slopeY, double aspect, bool parallel)
+Fit FitPoints(
+  const std::vector<Vec3>& points, const Axes& axes, double slopeY, double aspect, bool parallel)
 {
   Fit fit;
   if (points.empty())
@@ -90,11 +91,13 @@ Fit FitPoints(const std::vector<Vec3>& points, const Axes& axes, double slopeY, 
   }
   const double size = std::max({ x.Half(), y.Half(), depth.Half(), 1e-12 });
   fit.ParallelScale = Border * std::max({ y.Half(), x.Half() / aspect, 1e-6 * size });
-  const double front = parallel ? depth.High + 4 * size : std::max(x.Half() / slopeX, y.Half() / slopeY);
+  const double front =
+    parallel ? depth.High + 4 * size : std::max(x.Half() / slopeX, y.Half() / slopeY);
   fit.Distance = front - depth.Middle();
   for (int i = 0; i < 3; ++i)
   {
-    fit.Center[i] = x.Middle() * axes.Right[i] + y.Middle() * axes.Up[i] + depth.Middle() * axes.Front[i];
+    fit.Center[i] =
+      x.Middle() * axes.Right[i] + y.Middle() * axes.Up[i] + depth.Middle() * axes.Front[i];
   }
   return fit;
 }
@@ -123,20 +126,21 @@ void FramedPoints::Add(vtkPolyData* geometry, vtkMatrix4x4* placed, double margi
   }
 }
 
-void SetCamera(const Camera& described, const DefaultView& view, const FramedPoints& points, double aspect,
-  vtkRenderer* renderer)
+void SetCamera(const Camera& described, const DefaultView& view, const FramedPoints& points,
+  double aspect, vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const Vec3 up = described.ViewUp.value_or(view.Up);
   Vec3 direction = ViewDirection(described, view);
   const double slope = std::tan(vtkMath::RadiansFromDegrees(described.ViewAngle) / 2);
-  Fit fit = FitPoints(
-    points.Get(), LookFrom(direction, up), slope / Border, aspect, described.Parallel);
+  Fit fit =
+    FitPoints(points.Get(), LookFrom(direction, up), slope / Border, aspect, described.Parallel);
   const Vec3 focal = described.FocalPoint.value_or(fit.Center);
   Vec3 position;
   for (int i = 0; i < 3; ++i)
   {
-    position[i] = focal[i] + direction[i] * fit.Distance / (described.Parallel ? 1 : described.Zoom);
+    position[i] =
+      focal[i] + direction[i] * fit.Distance / (described.Parallel ? 1 : described.Zoom);
   }
   if (described.Position)
   {

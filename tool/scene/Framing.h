@@ -25,8 +25,8 @@ private:
 
 /// Sets the renderer's camera as described; what is not described is chosen so that all points are in
 /// view, seen from the default side.
-void SetCamera(const Camera& camera, const DefaultView& view, const FramedPoints& points, double aspect,
-  vtkRenderer* renderer);
+void SetCamera(const Camera& camera, const DefaultView& view, const FramedPoints& points,
+  double aspect, vtkRenderer* renderer);
 }
 
 #endif

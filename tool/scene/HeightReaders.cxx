@@ -46,12 +46,14 @@ Loaded MakeHeights(const std::vector<double>& values, std::size_t columns, std::
 
 using Arrays = std::map<std::string, NumpyArray>;
 
-const NumpyArray* FindArray(const Arrays& arrays, std::initializer_list<const char*> names, std::size_t axes)
+const NumpyArray* FindArray(
+  const Arrays& arrays, std::initializer_list<const char*> names, std::size_t axes)
 {
   for (const char* name : names)
   {
     const auto found = arrays.find(name);
-    if (found != arrays.end() && found->second.Shape.size() == axes && !found->second.Values.empty())
+    if (found != arrays.end() && found->second.Shape.size() == axes &&
+      !found->second.Values.empty())
     {
       return &found->second;
     }
@@ -107,16 +109,16 @@ Loaded ReadNumpyHeights(const std::string& path, Step& step)
   const bool northFirst = !(FindArray(arrays, { "latitude", "lat", "y" }, 1) && y.Step > 0);
   double dx = x.Known ? std::abs(x.Step) : 1;
   double dy = y.Known ? std::abs(y.Step) : dx;
-  const bool degrees = x.Known && y.Known && dx < 1 && dy < 1 && std::abs(x.Middle) <= 360 &&
-    std::abs(y.Middle) <= 90;
+  const bool degrees =
+    x.Known && y.Known && dx < 1 && dy < 1 && std::abs(x.Middle) <= 360 && std::abs(y.Middle) <= 90;
   if (degrees)
   {
     constexpr double metresPerDegree = 111320; // of latitude; mean earth radius 6371 km
     dx *= metresPerDegree * std::cos(vtkMath::RadiansFromDegrees(y.Middle));
     dy *= metresPerDegree;
     step.Note(fmt::format(
-      "'{}' spaces its samples in degrees: taken as {:.1f} by {:.1f} metres at latitude {:.1f}", path,
-      dx, dy, y.Middle));
+      "'{}' spaces its samples in degrees: taken as {:.1f} by {:.1f} metres at latitude {:.1f}",
+      path, dx, dy, y.Middle));
   }
   return MakeHeights(heights->Values, heights->Shape[1], heights->Shape[0], dx, dy, northFirst);
 }
@@ -133,7 +135,8 @@ Loaded ReadPictureHeights(const std::string& path, Step&)
   }
   if (picture.Width < 2 || picture.Height < 2)
   {
-    Fail("'{}' has {} by {} pixels: a terrain needs at least 2 by 2", path, picture.Width, picture.Height);
+    Fail("'{}' has {} by {} pixels: a terrain needs at least 2 by 2", path, picture.Width,
+      picture.Height);
   }
   return MakeHeights(heights, picture.Width, picture.Height, 1, 1, true);
 }

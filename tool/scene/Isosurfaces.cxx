@@ -43,7 +43,8 @@ vtkDataArray* ChooseArray(vtkDataSet* data, const Object& object)
     vtkDataArray* array = fields->GetArray(object.IsoArray.c_str());
     if (!array)
     {
-      FailUsage("{}", UnknownName("point array", object.IsoArray, Describe(object), ArrayNames(fields)));
+      FailUsage(
+        "{}", UnknownName("point array", object.IsoArray, Describe(object), ArrayNames(fields)));
     }
     return array;
   }
@@ -59,8 +60,8 @@ vtkDataArray* ChooseArray(vtkDataSet* data, const Object& object)
 /// Contouring works on values at points.
 vtkSmartPointer<vtkDataSet> WithPointArrays(vtkDataSet* data)
 {
-  const bool onlyCells = data->GetPointData()->GetNumberOfArrays() == 0 &&
-    data->GetCellData()->GetNumberOfArrays() > 0;
+  const bool onlyCells =
+    data->GetPointData()->GetNumberOfArrays() == 0 && data->GetCellData()->GetNumberOfArrays() > 0;
   if (!onlyCells)
   {
     return data;
@@ -172,17 +173,18 @@ std::vector<Part> MakeIsosurfaces(vtkDataSet* given, const Object& object, Repor
   if (values.empty())
   {
     values = { OtsuThreshold(array) };
-    reporter.Note(fmt::format("isovalue {:g} of '{}' (range {:g} to {:g}) chosen for {}: give --isovalue "
-                              "for another",
-      values[0], name, range[0], range[1], Describe(object)));
+    reporter.Note(
+      fmt::format("isovalue {:g} of '{}' (range {:g} to {:g}) chosen for {}: give --isovalue "
+                  "for another",
+        values[0], name, range[0], range[1], Describe(object)));
   }
   std::vector<Part> parts;
   for (double value : values)
   {
     if (!(value > range[0] && value < range[1]))
     {
-      Fail("the isovalue {:g} is outside the range of '{}' in {}: choose between {:g} and {:g}", value,
-        name, Describe(object), range[0], range[1]);
+      Fail("the isovalue {:g} is outside the range of '{}' in {}: choose between {:g} and {:g}",
+        value, name, Describe(object), range[0], range[1]);
     }
     const std::string label = fmt::format("isosurface {:g} of {}", value, Describe(object));
     Step step(reporter, "making " + label);

@@ -212,10 +212,10 @@ void JsonObject::Finish() const
 
 Vec3 ParseColor(const std::string& text, const std::string& where)
 {
-  static const std::map<std::string, Vec3> names = { { "black", { 0, 0, 0 } }, { "white", { 1, 1, 1 } },
-    { "gray", { 0.5, 0.5, 0.5 } }, { "red", { 0.8, 0.15, 0.12 } }, { "green", { 0.2, 0.6, 0.25 } },
-    { "blue", { 0.15, 0.3, 0.75 } }, { "ivory", { 0.86, 0.80, 0.72 } },
-    { "charcoal", { 0.12, 0.13, 0.15 } } };
+  static const std::map<std::string, Vec3> names = { { "black", { 0, 0, 0 } },
+    { "white", { 1, 1, 1 } }, { "gray", { 0.5, 0.5, 0.5 } }, { "red", { 0.8, 0.15, 0.12 } },
+    { "green", { 0.2, 0.6, 0.25 } }, { "blue", { 0.15, 0.3, 0.75 } },
+    { "ivory", { 0.86, 0.80, 0.72 } }, { "charcoal", { 0.12, 0.13, 0.15 } } };
   const auto named = names.find(text);
   if (named != names.end())
   {
@@ -225,8 +225,9 @@ Vec3 ParseColor(const std::string& text, const std::string& where)
     text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!hexadecimal)
   {
-    FailUsage("{} is '{}': it must be a colour, as three numbers, #rrggbb, black, white, gray, red, "
-              "green, blue, ivory or charcoal",
+    FailUsage(
+      "{} is '{}': it must be a colour, as three numbers, #rrggbb, black, white, gray, red, "
+      "green, blue, ivory or charcoal",
       where, text);
   }
   const unsigned long bits = std::stoul(text.substr(1), nullptr, 16);

@@ -22,7 +22,8 @@ struct Bounds
   double High = std::numeric_limits<double>::max();
 };
 constexpr Bounds NotNegative = { 0, std::numeric_limits<double>::max() };
-constexpr Bounds Positive = { std::numeric_limits<double>::min(), std::numeric_limits<double>::max() };
+constexpr Bounds Positive = { std::numeric_limits<double>::min(),
+  std::numeric_limits<double>::max() };
 constexpr Bounds UnitInterval = { 0, 1 };
 
 /// Each Read() leaves its target alone where the key is absent, and makes the key known. Finish() then

@@ -62,7 +62,8 @@ void ApplyStyle(const Material& material, vtkProperty* property)
   if (material.EdgeColor)
   {
     property->EdgeVisibilityOn();
-    property->SetEdgeColor((*material.EdgeColor)[0], (*material.EdgeColor)[1], (*material.EdgeColor)[2]);
+    property->SetEdgeColor(
+      (*material.EdgeColor)[0], (*material.EdgeColor)[1], (*material.EdgeColor)[2]);
   }
 }
 

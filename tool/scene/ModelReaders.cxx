@@ -70,7 +70,8 @@ void RequireGltfFiles(const std::string& path)
     {
       const std::string uri =
         entry.is_object() && entry.contains("uri") && entry["uri"].is_string() ? entry["uri"] : "";
-      const bool plain = !uri.empty() && uri.rfind("data:", 0) != 0 && uri.find('%') == std::string::npos;
+      const bool plain =
+        !uri.empty() && uri.rfind("data:", 0) != 0 && uri.find('%') == std::string::npos;
       if (plain && !std::filesystem::exists(std::filesystem::path(path).parent_path() / uri))
       {
         Fail("'{}' needs '{}', which is not beside it: copy it there", path, uri);
@@ -99,7 +100,8 @@ Loaded ReadObj(const std::string& path, Step& step)
   const auto folder = std::filesystem::absolute(path).parent_path();
   if (!std::filesystem::exists(folder / library))
   {
-    step.Note(fmt::format("the materials of '{}' are left out: '{}' is not beside it", path, library));
+    step.Note(
+      fmt::format("the materials of '{}' are left out: '{}' is not beside it", path, library));
     return ReadPlainObj(path, step);
   }
   vtkNew<vtkOBJImporter> importer;

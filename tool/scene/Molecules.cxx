@@ -28,15 +28,15 @@ using Rgb = std::array<unsigned char, 3>;
 Rgb ElementColor(unsigned short number, vtkPeriodicTable* table)
 {
   static const std::map<unsigned short, Rgb> colors = {
-    { 1, { 236, 236, 232 } },  // hydrogen
-    { 6, { 132, 138, 146 } },  // carbon
-    { 7, { 72, 112, 208 } },   // nitrogen
-    { 8, { 206, 62, 54 } },    // oxygen
-    { 9, { 122, 196, 92 } },   // fluorine
-    { 15, { 232, 142, 60 } },  // phosphorus
-    { 16, { 232, 196, 70 } },  // sulphur
-    { 17, { 84, 178, 84 } },   // chlorine
-    { 26, { 196, 108, 58 } },  // iron
+    { 1, { 236, 236, 232 } }, // hydrogen
+    { 6, { 148, 154, 162 } }, // carbon
+    { 7, { 72, 112, 208 } },  // nitrogen
+    { 8, { 206, 62, 54 } },   // oxygen
+    { 9, { 122, 196, 92 } },  // fluorine
+    { 15, { 232, 142, 60 } }, // phosphorus
+    { 16, { 232, 196, 70 } }, // sulphur
+    { 17, { 84, 178, 84 } },  // chlorine
+    { 26, { 196, 108, 58 } }, // iron
   };
   const auto found = colors.find(number);
   if (found != colors.end())

@@ -51,11 +51,16 @@ struct ElementType
 std::optional<ElementType> FindElementType(const std::string& code)
 {
   static const std::map<std::string, ElementType> types = {
-    { "i1", { 1, Convert<std::int8_t> } }, { "u1", { 1, Convert<std::uint8_t> } },
-    { "i2", { 2, Convert<std::int16_t> } }, { "u2", { 2, Convert<std::uint16_t> } },
-    { "i4", { 4, Convert<std::int32_t> } }, { "u4", { 4, Convert<std::uint32_t> } },
-    { "i8", { 8, Convert<std::int64_t> } }, { "u8", { 8, Convert<std::uint64_t> } },
-    { "f4", { 4, Convert<float> } }, { "f8", { 8, Convert<double> } },
+    { "i1", { 1, Convert<std::int8_t> } },
+    { "u1", { 1, Convert<std::uint8_t> } },
+    { "i2", { 2, Convert<std::int16_t> } },
+    { "u2", { 2, Convert<std::uint16_t> } },
+    { "i4", { 4, Convert<std::int32_t> } },
+    { "u4", { 4, Convert<std::uint32_t> } },
+    { "i8", { 8, Convert<std::int64_t> } },
+    { "u8", { 8, Convert<std::uint64_t> } },
+    { "f4", { 4, Convert<float> } },
+    { "f8", { 8, Convert<double> } },
     { "b1", { 1, Convert<std::uint8_t> } },
   };
   const auto found = types.find(code);
@@ -99,8 +104,8 @@ std::optional<NumpyArray> ParseArray(const std::string& bytes, const std::string
   static const std::regex orderPattern("'fortran_order': *(True|False)");
   static const std::regex shapePattern("'shape': *\\(([0-9, ]*)\\)");
   std::smatch type, order, shape;
-  if (!std::regex_search(text, type, typePattern) || !std::regex_search(text, order, orderPattern) ||
-    !std::regex_search(text, shape, shapePattern))
+  if (!std::regex_search(text, type, typePattern) ||
+    !std::regex_search(text, order, orderPattern) || !std::regex_search(text, shape, shapePattern))
   {
     return std::nullopt;
   }

@@ -33,7 +33,8 @@ Loaded Obtain(const Object& object, Reporter& reporter)
   }
   Loaded made;
   made.View = { { 0, -1, 0 }, { 0, 0, 1 }, 25, 25 };
-  made.Data = object.Shape ? MakePrimitive(*object.Shape) : MakeMesh(*object.Geometry, Describe(object));
+  made.Data =
+    object.Shape ? MakePrimitive(*object.Shape) : MakeMesh(*object.Geometry, Describe(object));
   return made;
 }
 
@@ -106,7 +107,8 @@ vtkSmartPointer<vtkPolyData> AsBalls(vtkPolyData* points, const Object& object, 
 class Maker
 {
 public:
-  Maker(const Object& object, bool underEnvironment, std::size_t& paletteIndex, FramedPoints& points)
+  Maker(
+    const Object& object, bool underEnvironment, std::size_t& paletteIndex, FramedPoints& points)
     : Described(object)
     , UnderEnvironment(underEnvironment)
     , PaletteIndex(paletteIndex)

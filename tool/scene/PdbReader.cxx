@@ -101,7 +101,8 @@ Loaded ReadPdb(const std::string& path, Step& step)
   }
   if (unknown > 0)
   {
-    step.Note(fmt::format("{} atoms of '{}' name no known element and are drawn as carbon", unknown, path));
+    step.Note(
+      fmt::format("{} atoms of '{}' name no known element and are drawn as carbon", unknown, path));
   }
   for (int i = 0; i < atoms->GetPointData()->GetNumberOfArrays(); ++i)
   {

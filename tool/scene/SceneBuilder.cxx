@@ -41,7 +41,8 @@ void SetEnvironment(const Environment& environment, const DefaultView& view, vtk
     vtkNew<vtkSkybox> sky;
     sky->SetProjectionToSphere();
     sky->SetTexture(texture);
-    sky->SetFloorPlane(static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0);
+    sky->SetFloorPlane(
+      static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0);
     sky->SetFloorRight(
       static_cast<float>(right[0]), static_cast<float>(right[1]), static_cast<float>(right[2]));
     sky->GammaCorrectOn();
@@ -64,8 +65,8 @@ bool IsTranslucent(vtkRenderer* renderer)
   return false;
 }
 
-void AddScalarBar(vtkLookupTable* table, const ColorBy& color, const Background& background,
-  vtkRenderer* renderer)
+void AddScalarBar(
+  vtkLookupTable* table, const ColorBy& color, const Background& background, vtkRenderer* renderer)
 {
   const double light = background.Top[0] + background.Top[1] + background.Top[2];
   const double ink = light > 1.5 ? 0.12 : 0.92;
@@ -139,8 +140,8 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
   {
     built.DepthPeeling = true;
     built.Renderer->UseDepthPeelingOn();
-    built.Renderer->SetMaximumNumberOfPeels(16);
-    built.Renderer->SetOcclusionRatio(0);
+    built.Renderer->SetMaximumNumberOfPeels(8);
+    built.Renderer->SetOcclusionRatio(0.001);
   }
   // A scalar bar takes the right edge: what is framed keeps away from both.
   const double free = hasScalarBar ? 0.72 : 1;

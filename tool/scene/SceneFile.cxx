@@ -67,10 +67,12 @@ TechniqueSettings ReadTechniques(const json& value, const std::string& where)
     JsonObject checked(*parameters, "'set' of " + where);
     for (const auto& technique : parameters->items())
     {
-      JsonObject inner(technique.value(), fmt::format("technique '{}' of {}", technique.key(), where));
+      JsonObject inner(
+        technique.value(), fmt::format("technique '{}' of {}", technique.key(), where));
       for (const auto& parameter : technique.value().items())
       {
-        settings.Parameters.push_back({ technique.key(), parameter.key(), ValueText(parameter.value()) });
+        settings.Parameters.push_back(
+          { technique.key(), parameter.key(), ValueText(parameter.value()) });
       }
     }
   }
@@ -111,7 +113,8 @@ void ReadSize(JsonObject& object, Scene& scene)
   {
     std::vector<double> size;
     object.Read("size", size);
-    const bool whole = size.size() == 2 && size[0] == std::floor(size[0]) && size[1] == std::floor(size[1]);
+    const bool whole =
+      size.size() == 2 && size[0] == std::floor(size[0]) && size[1] == std::floor(size[1]);
     if (!whole || size[0] < 1 || size[1] < 1 || size[0] > 32768 || size[1] > 32768)
     {
       FailUsage("'size' of {} must be two whole numbers from 1 to 32768", object.Where());
@@ -127,8 +130,9 @@ Light ReadLight(const json& value, const std::string& where)
   Light light;
   JsonObject object(value, where);
   object.ReadChoice<LightKind>("type", light.Kind,
-    { { "key", LightKind::Key }, { "head", LightKind::Head }, { "directional", LightKind::Directional },
-      { "point", LightKind::Point }, { "cone", LightKind::Cone } });
+    { { "key", LightKind::Key }, { "head", LightKind::Head },
+      { "directional", LightKind::Directional }, { "point", LightKind::Point },
+      { "cone", LightKind::Cone } });
   object.Read("position", light.Position);
   object.Read("target", light.Target);
   object.Read("azimuth", light.Azimuth);
@@ -191,8 +195,9 @@ Scene ReadSceneFile(const std::string& path)
   const json value = Parse(path);
   Scene scene;
   JsonObject object(value, fmt::format("the scene '{}'", path));
-  object.ForEach("objects",
-    [&](const json& item, const std::string& where) { scene.Objects.push_back(ReadObject(item, where)); });
+  object.ForEach("objects", [&](const json& item, const std::string& where) {
+    scene.Objects.push_back(ReadObject(item, where));
+  });
   object.ForEach("lights", [&](const json& item, const std::string& where) {
     scene.Lights = scene.Lights.value_or(std::vector<Light>());
     scene.Lights->push_back(ReadLight(item, where));

@@ -110,7 +110,8 @@ Primitive ReadPrimitive(const std::string& kind, const json& value, const std::s
 }
 
 template <typename T>
-void ReadLists(JsonObject& object, const std::string& key, std::vector<T>& target, std::size_t size = 0)
+void ReadLists(
+  JsonObject& object, const std::string& key, std::vector<T>& target, std::size_t size = 0)
 {
   object.ForEach(key, [&](const json& value, const std::string& where) {
     const json wrapped = { { "values", value } };
@@ -133,7 +134,8 @@ void ReadLists(JsonObject& object, const std::string& key, std::vector<T>& targe
   });
 }
 
-void ReadArrays(JsonObject& object, const std::string& key, std::map<std::string, std::vector<double>>& target)
+void ReadArrays(
+  JsonObject& object, const std::string& key, std::map<std::string, std::vector<double>>& target)
 {
   if (const json* arrays = object.Find(key))
   {
@@ -232,7 +234,8 @@ void ReadSource(JsonObject& object, Object& target)
   if (sources != 1)
   {
     object.Finish();
-    FailUsage("{} needs exactly one of the keys file, mesh, {}", object.Where(), Join(PrimitiveKinds()));
+    FailUsage(
+      "{} needs exactly one of the keys file, mesh, {}", object.Where(), Join(PrimitiveKinds()));
   }
 }
 }

@@ -133,7 +133,8 @@ const std::map<std::string, Geometry (*)(const Primitive&)>& Makers()
 {
   static const std::map<std::string, Geometry (*)(const Primitive&)> makers = {
     { "sphere", MakeSphere }, { "box", MakeBox }, { "plane", MakePlane }, { "disk", MakeDisk },
-    { "cylinder", MakeCylinder }, { "cone", MakeCone }, { "torus", MakeTorus } };
+    { "cylinder", MakeCylinder }, { "cone", MakeCone }, { "torus", MakeTorus }
+  };
   return makers;
 }
 
@@ -152,7 +153,8 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::vector<long long>
     {
       if (id < 0 || static_cast<std::size_t>(id) >= points)
       {
-        FailUsage("{} uses point {} but has points 0 to {} only", name, id, static_cast<long long>(points) - 1);
+        FailUsage("{} uses point {} but has points 0 to {} only", name, id,
+          static_cast<long long>(points) - 1);
       }
       made->InsertCellPoint(id);
     }
@@ -167,7 +169,8 @@ void AddArrays(vtkFieldData* fields, const std::map<std::string, std::vector<dou
   {
     if (tuples == 0 || values.empty() || values.size() % tuples != 0)
     {
-      FailUsage("array '{}' of {} has {} values: it needs a multiple of {}", key, name, values.size(), tuples);
+      FailUsage("array '{}' of {} has {} values: it needs a multiple of {}", key, name,
+        values.size(), tuples);
     }
     vtkNew<vtkDoubleArray> array;
     array->SetName(key.c_str());
@@ -184,7 +187,8 @@ vtkSmartPointer<vtkFloatArray> PerPoint(const std::vector<std::array<double, N>>
 {
   if (values.size() != points)
   {
-    FailUsage("{} has {} {} for {} points: give one for each point", name, values.size(), what, points);
+    FailUsage(
+      "{} has {} {} for {} points: give one for each point", name, values.size(), what, points);
   }
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(what);
@@ -229,7 +233,8 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const Mesh& mesh, const std::string& name)
   geometry->SetLines(MakeCells(mesh.Lines, mesh.Points.size(), 2, name));
   if (!mesh.Normals.empty())
   {
-    geometry->GetPointData()->SetNormals(PerPoint(mesh.Normals, mesh.Points.size(), "normals", name));
+    geometry->GetPointData()->SetNormals(
+      PerPoint(mesh.Normals, mesh.Points.size(), "normals", name));
   }
   if (!mesh.TextureCoordinates.empty())
   {

@@ -142,7 +142,8 @@ std::vector<Part> PartsOfData(const Loaded& loaded, const Object& object, Report
       : nullptr;
     const std::string label = fmt::format("{} of {}",
       name ? name : fmt::format("block {}", leaves->GetCurrentFlatIndex()), Describe(object));
-    AddDataSet(parts, vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()), label, object, reporter);
+    AddDataSet(
+      parts, vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()), label, object, reporter);
   }
   return parts;
 }
@@ -161,9 +162,8 @@ std::vector<Part> MakeParts(const Loaded& loaded, const Object& object, Reporter
 {
   const auto* image = vtkImageData::SafeDownCast(loaded.Data);
   const bool terrain = image && (loaded.Kind == Content::Heights || object.Heights);
-  std::vector<Part> parts = terrain
-    ? std::vector<Part>{ MakeTerrain(loaded, object, reporter) }
-    : PartsOfData(loaded, object, reporter);
+  std::vector<Part> parts = terrain ? std::vector<Part>{ MakeTerrain(loaded, object, reporter) }
+                                    : PartsOfData(loaded, object, reporter);
   std::vector<Part> drawn;
   DroppedPoints dropped;
   for (Part& part : parts)
@@ -199,8 +199,9 @@ std::vector<Part> MakeParts(const Loaded& loaded, const Object& object, Reporter
   }
   if (points > 0)
   {
-    Fail("{} has {} points but no triangles, lines or other cells: give --points to draw the points "
-         "as balls",
+    Fail(
+      "{} has {} points but no triangles, lines or other cells: give --points to draw the points "
+      "as balls",
       Describe(object), points);
   }
   Fail("{} is an empty dataset: there is nothing to draw", Describe(object));

@@ -57,8 +57,10 @@ void SetParameter(vtkGITechnique* technique, const ParameterSetting& setting)
   {
     TakeVtkMessages(); // the same sentence, printed by VTK's macro
     const char* reason = technique->GetLastError();
-    FailUsage("{}", reason ? reason : fmt::format("{}.{} cannot be '{}'", setting.Technique,
-                                        setting.Parameter, setting.Value));
+    FailUsage("{}",
+      reason
+        ? reason
+        : fmt::format("{}.{} cannot be '{}'", setting.Technique, setting.Parameter, setting.Value));
   }
 }
 }

@@ -69,9 +69,10 @@ Part MakeTerrain(const Loaded& loaded, const Object& object, Reporter& reporter)
     const double wanted = PleasingRelief * width / (range[1] - range[0]);
     const double digit = std::pow(10, std::floor(std::log10(wanted)) - 1);
     exaggeration = std::round(wanted / digit) * digit;
-    reporter.Note(fmt::format("heights of {} ({:g} to {:g}) are drawn times {:g}: give --exaggeration for "
-                              "another",
-      Describe(object), range[0], range[1], exaggeration));
+    reporter.Note(
+      fmt::format("heights of {} ({:g} to {:g}) are drawn times {:g}: give --exaggeration for "
+                  "another",
+        Describe(object), range[0], range[1], exaggeration));
   }
   vtkNew<vtkImageDataGeometryFilter> plane;
   plane->SetInputData(image);

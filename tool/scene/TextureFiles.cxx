@@ -18,7 +18,8 @@ namespace penumbra::tool
 namespace
 {
 template <typename Convert>
-vtkSmartPointer<vtkImageData> ToImage(const Picture& picture, int channels, int type, Convert convert)
+vtkSmartPointer<vtkImageData> ToImage(
+  const Picture& picture, int channels, int type, Convert convert)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(picture.Width, picture.Height, 1);

@@ -41,7 +41,8 @@ void Add(std::vector<std::string>& list, const char* raw)
   const std::string text = Clean(raw);
   const std::lock_guard<std::mutex> guard(Lock);
   constexpr std::size_t most = 100; // a damaged file can produce one message per cell
-  if (!text.empty() && list.size() < most && std::find(list.begin(), list.end(), text) == list.end())
+  if (!text.empty() && list.size() < most &&
+    std::find(list.begin(), list.end(), text) == list.end())
   {
     list.push_back(text);
   }
@@ -93,8 +94,8 @@ void ThrowVtkErrors(const std::string& what)
     Fail("{} ({})", what, messages.Errors.front());
   }
   // Several readers only warn of an end that is missing, and go on with values that never were read.
-  static const std::regex grave("error|fail|premature|unexpected|unable|could not|cannot|corrupt|truncat",
-    std::regex::icase);
+  static const std::regex grave(
+    "error|fail|premature|unexpected|unable|could not|cannot|corrupt|truncat", std::regex::icase);
   for (const std::string& warning : messages.Warnings)
   {
     if (std::regex_search(warning, grave))

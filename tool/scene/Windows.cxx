@@ -38,7 +38,8 @@ void RequireDisplay()
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {
-    Fail("there is no X display (DISPLAY is not set): take --backend egl or osmesa, or run under xvfb-run");
+    Fail("there is no X display (DISPLAY is not set): take --backend egl or osmesa, or run under "
+         "xvfb-run");
   }
 }
 }
@@ -83,8 +84,9 @@ GraphicsInfo OpenWindow(vtkRenderWindow* window)
   if (!works)
   {
     const std::string own = headless ? headless->GetContextError() : "";
-    const std::string reason =
-      !own.empty() ? own : (messages.Errors.empty() ? "no reason is given" : messages.Errors.front());
+    const std::string reason = !own.empty()
+      ? own
+      : (messages.Errors.empty() ? "no reason is given" : messages.Errors.front());
     Fail("no OpenGL context can be made: {}", reason);
   }
   if (auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window))

@@ -1,0 +1,16 @@
+# OpenImageIO's own package, made usable where only libopenimageio-dev is installed: Debian's names
+# the headers of OpenCV, which nothing here needs and CMake would refuse to go without.
+find_package(OpenImageIO ${OpenImageIO_FIND_VERSION} CONFIG QUIET)
+foreach(_target IN ITEMS OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
+  if(TARGET ${_target})
+    get_target_property(_folders ${_target} INTERFACE_INCLUDE_DIRECTORIES)
+    foreach(_folder IN LISTS _folders)
+      if(IS_ABSOLUTE "${_folder}" AND NOT EXISTS "${_folder}")
+        list(REMOVE_ITEM _folders "${_folder}")
+      endif()
+    endforeach()
+    set_target_properties(${_target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${_folders}")
+  endif()
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(OpenImageIO CONFIG_MODE)

@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draw real data with stock VTK and with Penumbra, and put the pictures side by side.
+
+usage: PYTHONPATH=build/python python3 examples/demo.py [--output FOLDER] [--size WxH] [SCENE...]
+"""
+import argparse
+import pathlib
+import statistics
+import sys
+import time
+
+import penumbra
+import scenes
+from PIL import Image, ImageDraw, ImageFont
+from vtkmodules.vtkCommonCore import vtkVersion
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+
+
+def progress(text):
+    """A line that says what is being done; only for people."""
+    if sys.stdout.isatty():
+        print(f"  {text}", flush=True)
+
+
+def milliseconds(window, renderer, frames):
+    """The median time of a frame while the camera moves, so that nothing can be kept."""
+    times = []
+    camera = renderer.GetActiveCamera()
+    for step in [0.2] * (frames + 1) + [-0.2] * (frames + 1):
+        camera.Azimuth(step)
+        started = time.perf_counter()
+        window.Render()
+        window.WaitForCompletion()
+        times.append(1000 * (time.perf_counter() - started))
+    return statistics.median(times[1:])
+
+
+def draw(name, size, frames):
+    """Both pictures of a scene and the times of their frames."""
+    title, build = scenes.SCENES[name]
+    progress(f"{name}: reading")
+    renderer = build()
+    # VTK's cheap anti-aliasing on both sides, as multisampling makes stock VTK slow on a CPU.
+    renderer.UseFXAAOn()
+    window = penumbra.window(renderer, size=size, multisamples=0)
+    progress(f"{name}: stock VTK")
+    stock = penumbra.render(window)
+    stock_time = milliseconds(window, renderer, frames)
+    progress(f"{name}: Penumbra")
+    # Still frames are averaged; a fifth of the light comes from all around.
+    penumbra.enable(renderer, "balanced", anti_aliasing__mode="accumulate",
+                    ambient_occlusion__ambient_share=0.2)
+    penumbra.render(window)
+    lit_time = milliseconds(window, renderer, frames)
+    lit = penumbra.render(window, frames=16)
+    where = window.GetDescription() if hasattr(window, "GetDescription") else ""
+    return title, stock, stock_time, lit, lit_time, where
+
+
+def sheet(drawn):
+    """The two pictures of a scene beside each other, with labels."""
+    title, stock, stock_time, lit, lit_time, where = drawn
+    height, width, _ = stock.shape
+    unit = max(7, round(width / 40))
+    large, small = (ImageFont.truetype(FONT, n) for n in (unit, round(0.72 * unit)))
+    top, bottom, gap = 2 * unit, round(2.6 * unit), max(2, unit // 4)
+    page = Image.new("RGB", (2 * width + gap, height + top + bottom), (250, 250, 250))
+    pen = ImageDraw.Draw(page)
+    pen.text((unit, top / 2), title, (20, 20, 20), large, "lm")
+    if where:
+        pen.text((page.width - unit, top / 2), where, (120, 120, 120), small, "rm")
+    for x, picture, label, note in (
+            (0, stock, f"VTK {vtkVersion.GetVTKVersion()}", f"FXAA: {stock_time:.0f} ms a frame"),
+            (width + gap, lit, "Penumbra", f"and shadows, ambient occlusion: {lit_time:.0f} ms a frame")):
+        page.paste(Image.fromarray(picture), (x, top))
+        y = top + height + bottom / 2
+        pen.text((x + unit, y), label, (20, 20, 20), large, "lm")
+        pen.text((x + width - unit, y), note, (90, 90, 90), small, "rm")
+    return page
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help=", ".join(scenes.SCENES))
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/demo"))
+    parser.add_argument("--size", default="800x600", help="of each picture (default %(default)s)")
+    parser.add_argument("--frames", type=int, default=2, help="timed in each direction")
+    options = parser.parse_args()
+    for name in options.scenes:
+        if name not in scenes.SCENES:
+            parser.error(f"there is no scene '{name}': there are {', '.join(scenes.SCENES)}")
+    try:
+        width, height = (int(n) for n in options.size.split("x"))
+        if not (16 <= width <= 8192 and 16 <= height <= 8192):
+            raise ValueError
+    except ValueError:
+        parser.error(f"--size {options.size}: write it as 800x600, from 16x16 to 8192x8192")
+    try:
+        options.output.mkdir(parents=True, exist_ok=True)
+        pages = []
+        for name in options.scenes or scenes.SCENES:
+            pages.append(sheet(draw(name, (width, height), options.frames)))
+            pages[-1].save(options.output / f"{name}.png")
+            print(f"{options.output / name}.png")
+    except (OSError, RuntimeError) as error:
+        sys.exit(f"demo: {error}")
+    whole = Image.new("RGB", (pages[0].width, sum(page.height for page in pages)))
+    for index, page in enumerate(pages):
+        whole.paste(page, (0, sum(p.height for p in pages[:index])))
+    whole.save(options.output / "contact-sheet.png")
+    print(f"{options.output}/contact-sheet.png")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,22 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Real-time global illumination for VTK.
+
+    import penumbra
+    penumbra.enable(renderer, "balanced")
+
+Importing it also makes vtkRenderWindow() work where there is no display.
+"""
+import importlib as _importlib
+
+# VTK draws with what is imported: its OpenGL classes, text, volumes and 2-D charts.
+for _name in ("vtkRenderingOpenGL2", "vtkRenderingFreeType", "vtkRenderingVolumeOpenGL2",
+              "vtkRenderingContextOpenGL2", "vtkInteractionStyle", "vtkRenderingUI"):
+    _importlib.import_module("vtkmodules." + _name)
+del _importlib, _name
+
+from .vtkRenderingGI import *  # noqa: F403,E402 the wrapped classes, vtkGIPass and its like
+from .images import radiance, render, save_png, window  # noqa: E402
+from .passes import disable, enable, presets, statistics, techniques  # noqa: E402
+
+__version__ = "0.1.0"

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a scene to a picture, without a screen."""
+import pathlib
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+
+from .vtkRenderingGI import vtkGIPass, vtkHeadlessRenderWindow
+
+
+def window(*renderers, size=(800, 600), multisamples=8):
+    """An offscreen window of that size with these renderers in it."""
+    made = vtkRenderWindow()
+    made.SetOffScreenRendering(1)
+    made.SetMultiSamples(multisamples)
+    made.SetSize(*size)
+    for renderer in renderers:
+        made.AddRenderer(renderer)
+    return made
+
+
+def _capture(target, frames, alpha):
+    if isinstance(target, vtkRenderer):
+        target = target.GetRenderWindow()
+        if target is None:
+            raise ValueError("the renderer has no window: put it in one with penumbra.window(renderer)")
+    if not isinstance(target, vtkRenderWindow):
+        raise TypeError(f"expected a vtkRenderWindow or a vtkRenderer, not {type(target).__name__}")
+    if frames < 1:
+        raise ValueError(f"frames is {frames}: at least one frame must be drawn")
+    for _ in range(frames):
+        target.Render()
+    if isinstance(target, vtkHeadlessRenderWindow) and target.GetContextError():
+        raise RuntimeError(target.GetContextError())
+    for renderer in target.GetRenderers():
+        if isinstance(renderer.GetPass(), vtkGIPass) and renderer.GetPass().GetLastError():
+            raise RuntimeError(renderer.GetPass().GetLastError())
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(target)
+    capture.ReadFrontBufferOff()
+    capture.ShouldRerenderOff()
+    if alpha:
+        capture.SetInputBufferTypeToRGBA()
+    capture.Update()
+    return capture.GetOutput()
+
+
+def render(target, frames=1, alpha=False):
+    """Draw a window (or a renderer's window) and give the picture as an array.
+
+    The array has shape (height, width, 3), or 4 with alpha, of bytes, with the top row first. Still
+    frames are averaged where anti-aliasing accumulates: more frames, smoother edges.
+    """
+    image = _capture(target, frames, alpha)
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
+
+
+def save_png(target, path, frames=1, alpha=False):
+    """Draw a window (or a renderer's window) and write the picture to a PNG file."""
+    image = _capture(target, frames, alpha)
+    path = pathlib.Path(path)
+    try:
+        path.open("wb").close()
+    except OSError as error:
+        raise OSError(f"cannot write {path}: {error.strerror}") from None
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(image)
+    writer.Write()
+    if writer.GetErrorCode():
+        raise OSError(f"cannot write {path}: is the disk full?")
+
+
+def radiance(gi, renderer):
+    """The linear radiance of the last frame: a float array of shape (height, width, 4), top row
+    first; the fourth number is 1 where there is a surface. Needs gi.KeepRadianceOn() before."""
+    image = vtkImageData()
+    if not gi.GetRadiance(renderer, image):
+        raise RuntimeError("no radiance was kept: call KeepRadianceOn() on the pass, then render")
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()

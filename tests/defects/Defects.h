@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What VTK's own shadow and ambient occlusion passes get wrong, drawn by them and by ours. Each
+// test shows the defect in stock VTK first, unless the VTK at hand is new enough to have lost it.
+#pragma once
+
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkGITechnique.h"
+#include "vtkActorCollection.h"
+#include "vtkPlaneSource.h"
+#include "vtkSphereSource.h"
+#include "vtkVersion.h"
+
+#include <cstdio>
+
+namespace penumbra_test
+{
+enum class By
+{
+  Nobody, ///< plain VTK, nothing switched on
+  Stock,  ///< VTK's pass
+  Ours
+};
+
+/// Whether the defect is still in this VTK. No arguments: it is in every version so far.
+inline bool StockIsDefective(int fixedMajor = 99, int fixedMinor = 0)
+{
+  const int major = vtkVersion::GetVTKMajorVersion();
+  const int minor = vtkVersion::GetVTKMinorVersion();
+  return major < fixedMajor || (major == fixedMajor && minor < fixedMinor);
+}
+
+inline void SwitchOnShadows(Stage& stage, By by)
+{
+  if (by == By::Stock)
+  {
+    stage.Renderer->UseShadowsOn();
+  }
+  else if (by == By::Ours)
+  {
+    stage.SetPasses().front()->GetTechnique("shadow-maps")->EnabledOn();
+  }
+}
+
+/// The same radius for both; ours takes a share of ambient light where asked.
+inline void SwitchOnOcclusion(Stage& stage, By by, double radius, double share = 0.35)
+{
+  if (by == By::Stock)
+  {
+    stage.Renderer->UseSSAOOn();
+    stage.Renderer->SetSSAORadius(radius);
+    stage.Renderer->SetSSAOBias(0.01 * radius);
+    stage.Renderer->SetSSAOKernelSize(64);
+    stage.Renderer->SSAOBlurOn();
+  }
+  else if (by == By::Ours)
+  {
+    vtkGITechnique* technique = stage.SetPasses().front()->GetTechnique("ambient-occlusion");
+    technique->EnabledOn();
+    technique->SetParameter("radius", radius);
+    technique->SetParameter("samples", 64);
+    technique->SetParameter("ambient-share", share);
+  }
+}
+
+/// A white floor in the plane z = 0.
+inline vtkActor* AddFloor(Stage& stage, double half = 2.0)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-half, -half, 0.0);
+  plane->SetPoint1(half, -half, 0.0);
+  plane->SetPoint2(-half, half, 0.0);
+  vtkActor* floor = stage.Add(plane);
+  floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  return floor;
+}
+
+/// A ball that hovers over the floor.
+inline vtkSmartPointer<vtkSphereSource> AddBall(Stage& stage, double x = 0.0)
+{
+  auto ball = vtkSmartPointer<vtkSphereSource>::New();
+  ball->SetThetaResolution(32);
+  ball->SetPhiResolution(32);
+  ball->SetCenter(x, 0.0, 1.0);
+  stage.Add(ball);
+  return ball;
+}
+
+inline vtkLight* AddLight(Stage& stage, double x, double y, double z)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  stage.Renderer->AddLight(light);
+  return light;
+}
+
+/// From above, the picture's height being that many world units; x to the right.
+inline void LookDown(Stage& stage, double height)
+{
+  vtkCamera* camera = stage.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.5 * height);
+  camera->SetPosition(0.0, 0.0, 10.0);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  stage.Renderer->ResetCameraClippingRange();
+}
+
+/// Grey of the floor around a point of it, in a picture looked down on from height.
+inline double FloorGrey(const Picture& picture, double height, double x, double y)
+{
+  const double scale = picture.Height / height;
+  const int i = static_cast<int>(0.5 * picture.Width + x * scale);
+  const int j = static_cast<int>(0.5 * picture.Height + y * scale);
+  return picture.MeanGrey(i - 2, j - 2, i + 3, j + 3);
+}
+}

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Defects.h"
+
+#include "vtkCubeSource.h"
+
+namespace penumbra_test
+{
+namespace
+{
+// Boxes of several heights close together: creases everywhere.
+void AddBoxes(Stage& stage, double size = 1.0)
+{
+  for (int i = 0; i < 9; ++i)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetCenter(i % 3 - 1.0, i / 3 - 1.0, 0.2 * ((i * 4) % 9));
+    stage.Add(cube)->SetScale(size);
+  }
+  Stage::LookAround(stage.Renderer);
+}
+
+// Emission and no light at all: there is nothing to occlude.
+Picture Glowing(By by)
+{
+  Stage stage;
+  AddBoxes(stage);
+  vtkNew<vtkTexture> glow;
+  vtkNew<vtkImageData> white;
+  white->SetDimensions(2, 2, 1);
+  white->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  std::fill_n(static_cast<unsigned char*>(white->GetScalarPointer()), 12, 160);
+  glow->SetInputData(white);
+  glow->SetUseSRGBColorSpace(true);
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    vtkProperty* property = static_cast<vtkActor*>(actors->GetItemAsObject(i))->GetProperty();
+    property->SetInterpolationToPBR();
+    property->SetEmissiveTexture(glow);
+  }
+  vtkLight* faint = AddLight(stage, 0.0, 0.0, 5.0);
+  faint->SetIntensity(1e-4);
+  SwitchOnOcclusion(stage, by, 0.8);
+  return Shoot(stage.Window);
+}
+
+TEST(OcclusionDefects, EmissionIsNotOccluded)
+{
+  const Picture plain = Glowing(By::Nobody);
+  const Difference stock = Compare(plain, Glowing(By::Stock), 2);
+  const Difference ours = Compare(plain, Glowing(By::Ours), 2);
+  std::printf("emission changed: stock mean %.2f, ours %.2f\n", stock.Mean, ours.Mean);
+  if (StockIsDefective())
+  {
+    EXPECT_GT(stock.Mean, 2.0);
+  }
+  EXPECT_GT(ours.Within, 0.999);
+}
+
+// Direct light and highlights, with no ambient light taken from them.
+Picture Lit(By by)
+{
+  Stage stage;
+  AddBoxes(stage);
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    static_cast<vtkActor*>(actors->GetItemAsObject(i))->GetProperty()->SetSpecular(0.5);
+  }
+  AddLight(stage, 2.0, 1.0, 5.0);
+  SwitchOnOcclusion(stage, by, 0.8, 0.0);
+  return Shoot(stage.Window);
+}
+
+TEST(OcclusionDefects, DirectLightIsNotOccluded)
+{
+  const Picture plain = Lit(By::Nobody);
+  if (StockIsDefective())
+  {
+    EXPECT_GT(Compare(plain, Lit(By::Stock), 2).Mean, 2.0);
+  }
+  EXPECT_GT(Compare(plain, Lit(By::Ours), 2).Within, 0.999);
+}
+
+// The same scene, larger, seen from as much farther away: the same picture.
+Picture Scaled(By by, double size)
+{
+  Stage stage;
+  AddBoxes(stage, size);
+  vtkActorCollection* actors = stage.Renderer->GetActors();
+  for (int i = 0; i < actors->GetNumberOfItems(); ++i)
+  {
+    auto* actor = static_cast<vtkActor*>(actors->GetItemAsObject(i));
+    actor->SetScale(size);
+  }
+  stage.Renderer->ResetCamera();
+  SwitchOnOcclusion(stage, by, 0.8 * size);
+  return Shoot(stage.Window);
+}
+
+// Positions in half floats end at 65504.
+TEST(OcclusionDefects, LargeCoordinates)
+{
+  const auto changed = [](By by) { return Compare(Scaled(by, 1.0), Scaled(by, 1e5), 2); };
+  const Difference stock = changed(By::Stock);
+  const Difference ours = changed(By::Ours);
+  std::printf("100000 times larger: stock mean difference %.3f, ours %.3f; within 2: %.4f, %.4f\n",
+    stock.Mean, ours.Mean, stock.Within, ours.Within);
+  if (StockIsDefective())
+  {
+    EXPECT_GT(stock.Mean, 1.0);
+  }
+  EXPECT_GT(ours.Within, 0.99);
+}
+
+// A viewport that does not start at the window's corner, against a window of its size.
+Difference InViewport(By by)
+{
+  Stage whole;
+  whole.Window->SetSize(160, 240);
+  AddBoxes(whole);
+  SwitchOnOcclusion(whole, by, 0.8);
+  const Picture alone = Shoot(whole.Window);
+
+  Stage stage;
+  stage.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  AddBoxes(stage);
+  SwitchOnOcclusion(stage, by, 0.8);
+  const Picture picture = Shoot(stage.Window);
+  Picture part = alone;
+  for (int y = 0; y < 240; ++y)
+  {
+    const auto from = picture.Pixels.begin() + 4 * (320 * y + 160);
+    std::copy(from, from + 4 * 160, part.Pixels.begin() + 4 * 160 * y);
+  }
+  return Compare(alone, part, 3);
+}
+
+TEST(OcclusionDefects, Viewport)
+{
+  if (StockIsDefective(9, 7))
+  {
+    EXPECT_LT(InViewport(By::Stock).Within, 0.9);
+  }
+  EXPECT_GT(InViewport(By::Ours).Within, 0.99);
+}
+
+// Tones between a white ball and a black background: none where edges are jagged.
+int SmoothPixels(By by)
+{
+  Stage stage;
+  stage.Window->SetMultiSamples(8);
+  stage.Renderer->SetBackground(0.0, 0.0, 0.0);
+  AddBall(stage);
+  vtkProperty* property = stage.Renderer->GetActors()->GetLastActor()->GetProperty();
+  property->SetColor(1.0, 1.0, 1.0);
+  property->LightingOff();
+  stage.Renderer->ResetCamera();
+  SwitchOnOcclusion(stage, by, 0.01);
+  const Picture picture = Shoot(stage.Window);
+  int smooth = 0;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    for (int x = 0; x < picture.Width; ++x)
+    {
+      const double grey = picture.Grey(x, y);
+      smooth += grey > 20.0 && grey < 235.0;
+    }
+  }
+  return smooth;
+}
+
+TEST(OcclusionDefects, EdgesStaySmooth)
+{
+  const int stock = SmoothPixels(By::Stock);
+  const int ours = SmoothPixels(By::Ours);
+  TakeMessages();
+  std::printf("smooth edge pixels: multisampled %d, stock occlusion %d, ours %d\n",
+    SmoothPixels(By::Nobody), stock, ours);
+  if (StockIsDefective())
+  {
+    EXPECT_LT(stock, 20);
+  }
+  EXPECT_GT(ours, 100);
+}
+}
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whatever changes in a scene shows in the next frame: a changed scene looks like one built so.
+#include "Scenes.h"
+
+namespace penumbra_test
+{
+namespace
+{
+struct Change
+{
+  const char* Name;
+  void (*Apply)(Scene&);
+};
+
+vtkSphereSource* BallSource(Scene& scene)
+{
+  return vtkSphereSource::SafeDownCast(scene.Ball->GetMapper()->GetInputAlgorithm());
+}
+
+const std::vector<Change> Changes = {
+  { "colour", [](Scene& s) { s.Ball->GetProperty()->SetColor(0.1, 0.2, 0.9); } },
+  { "specular", [](Scene& s) { s.Box->GetProperty()->SetSpecular(0.9); } },
+  { "interpolation", [](Scene& s) { s.Ball->GetProperty()->SetInterpolationToFlat(); } },
+  { "material model", [](Scene& s) { s.Ball->GetProperty()->SetInterpolationToPBR(); } },
+  { "opacity", [](Scene& s) { s.Box->GetProperty()->SetOpacity(0.3); } },
+  { "position", [](Scene& s) { s.Box->AddPosition(-0.3, 0.4, 0.5); } },
+  { "data", [](Scene& s) { BallSource(s)->SetRadius(0.8); } },
+  { "visibility", [](Scene& s) { s.Box->VisibilityOff(); } },
+  { "added prop",
+    [](Scene& s) {
+      vtkNew<vtkConeSource> cone;
+      s.Add(cone)->SetPosition(0.0, -0.8, 0.5);
+    } },
+  { "removed prop", [](Scene& s) { s.Renderer->RemoveActor(s.Ball); } },
+  { "light added",
+    [](Scene& s) {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetPosition(-3.0, 2.0, 1.0);
+      light->SetColor(1.0, 0.3, 0.3);
+      s.Renderer->AddLight(light);
+    } },
+  { "camera", [](Scene& s) { s.Renderer->GetActiveCamera()->Azimuth(40.0); } },
+  { "projection",
+    [](Scene& s) {
+      s.Renderer->GetActiveCamera()->ParallelProjectionOn();
+      s.Renderer->ResetCamera();
+    } },
+  { "background", [](Scene& s) { s.Renderer->SetBackground(0.8, 0.1, 0.1); } },
+};
+
+class ChangedScene : public testing::TestWithParam<std::tuple<Change, const char*>>
+{
+};
+
+TEST_P(ChangedScene, LooksLikeANewOne)
+{
+  const auto& [change, preset] = GetParam();
+  Scene changed;
+  vtkGIPass* pass = changed.SetPass();
+  pass->SetPreset(preset);
+  const Picture before = Shoot(changed.Window);
+  changed.Window->Render();
+  change.Apply(changed);
+  const Picture after = Shoot(changed.Window);
+
+  Scene fresh;
+  fresh.Window->SetMultiSamples(0);
+  change.Apply(fresh);
+  vtkGIPass* other = fresh.SetPass();
+  other->SetPreset(preset);
+  EXPECT_GT(1.0 - Compare(before, after, 2).Within, 0.002) << "nothing changed";
+  ExpectSame(Shoot(fresh.Window), after);
+}
+
+std::string Name(const testing::TestParamInfo<std::tuple<Change, const char*>>& info)
+{
+  std::string name = std::string(std::get<0>(info.param).Name) + "_" + std::get<1>(info.param);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Changes, ChangedScene,
+  testing::Combine(testing::ValuesIn(Changes), testing::Values("off", "balanced")), Name);
+}
+}

@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Once around each of the demo's scenes: nothing pops, nothing is black, nothing is not a number."""
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+import penumbra
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
+import scenes  # noqa: E402 the demo's
+
+VIEWS = 36
+WIDTH, HEIGHT = 240, 180
+
+
+def picture(window):
+    """What a window shows, rows from the bottom, in 0 to 1."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(HEIGHT, WIDTH, 3) / 255.0
+
+
+def linear(gi, renderer):
+    image = vtkImageData()
+    assert gi.GetRadiance(renderer, image)
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(HEIGHT, WIDTH, 4)
+
+
+class Orbit(unittest.TestCase):
+    def around(self, name):
+        renderer = scenes.SCENES[name][1]()
+        window = vtkRenderWindow()
+        window.SetSize(WIDTH, HEIGHT)
+        window.SetMultiSamples(0)
+        window.AddRenderer(renderer)
+        gi = penumbra.vtkGIPass()
+        gi.SetPreset("balanced")
+        gi.KeepRadianceOn()
+        gain = []
+        for view in range(VIEWS + 1):
+            renderer.SetPass(None)
+            stock = picture(window).mean(axis=2)
+            renderer.SetPass(gi)
+            lit = picture(window).mean(axis=2)
+            radiance = linear(gi, renderer)
+            surface = radiance[..., 3] > 0
+            self.assertTrue(np.isfinite(radiance).all(), f"{name}, view {view}: not finite")
+            self.assertGreater(surface.mean(), 0.05, f"{name}, view {view}: next to nothing in view")
+            black = (surface & (lit < 1 / 255) & (stock > 8 / 255)).sum() / surface.sum()
+            self.assertLess(black, 0.002, f"{name}, view {view}: black where VTK shows something")
+            gain.append(lit[surface].mean() - stock[surface].mean())
+            renderer.GetActiveCamera().Azimuth(360.0 / VIEWS)
+            renderer.ResetCameraClippingRange()
+        # How much brighter or darker than stock the surfaces are changes from view to view as one
+        # sees more or less of the shadows, but evenly: a lost map, a flipped normal or a stale
+        # texture in one view stands out from its neighbours.
+        bend = np.abs(np.diff(gain, 2)).max()
+        print(f"{name}: brighter than stock by {min(gain):.3f} to {max(gain):.3f}, "
+              f"largest bend {bend:.4f}, back at the start {abs(gain[-1] - gain[0]):.5f}")
+        self.assertLess(bend, 0.02)
+        self.assertLess(abs(gain[-1] - gain[0]), 0.002)
+
+    def test_head(self):
+        self.around("head")
+
+    def test_protein(self):
+        self.around("protein")
+
+    def test_terrain(self):
+        self.around("terrain")
+
+
+if __name__ == "__main__":
+    unittest.main()

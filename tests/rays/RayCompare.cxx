@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayCompare.h"
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+using namespace penumbra;
+
+namespace penumbra_test
+{
+namespace
+{
+/// A triangle of the world with a ray, in doubles.
+struct Meeting
+{
+  glm::dvec3 Corners[3];
+  double Distance = 0.0;   ///< to the plane
+  double Outline = HUGE_VAL; ///< how far the ray passes from the nearest edge
+  bool Inside = false;       ///< the ray passes through it
+  double Slope = 0.0;      ///< cosine between the ray and the normal
+  double Scale = 0.0;      ///< of the coordinates that floats round
+};
+
+/// The distance between a ray's line and a segment.
+double LineToSegment(
+  const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b)
+{
+  // In the plane across the ray, where the line is a point.
+  const auto across = [&](const glm::dvec3& p)
+  { return (p - origin) - glm::dot(p - origin, direction) * direction; };
+  const glm::dvec3 p = across(a);
+  const glm::dvec3 q = across(b);
+  const double length = glm::dot(q - p, q - p);
+  const double t = length > 0.0 ? glm::clamp(-glm::dot(p, q - p) / length, 0.0, 1.0) : 0.0;
+  return glm::length(p + t * (q - p));
+}
+
+Meeting Meet(const RayWorld& world, const shared::RayQuery& ray, const glm::ivec2& hit)
+{
+  Meeting result;
+  const RayWorld::Placement& placement = world.Instances[hit.x];
+  const RayGeometry& mesh = world.Meshes[placement.Mesh];
+  const glm::dvec3 origin(ray.Origin);
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(ray.Direction));
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 point = mesh.Origin + glm::dvec3(mesh.Points[mesh.Triangles[hit.y][i]]);
+    result.Corners[i] =
+      glm::dvec3(placement.MeshToWorld * glm::dvec4(point, 1.0)) - world.Center;
+    result.Scale = std::max(result.Scale, glm::length(result.Corners[i]));
+    result.Scale = std::max(result.Scale, glm::length(result.Corners[i] - origin));
+  }
+  const glm::dvec3* c = result.Corners;
+  const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+  const double facing = glm::dot(normal, direction);
+  result.Distance = glm::dot(c[0] - origin, normal) / facing;
+  result.Slope = std::abs(facing) / glm::length(normal);
+  int sides = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 edge = glm::cross(c[i] - origin, c[(i + 1) % 3] - origin);
+    sides += glm::dot(edge, direction) >= 0.0 ? 1 : -1;
+    result.Outline =
+      std::min(result.Outline, LineToSegment(origin, direction, c[i], c[(i + 1) % 3]));
+  }
+  result.Inside = std::abs(sides) == 3;
+  return result;
+}
+
+bool ShareVertex(const Meeting& a, const Meeting& b)
+{
+  for (const glm::dvec3& p : a.Corners)
+  {
+    for (const glm::dvec3& q : b.Corners)
+    {
+      if (p == q)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& reference,
+  const Answers& answers, double tolerance)
+{
+  Comparison result;
+  result.Rays = rays.size();
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    const shared::RayAnswer& expected = reference[i];
+    const shared::RayAnswer& got = answers[i];
+    const bool hits[2] = { expected.Hit.x >= 0, got.Hit.x >= 0 };
+    result.Hits += hits[0];
+    const bool sameDistance = hits[0] == hits[1] &&
+      (!hits[0] ||
+        std::abs(expected.Distance - got.Distance) <= tolerance * std::abs(expected.Distance));
+    if (sameDistance && expected.Hit == got.Hit)
+    {
+      ++result.Same;
+      continue;
+    }
+    Meeting meetings[2];
+    bool edge = false;
+    bool grazing = false;
+    for (int side = 0; side < 2; ++side)
+    {
+      if (hits[side])
+      {
+        meetings[side] = Meet(world, rays[i], side == 0 ? expected.Hit : got.Hit);
+        // Some units in the last place of a float, of the largest coordinate that takes part.
+        const double rounding = 4e-7 * meetings[side].Scale;
+        edge |= meetings[side].Outline <= 4.0 * rounding;
+        grazing |= meetings[side].Slope * tolerance * meetings[side].Distance <= 4.0 * rounding;
+      }
+    }
+    if (sameDistance && hits[0] && ShareVertex(meetings[0], meetings[1]) && edge)
+    {
+      ++result.Shared;
+    }
+    else if (sameDistance)
+    {
+      ++result.Coincident;
+    }
+    else if (edge)
+    {
+      ++result.Edge;
+      // The nearer hit decides: it is there or it is not.
+      const bool ours = hits[1] && (!hits[0] || got.Distance < expected.Distance);
+      result.Right += meetings[ours ? 1 : 0].Inside == ours ? 1 : 0;
+    }
+    else if (grazing)
+    {
+      ++result.Grazing;
+    }
+    else
+    {
+      if (result.Unexplained++ == 0)
+      {
+        std::ostringstream text;
+        text.precision(9);
+        text << "ray " << i << ": expected instance " << expected.Hit.x << " primitive "
+             << expected.Hit.y << " at " << expected.Distance << ", got " << got.Hit.x << " "
+             << got.Hit.y << " at " << got.Distance;
+        for (int side = 0; side < 2; ++side)
+        {
+          text << "; in doubles at " << meetings[side].Distance << ", outline "
+               << meetings[side].Outline << ", slope " << meetings[side].Slope;
+        }
+        result.First = text.str();
+      }
+    }
+  }
+  return result;
+}
+
+std::string Comparison::Line(const std::string& name) const
+{
+  char text[320];
+  std::snprintf(text, sizeof(text),
+    "%-24s %9zu rays %9zu hits: same %9zu, shared edge %5zu, coincident %5zu, outline %4zu (right in %zu), "
+    "edge-on %4zu, unexplained %zu",
+    name.c_str(), this->Rays, this->Hits, this->Same, this->Shared, this->Coincident, this->Edge,
+    this->Right, this->Grazing, this->Unexplained);
+  return text;
+}
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Messages.h"
+
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+namespace penumbra_test
+{
+namespace
+{
+std::vector<std::string> Messages;
+
+// The logger hears every message of the macros too; here they need not be shown a second time.
+class QuietOutput : public vtkOutputWindow
+{
+public:
+  static QuietOutput* New();
+  vtkTypeMacro(QuietOutput, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+};
+vtkStandardNewMacro(QuietOutput);
+
+void Record(void*, const vtkLogger::Message& message)
+{
+  Messages.push_back(message.message);
+}
+
+class FailOnMessages : public testing::EmptyTestEventListener
+{
+  void OnTestStart(const testing::TestInfo&) override { Messages.clear(); }
+  void OnTestEnd(const testing::TestInfo&) override
+  {
+    for (const auto& message : TakeMessages())
+    {
+      ADD_FAILURE() << "unexpected: ERR| " << message;
+    }
+  }
+};
+}
+
+void WatchMessages()
+{
+  vtkNew<QuietOutput> output;
+  vtkOutputWindow::SetInstance(output);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkLogger::AddCallback("tests", Record, nullptr, vtkLogger::VERBOSITY_WARNING);
+  testing::UnitTest::GetInstance()->listeners().Append(new FailOnMessages);
+}
+
+std::vector<std::string> TakeMessages()
+{
+  std::vector<std::string> taken;
+  taken.swap(Messages);
+  return taken;
+}
+}

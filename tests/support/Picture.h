@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of windows, and how far two of them differ.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkRenderWindow;
+
+namespace penumbra_test
+{
+struct Picture
+{
+  int Width = 0;
+  int Height = 0;
+  std::vector<unsigned char> Pixels; ///< rgba, bottom row first
+  std::vector<float> Depth;          ///< window depth of each pixel
+
+  std::array<int, 4> At(int x, int y) const
+  {
+    const unsigned char* p = &this->Pixels[4 * (static_cast<std::size_t>(y) * this->Width + x)];
+    return { { p[0], p[1], p[2], p[3] } };
+  }
+  /// Mean of red, green and blue.
+  double Grey(int x, int y) const
+  {
+    const auto p = this->At(x, y);
+    return (p[0] + p[1] + p[2]) / 3.0;
+  }
+  /// Mean of Grey() over a rectangle, its upper bounds left out.
+  double MeanGrey(int left, int bottom, int right, int top) const;
+};
+
+/// Render the window and read it back.
+Picture Shoot(vtkRenderWindow* window);
+
+/// Read back what the window shows.
+Picture Read(vtkRenderWindow* window);
+
+struct Difference
+{
+  double Within = 0.0;      ///< share of pixels whose every channel is within the tolerance
+  double DepthWithin = 0.0; ///< share of pixels whose depth is within 1e-5
+  int Max = 255;
+  double Mean = 255.0;
+};
+
+/// Pictures of different sizes differ everywhere.
+Difference Compare(const Picture& a, const Picture& b, int tolerance);
+
+/// Share of pixels that do not have the most frequent colour: 0 for a constant picture.
+double Busyness(const Picture& picture);
+
+/// Write a PNG file for people, into the folder named by PENUMBRA_TEST_OUTPUT; nothing without it.
+void Save(const Picture& picture, const std::string& name);
+
+/// A picture of 16 times the absolute difference.
+Picture Amplified(const Picture& a, const Picture& b);
+}

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/FrameGraph.h"
+
+#include <stdexcept>
+
+namespace
+{
+using namespace penumbra;
+
+const TextureDesc Small{ GL_RGBA8, 4, 4, 0 };
+
+std::vector<std::string> Order(const FrameGraph& graph)
+{
+  std::vector<std::string> names;
+  for (const auto& step : graph.Steps())
+  {
+    names.push_back(step.Name);
+  }
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+std::string ErrorOf(FrameGraph& graph)
+{
+  try
+  {
+    graph.Compile();
+  }
+  catch (const std::logic_error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FrameGraph, WritersBeforeReadersWhateverTheirOrder)
+{
+  FrameGraph graph;
+  graph.AddPass("present").Read("color").SideEffect();
+  graph.AddPass("light").Read("normal").Read("mask").Write("color", Small);
+  graph.AddPass("shadow").Read("normal").Write("mask", Small);
+  graph.AddPass("capture").Write("normal", Small);
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "capture", "shadow", "light", "present" }));
+}
+
+TEST(FrameGraph, IndependentPassesKeepTheDeclaredOrder)
+{
+  FrameGraph graph;
+  for (const char* name : { "c", "a", "b" })
+  {
+    graph.AddPass(name).Write(name, Small).SideEffect();
+  }
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "c", "a", "b" }));
+}
+
+TEST(FrameGraph, WhatNobodyNeedsIsCulled)
+{
+  FrameGraph graph;
+  graph.AddPass("capture").Write("normal", Small);
+  graph.AddPass("unused").Read("normal").Write("mask", Small);
+  graph.AddPass("unused too").Read("mask").Write("blurred", Small);
+  graph.AddPass("light").Read("normal").Write("color", Small).SideEffect();
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "capture", "light" }));
+}
+
+TEST(FrameGraph, NothingIsNeededWithoutSideEffects)
+{
+  FrameGraph graph;
+  graph.AddPass("capture").Write("normal", Small);
+  graph.Compile();
+  EXPECT_TRUE(graph.Steps().empty());
+}
+
+TEST(FrameGraph, ReadIfPresent)
+{
+  FrameGraph graph;
+  graph.AddPass("light").ReadIfPresent("mask").Write("color", Small).SideEffect();
+  graph.Compile();
+  ASSERT_EQ(graph.Steps().size(), 1u);
+  EXPECT_EQ(graph.Steps()[0].Inputs.count("mask"), 0u);
+
+  graph.AddPass("shadow").Write("mask", Small);
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "shadow", "light" }));
+  EXPECT_EQ(graph.Steps()[1].Inputs.count("mask"), 1u);
+}
+
+TEST(FrameGraph, ModifiersRunByOrderBeforeReaders)
+{
+  FrameGraph graph;
+  graph.AddPass("present").Read("color").SideEffect();
+  graph.AddPass("sharpen").Modify("color", 20);
+  graph.AddPass("denoise").Modify("color", 10);
+  graph.AddPass("light").Write("color", Small);
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "light", "denoise", "sharpen", "present" }));
+  // Each modifier reads one version and writes the next; the last is the final one.
+  int finals = 0;
+  for (const auto& version : graph.Versions())
+  {
+    EXPECT_EQ(version.Resource, "color");
+    EXPECT_EQ(version.Desc, Small);
+    finals += version.IsFinal;
+  }
+  EXPECT_EQ(graph.Versions().size(), 3u);
+  EXPECT_EQ(finals, 1);
+  EXPECT_NE(graph.Steps()[1].Inputs.at("color"), graph.Steps()[1].Outputs.at("color"));
+  EXPECT_EQ(graph.Steps()[3].Inputs.at("color"), graph.Steps()[2].Outputs.at("color"));
+  EXPECT_TRUE(graph.Versions()[graph.Steps()[2].Outputs.at("color")].IsFinal);
+}
+
+TEST(FrameGraph, KnowsHowLongEachVersionLives)
+{
+  FrameGraph graph;
+  graph.AddPass("capture").Write("normal", Small);
+  graph.AddPass("shadow").Read("normal").Write("mask", Small);
+  graph.AddPass("light").Read("mask").Write("color", Small);
+  graph.AddPass("present").Read("color").SideEffect();
+  graph.Compile();
+  std::map<std::string, std::pair<int, int>> life;
+  for (const auto& version : graph.Versions())
+  {
+    life[version.Resource] = { version.First, version.Last };
+  }
+  EXPECT_EQ(life["normal"], std::make_pair(0, 1));
+  EXPECT_EQ(life["mask"], std::make_pair(1, 2));
+  EXPECT_EQ(life["color"], std::make_pair(2, 3));
+}
+
+TEST(FrameGraph, ErrorsNamePassAndResource)
+{
+  FrameGraph twice;
+  twice.AddPass("one").Write("color", Small).SideEffect();
+  twice.AddPass("two").Write("color", Small).SideEffect();
+  EXPECT_EQ(ErrorOf(twice), "frame graph: the passes 'one' and 'two' both write 'color'");
+
+  FrameGraph missing;
+  missing.AddPass("light").Read("normal").SideEffect();
+  EXPECT_EQ(ErrorOf(missing), "frame graph: the pass 'light' needs 'normal', which no pass writes");
+
+  FrameGraph nothingToModify;
+  nothingToModify.AddPass("blur").Modify("color", 0).SideEffect();
+  EXPECT_EQ(
+    ErrorOf(nothingToModify), "frame graph: the pass 'blur' needs 'color', which no pass writes");
+
+  FrameGraph circle;
+  circle.AddPass("hen").Read("egg").Write("chicken", Small).SideEffect();
+  circle.AddPass("nest").Read("chicken").Write("egg", Small);
+  EXPECT_NE(ErrorOf(circle).find("waits for a pass that waits for it"), std::string::npos);
+}
+
+TEST(FrameGraph, CompilesAgain)
+{
+  FrameGraph graph;
+  graph.AddPass("light").Write("color", Small).SideEffect();
+  graph.Compile();
+  graph.Compile();
+  EXPECT_EQ(graph.Steps().size(), 1u);
+  EXPECT_EQ(graph.Versions().size(), 1u);
+}
+}
