@@ -117,6 +117,11 @@ const char* vtkGIPass::GetStatistics()
   return this->Impl->Statistics.c_str();
 }
 
+const char* vtkGIPass::GetNotes()
+{
+  return this->Impl->Notes.c_str();
+}
+
 const char* vtkGIPass::GetLastError()
 {
   return this->Impl->LastError.c_str();

@@ -106,6 +106,12 @@ public:
   ///@}
 
   /**
+   * What the techniques had to say of the last frame, a sentence a line, or "": lights left without
+   * shadow, for instance.
+   */
+  const char* GetNotes();
+
+  /**
    * The sentence that says why the last Render() drew nothing of its own, or "" where all is well.
    */
   const char* GetLastError();

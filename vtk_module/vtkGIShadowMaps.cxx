@@ -119,6 +119,12 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
     lights[index].MaskChannel = this->ShadowedLights++;
     AddLight(*plan, lights[index], view, this->Resolution, this->FilterRadius);
   }
+  if (this->UnshadowedLights > 0)
+  {
+    frame.AddNote(std::to_string(this->UnshadowedLights) + " of " +
+      std::to_string(this->UnshadowedLights + this->ShadowedLights) +
+      " lights cast no shadow: raise shadow-maps.maximum-lights for more.");
+  }
   if (this->ShadowedLights == 0)
   {
     return;

@@ -273,4 +273,5 @@ TEST_F(ShadowMaps, headlights_cast_none_and_surplus_lights_are_counted)
   this->With();
   EXPECT_EQ(this->Shadows->GetShadowedLights(), 5);
   EXPECT_EQ(this->Shadows->GetUnshadowedLights(), 1);
+  EXPECT_NE(std::string(this->Pass->GetNotes()).find("1 of 6 lights"), std::string::npos);
 }

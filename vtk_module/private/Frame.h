@@ -121,11 +121,16 @@ public:
   void SpreadLight(double share) { this->Share = share; }
   double GetSpreadShare() const { return this->Share; }
 
+  /// Tell the user something about this frame, in one sentence.
+  void AddNote(const std::string& sentence) { this->Notes.push_back(sentence); }
+  const std::vector<std::string>& GetNotes() const { return this->Notes; }
+
 private:
   FrameGraph& Graph;
   View& CurrentView;
   LightTable& CurrentLights;
   SceneCapture& Scene;
   double Share = 0.0;
+  std::vector<std::string> Notes;
 };
 }

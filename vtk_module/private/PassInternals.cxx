@@ -199,6 +199,11 @@ void vtkGIPass::Internals::DrawFrame(
       technique->Contribute(builder);
     }
   }
+  this->Notes.clear();
+  for (const auto& note : builder.GetNotes())
+  {
+    this->Notes += (this->Notes.empty() ? "" : "\n") + note;
+  }
   this->Capture.Contribute(builder);
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     this->Capture.IsExtended(), self->GetKeepRadiance());

@@ -45,6 +45,7 @@ public:
   vtkSmartPointer<vtkOpenGLFXAAFilter> FxaaFilter = vtkSmartPointer<vtkOpenGLFXAAFilter>::New();
   std::string ShaderPath;
   std::string LastError;
+  std::string Notes;
   std::string Statistics = "{}";
   int CapturedProps = 0;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/rays/RayScene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace penumbra
@@ -305,7 +306,6 @@ void RayScene::ReleaseGraphicsResources()
   this->Primitives.Release();
   this->Instances.Release();
   this->TopFirst = this->TopCount = this->InstancesCount = 0;
-  // The records that were uploaded are gone from here as well: their owner must give them again.
   this->Meshes.clear();
   this->TopChanged = true;
 }

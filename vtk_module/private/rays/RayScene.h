@@ -57,6 +57,8 @@ public:
   std::size_t DroppedInstances() const { return this->Unplaced; }
   std::size_t Bytes() const;
 
+  /// Free what the context holds, and the meshes with it: their records are there only, so their
+  /// owner gives them again. Instances stay. The context must be current.
   void ReleaseGraphicsResources();
 
 private:

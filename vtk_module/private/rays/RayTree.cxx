@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/rays/RayTree.h"
 
+#include "private/rays/Parallel.h"
 #include "private/rays/RayTreeBuilder.h"
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace penumbra
 {
@@ -117,14 +119,20 @@ void RayTree::Build(const std::vector<RayBounds>& items, int leafSize, int depth
 {
   *this = RayTree();
   std::size_t count = 0;
-  for (const RayBounds& item : items)
-  {
-    if (!item.IsEmpty())
+  std::mutex adding;
+  ParallelFor(items.size(), [&](std::size_t begin, std::size_t end)
     {
-      this->Bounds.Add(item);
-      ++count;
-    }
-  }
+      RayBounds bounds;
+      std::size_t present = 0;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        bounds.Add(items[i]); // an empty one changes nothing
+        present += items[i].IsEmpty() ? 0 : 1;
+      }
+      const std::lock_guard<std::mutex> lock(adding);
+      this->Bounds.Add(bounds);
+      count += present;
+    });
   if (count == 0)
   {
     return;

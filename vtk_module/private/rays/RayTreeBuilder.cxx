@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/rays/RayTreeBuilder.h"
 
+#include "private/rays/Parallel.h"
+
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #define PENUMBRA_EMBREE 1
@@ -18,6 +20,21 @@ namespace penumbra
 {
 namespace
 {
+/// The items whose bounds are not empty.
+std::vector<std::uint32_t> Present(const std::vector<RayBounds>& items, std::size_t count)
+{
+  std::vector<std::uint32_t> present;
+  present.reserve(count);
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    if (!items[i].IsEmpty())
+    {
+      present.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return present;
+}
+
 struct Storage
 {
   std::deque<RayBuildInner> Inner;
@@ -154,18 +171,24 @@ struct RayTreeBuilder::Internals
     {
       return nullptr;
     }
-    std::vector<RTCBuildPrimitive> primitives;
-    primitives.reserve(count);
-    for (std::size_t i = 0; i < items.size(); ++i)
+    // Not a vector: it would clear memory that is written at once, by one thread.
+    const std::unique_ptr<RTCBuildPrimitive[]> primitives(new RTCBuildPrimitive[count]);
+    std::vector<std::uint32_t> present;
+    if (count < items.size())
     {
-      const glm::vec3& lower = items[i].Lower;
-      const glm::vec3& upper = items[i].Upper;
-      if (!items[i].IsEmpty())
-      {
-        primitives.push_back({ lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z,
-          static_cast<unsigned int>(i) });
-      }
+      present = Present(items, count);
     }
+    ParallelFor(count, [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const std::size_t item = present.empty() ? i : present[i];
+          const glm::vec3& lower = items[item].Lower;
+          const glm::vec3& upper = items[item].Upper;
+          primitives[i] = { lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z,
+            static_cast<unsigned int>(item) };
+        }
+      });
     this->Tree = rtcNewBVH(Device());
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.maxBranchingFactor = 2;
@@ -178,9 +201,9 @@ struct RayTreeBuilder::Internals
     arguments.traversalCost = 1.0f;
     arguments.intersectionCost = 1.0f;
     arguments.bvh = this->Tree;
-    arguments.primitives = primitives.data();
-    arguments.primitiveCount = primitives.size();
-    arguments.primitiveArrayCapacity = primitives.size();
+    arguments.primitives = primitives.get();
+    arguments.primitiveCount = count;
+    arguments.primitiveArrayCapacity = count;
     arguments.createNode = CreateNode;
     arguments.setNodeChildren = SetChildren;
     arguments.setNodeBounds = SetChildBounds;
@@ -203,15 +226,7 @@ RayTreeBuilder::RayTreeBuilder(
   this->Embree = this->Top != nullptr;
   if (!this->Top)
   {
-    std::vector<std::uint32_t> order;
-    order.reserve(count);
-    for (std::size_t i = 0; i < items.size(); ++i)
-    {
-      if (!items[i].IsEmpty())
-      {
-        order.push_back(static_cast<std::uint32_t>(i));
-      }
-    }
+    std::vector<std::uint32_t> order = Present(items, count);
     Halver halver(items, this->Owned->Halves, leafSize);
     this->Top = halver.Build(order.data(), order.data() + order.size());
   }
