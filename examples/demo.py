@@ -38,7 +38,7 @@ def milliseconds(window, renderer, frames):
     return statistics.median(times[1:])
 
 
-def draw(name, size, frames):
+def draw(name, size, frames, still):
     """Both pictures of a scene and the times of their frames."""
     title, build = scenes.SCENES[name]
     progress(f"{name}: reading")
@@ -55,7 +55,7 @@ def draw(name, size, frames):
                     ambient_occlusion__ambient_share=0.2)
     penumbra.render(window)
     lit_time = milliseconds(window, renderer, frames)
-    lit = penumbra.render(window, frames=16)
+    lit = penumbra.render(window, frames=still)
     where = window.GetDescription() if hasattr(window, "GetDescription") else ""
     return title, stock, stock_time, lit, lit_time, where
 
@@ -88,6 +88,7 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/demo"))
     parser.add_argument("--size", default="800x600", help="of each picture (default %(default)s)")
     parser.add_argument("--frames", type=int, default=2, help="timed in each direction")
+    parser.add_argument("--still", type=int, default=16, help="still frames averaged")
     options = parser.parse_args()
     for name in options.scenes:
         if name not in scenes.SCENES:
@@ -98,11 +99,13 @@ def main():
             raise ValueError
     except ValueError:
         parser.error(f"--size {options.size}: write it as 800x600, from 16x16 to 8192x8192")
+    if options.frames < 1 or options.still < 1:
+        parser.error("--frames and --still must be at least 1")
     try:
         options.output.mkdir(parents=True, exist_ok=True)
         pages = []
         for name in options.scenes or scenes.SCENES:
-            pages.append(sheet(draw(name, (width, height), options.frames)))
+            pages.append(sheet(draw(name, (width, height), options.frames, options.still)))
             pages[-1].save(options.output / f"{name}.png")
             print(f"{options.output / name}.png")
     except (OSError, RuntimeError) as error:

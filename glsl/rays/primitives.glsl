@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a ray meets a triangle, a sphere or a cylinder. Each test narrows hit.x, the distance, where
-// it finds a nearer one within [tMin, hit.x), and then returns true; hit.yz are surface parameters.
+// Where a ray meets a triangle, a sphere or a cylinder. Each test narrows hit.x, the distance,
+// where it finds a nearer one within [tMin, hit.x), and then returns true; hit.yz are surface
+// parameters.
 
 // A ray seen along its dominant axis: what the triangle test needs of its direction.
 struct RayShear
@@ -28,8 +29,8 @@ RayShear rayShear(vec3 direction)
 // Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection" (JCGT 2:1). Both triangles at an
 // edge compute the same products for it, so no ray passes between them; `precise` keeps a compiler
 // from fusing one product of a difference, which would break that. Their fallback to doubles where
-// an edge function is zero is left out: zero counts as inside on both sides, so it would only choose
-// between the neighbours.
+// an edge function is zero is left out: zero counts as inside on both sides, so it would only
+// choose between the neighbours.
 bool rayTriangle(
   vec3 origin, RayShear ray, float tMin, vec3 v0, vec3 v1, vec3 v2, inout vec3 hit)
 {

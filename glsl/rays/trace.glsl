@@ -4,10 +4,10 @@
 // origin, distances in units of the direction's length. Variants: GI_RAY_SPHERES, GI_RAY_CYLINDERS
 // (the scene has some; RayScene::ShaderDefines() says).
 //
-// The shape of the loop is chosen for software GL, where one lane of a vector is one ray: both sides
-// of an if are executed, a store to a varying place of an array is eight branches, and only a loop
-// ends early, once its last lane is done. So nodes push and pop without conditions, and bounds are
-// compared as integers, which have no NaN to look after.
+// The shape of the loop is chosen for software GL, where one lane of a vector is one ray: both
+// sides of an if are executed, a store to a varying place of an array is eight branches, and only a
+// loop ends early, once its last lane is done. So nodes push and pop without conditions, and bounds
+// are compared as integers, which have no NaN to look after.
 #include "shared/ray_scene.h"
 #include "rays/primitives.glsl"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays asked and answered in buffers, for picking, tests and benchmarks. Compiled as C++ and as GLSL.
+// Rays asked and answered in buffers, for picking, tests and benchmarks. Compiled as C++ and as
+// GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What rays are traced against: two levels of binary trees over triangles, spheres and cylinders.
 // Compiled as C++ and as GLSL. The shader reads these records as texels of image buffers, not as
-// storage blocks: software GL gathers a 16-byte texel in two instructions a lane where it loads each
-// float of a storage block in a branch of its own, and allows 2 GiB a buffer instead of 128 MiB.
+// storage blocks: software GL gathers a 16-byte texel in two instructions a lane where it loads
+// each float of a storage block in a branch of its own, and allows 2 GiB a buffer instead of 128
+// MiB.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>

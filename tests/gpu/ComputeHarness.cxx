@@ -43,8 +43,7 @@ std::vector<glm::vec4> ComputeHarness::Run(const std::vector<std::string>& inclu
   {
     text += this->Library.Source(include);
   }
-  text += "layout(binding = 0) uniform sampler2D texture0;\n"
-          "layout(std430, binding = 6) readonly buffer Inputs { vec4 inputs[]; };\n"
+  text += "layout(std430, binding = 6) readonly buffer Inputs { vec4 inputs[]; };\n"
           "layout(std430, binding = 7) writeonly buffer Results { vec4 results[]; };\n"
           "uniform uint count;\n"
           "#define IN(k) inputs[gl_GlobalInvocationID.x * " +

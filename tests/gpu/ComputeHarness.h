@@ -19,8 +19,7 @@ protected:
   void TearDown() override;
 
   /// includes: library files, in order. body: statements that read the vec4 IN(0), IN(1)... of an
-  /// invocation and the sampler texture0 of unit 0, and set the vec4 RESULT. inputs: stride vectors
-  /// for each invocation.
+  /// invocation and set the vec4 RESULT. inputs: stride vectors for each invocation.
   std::vector<glm::vec4> Run(const std::vector<std::string>& includes, const std::string& body,
     int stride, const std::vector<glm::vec4>& inputs, const penumbra::Defines& defines = {});
 

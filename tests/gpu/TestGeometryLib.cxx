@@ -114,51 +114,6 @@ TEST_F(Reconstruct, ViewPosition)
   }
 }
 
-// The face normal of a slanted plane, also beside an edge and at the viewport's border.
-TEST_F(Reconstruct, FaceNormal)
-{
-  const glm::dmat4 toClip = glm::perspective(0.6, 1.6, 1.0, 9.0);
-  this->BindView(toClip, false);
-  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, -0.2, 1.0));
-  constexpr int width = 360;
-  constexpr int height = 220;
-  std::vector<float> depth(width * height, 1.0f);
-  const glm::dmat4 toView = glm::inverse(toClip);
-  for (int y = 20; y < height; ++y)
-  {
-    for (int x = 40; x < width; ++x)
-    {
-      const glm::dvec4 far = toView *
-        glm::dvec4((x + 0.5 - 40.0) / 160.0 - 1.0, (y + 0.5 - 20.0) / 100.0 - 1.0, 1.0, 1.0);
-      const glm::dvec3 ray = glm::dvec3(far) / far.w;
-      // Left of x = 150 the plane lies nearer: an edge.
-      const double distance = x < 150 ? 3.0 : 5.0;
-      const glm::dvec3 p = ray * (-distance * normal.z / glm::dot(ray, normal));
-      depth[y * width + x] = static_cast<float>(ToWindow(toClip, p).z);
-    }
-  }
-  penumbra::Texture texture({ GL_R32F, width, height, 0 });
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, texture.Get());
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RED, GL_FLOAT, depth.data());
-  std::vector<glm::vec4> inputs;
-  for (const auto& pixel : { glm::ivec2(200, 100), { 149, 100 }, { 150, 100 }, { 40, 20 },
-         { 359, 219 }, { 40, 219 }, { 359, 20 } })
-  {
-    inputs.emplace_back(pixel.x, pixel.y, 0.0f, 0.0f);
-  }
-  const auto results = this->Run({ "shared/view.h", "lib/reconstruct.glsl" },
-    "ivec2 pixel = ivec2(IN(0).xy);\n"
-    "vec3 p = giViewPosition(vec2(pixel) + 0.5, texelFetch(texture0, pixel, 0).r);\n"
-    "RESULT = vec4(giFaceNormal(texture0, pixel, p), 0.0);",
-    1, inputs);
-  for (std::size_t i = 0; i < inputs.size(); ++i)
-  {
-    EXPECT_LT(glm::length(glm::dvec3(results[i]) - normal), 0.01)
-      << inputs[i].x << ", " << inputs[i].y;
-  }
-}
-
 TEST_F(GeometryLib, NoiseIsEven)
 {
   std::vector<glm::vec4> inputs;

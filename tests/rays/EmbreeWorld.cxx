@@ -27,8 +27,8 @@ struct EmbreeWorld::Internals
     auto* points = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(result, RTC_BUFFER_TYPE_VERTEX,
       0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), geometry.Points.size()));
     std::copy(geometry.Points.begin(), geometry.Points.end(), points);
-    auto* corners = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(result,
-      RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), geometry.Triangles.size()));
+    auto* corners = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(result, RTC_BUFFER_TYPE_INDEX,
+      0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), geometry.Triangles.size()));
     std::copy(geometry.Triangles.begin(), geometry.Triangles.end(), corners);
     rtcCommitGeometry(result);
     return result;
@@ -48,8 +48,8 @@ struct EmbreeWorld::Internals
     rtcIntersect1(this->Scene, &context, &hit);
 #endif
     const bool found = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    answer.Hit = glm::ivec2(
-      found ? static_cast<int>(hit.hit.instID[0]) : -1, found ? static_cast<int>(hit.hit.primID) : -1);
+    answer.Hit = glm::ivec2(found ? static_cast<int>(hit.hit.instID[0]) : -1,
+      found ? static_cast<int>(hit.hit.primID) : -1);
     answer.Barycentrics = glm::vec2(hit.hit.u, hit.hit.v);
     answer.Distance = hit.ray.tfar;
   }
@@ -157,8 +157,7 @@ Seconds EmbreeWorld::Trace(const Rays& rays, Answers& answers, Mode mode) const
   answers.resize(rays.size());
   const Seconds begin = Seconds::Now();
   std::atomic<std::size_t> next{ 0 };
-  auto work = [&]
-  {
+  auto work = [&] {
     constexpr std::size_t part = 4096;
     for (std::size_t first; (first = next.fetch_add(part)) < rays.size();)
     {

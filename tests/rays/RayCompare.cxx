@@ -16,11 +16,11 @@ namespace
 struct Meeting
 {
   glm::dvec3 Corners[3];
-  double Distance = 0.0;   ///< to the plane
+  double Distance = 0.0;     ///< to the plane
   double Outline = HUGE_VAL; ///< how far the ray passes from the nearest edge
   bool Inside = false;       ///< the ray passes through it
-  double Slope = 0.0;      ///< cosine between the ray and the normal
-  double Scale = 0.0;      ///< of the coordinates that floats round
+  double Slope = 0.0;        ///< cosine between the ray and the normal
+  double Scale = 0.0;        ///< of the coordinates that floats round
 };
 
 /// The distance between a ray's line and a segment.
@@ -28,8 +28,9 @@ double LineToSegment(
   const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b)
 {
   // In the plane across the ray, where the line is a point.
-  const auto across = [&](const glm::dvec3& p)
-  { return (p - origin) - glm::dot(p - origin, direction) * direction; };
+  const auto across = [&](const glm::dvec3& p) {
+    return (p - origin) - glm::dot(p - origin, direction) * direction;
+  };
   const glm::dvec3 p = across(a);
   const glm::dvec3 q = across(b);
   const double length = glm::dot(q - p, q - p);
@@ -47,8 +48,7 @@ Meeting Meet(const RayWorld& world, const shared::RayQuery& ray, const glm::ivec
   for (int i = 0; i < 3; ++i)
   {
     const glm::dvec3 point = mesh.Origin + glm::dvec3(mesh.Points[mesh.Triangles[hit.y][i]]);
-    result.Corners[i] =
-      glm::dvec3(placement.MeshToWorld * glm::dvec4(point, 1.0)) - world.Center;
+    result.Corners[i] = glm::dvec3(placement.MeshToWorld * glm::dvec4(point, 1.0)) - world.Center;
     result.Scale = std::max(result.Scale, glm::length(result.Corners[i]));
     result.Scale = std::max(result.Scale, glm::length(result.Corners[i] - origin));
   }
@@ -133,6 +133,11 @@ Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& refer
       const bool ours = hits[1] && (!hits[0] || got.Distance < expected.Distance);
       result.Right += meetings[ours ? 1 : 0].Inside == ours ? 1 : 0;
     }
+    else if (hits[0] && expected.Hit == got.Hit &&
+      std::abs(got.Distance - meetings[1].Distance) <= tolerance * meetings[1].Distance)
+    {
+      ++result.Reference;
+    }
     else if (grazing)
     {
       ++result.Grazing;
@@ -162,10 +167,11 @@ std::string Comparison::Line(const std::string& name) const
 {
   char text[320];
   std::snprintf(text, sizeof(text),
-    "%-24s %9zu rays %9zu hits: same %9zu, shared edge %5zu, coincident %5zu, outline %4zu (right in %zu), "
-    "edge-on %4zu, unexplained %zu",
+    "%-24s %9zu rays %9zu hits: same %9zu, shared edge %5zu, coincident %5zu, outline %4zu (right "
+    "in %zu), "
+    "edge-on %4zu, reference off %zu, unexplained %zu",
     name.c_str(), this->Rays, this->Hits, this->Same, this->Shared, this->Coincident, this->Edge,
-    this->Right, this->Grazing, this->Unexplained);
+    this->Right, this->Grazing, this->Reference, this->Unexplained);
   return text;
 }
 }

@@ -11,13 +11,15 @@ namespace penumbra_test
 struct Comparison
 {
   std::size_t Rays = 0;
-  std::size_t Hits = 0;      ///< by the reference
-  std::size_t Same = 0;      ///< same primitive and distance, or both miss
-  std::size_t Shared = 0;    ///< the two primitives have a vertex in common and the ray passes there
+  std::size_t Hits = 0;   ///< by the reference
+  std::size_t Same = 0;   ///< same primitive and distance, or both miss
+  std::size_t Shared = 0; ///< the two primitives have a vertex in common and the ray passes there
   std::size_t Coincident = 0; ///< other primitives at the same distance
-  std::size_t Edge = 0;      ///< one tracer's triangle is touched on its outline only
-  std::size_t Grazing = 0;   ///< a triangle seen edge-on: its distance is not defined to 1e-4
-  std::size_t Right = 0;     ///< of Edge: doubles decide for the tracer under test
+  std::size_t Edge = 0;       ///< one tracer's triangle is touched on its outline only
+  std::size_t Grazing = 0;    ///< a triangle seen edge-on: its distance is not defined to 1e-4
+  std::size_t Right = 0;      ///< of Edge: doubles decide for the tracer under test
+  /// The same primitive, and doubles confirm the tested tracer's distance, not the reference's.
+  std::size_t Reference = 0;
   std::size_t Unexplained = 0;
   std::string First; ///< the first unexplained one
 

@@ -35,8 +35,8 @@ void AddSphere(RayGeometry& geometry, const glm::dvec3& center, double radius, i
       const double phi = 2.0 * Pi * i / sectors;
       geometry.Points.emplace_back(center +
         radius *
-          glm::dvec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-            std::cos(theta)));
+          glm::dvec3(
+            std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
     }
   }
   geometry.Points.emplace_back(center - glm::dvec3(0, 0, radius));
@@ -104,7 +104,10 @@ RayGeometry Slivers(int count)
   RayGeometry geometry;
   std::mt19937 random(2);
   std::normal_distribution<float> normal;
-  auto vector = [&] { const float x = normal(random), y = normal(random); return glm::vec3(x, y, normal(random)); };
+  auto vector = [&] {
+    const float x = normal(random), y = normal(random);
+    return glm::vec3(x, y, normal(random));
+  };
   for (int i = 0; i < count; ++i)
   {
     const glm::vec3 a = vector();

@@ -95,7 +95,8 @@ void RayStage::Dispatch(std::size_t count)
   this->Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_ANSWER_BINDING);
   const std::size_t groups = (count + GI_RAY_QUERY_GROUP - 1) / GI_RAY_QUERY_GROUP;
   const std::size_t width = std::min<std::size_t>(groups, 32768);
-  glDispatchCompute(static_cast<GLuint>(width), static_cast<GLuint>((groups + width - 1) / width), 1);
+  glDispatchCompute(
+    static_cast<GLuint>(width), static_cast<GLuint>((groups + width - 1) / width), 1);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   glFinish();
 }
@@ -113,8 +114,8 @@ Answers RayStage::Trace(const Rays& rays, bool any)
     GLint name = 0;
     glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, GI_RAY_ANSWER_BINDING, &name);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, name);
-    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(answers[0])),
-      answers.data() + begin);
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+      static_cast<GLsizeiptr>(count * sizeof(answers[0])), answers.data() + begin);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
   }
   if (!any)
@@ -192,7 +193,8 @@ Rays RandomRays(const RayWorld& world, std::size_t count, unsigned int seed)
     {
       const double weight = i == 2 ? rest : rest * random.Unit();
       rest -= weight;
-      at += weight * glm::dvec3(mesh.Points[std::min<std::size_t>(corners[i], mesh.Points.size() - 1)]);
+      at +=
+        weight * glm::dvec3(mesh.Points[std::min<std::size_t>(corners[i], mesh.Points.size() - 1)]);
     }
     at = glm::dvec3(placement.MeshToWorld * glm::dvec4(mesh.Origin + at, 1.0)) - world.Center;
     const glm::dvec3 from = 2.0 * world.Radius * random.Direction();

@@ -18,8 +18,8 @@ namespace penumbra_test
 using Rays = std::vector<penumbra::shared::RayQuery>;
 using Answers = std::vector<penumbra::shared::RayAnswer>;
 
-/// Time spent: by the clock, and by all threads of the process together, which others on the machine
-/// disturb less.
+/// Time spent: by the clock, and by all threads of the process together, which others on the
+/// machine disturb less.
 struct Seconds
 {
   double Wall = 0.0;
@@ -86,7 +86,8 @@ private:
   std::unique_ptr<Internals> Internal;
 };
 
-/// Rays of every kind through a world: from inside in all directions, from outside at its triangles.
+/// Rays of every kind through a world: from inside in all directions, from outside at its
+/// triangles.
 Rays RandomRays(const RayWorld& world, std::size_t count, unsigned int seed);
 /// From random points in all directions, in no order.
 Rays IncoherentRays(const RayWorld& world, std::size_t count, unsigned int seed);

@@ -144,8 +144,7 @@ TEST_F(RayTest, FollowsChangesOfPartOfTheScene)
 {
   RayWorld world = Glyphs(200);
   this->Stage.Show(world);
-  const auto check = [&](const char* what)
-  {
+  const auto check = [&](const char* what) {
     const Rays rays = RandomRays(world, 20000, 14);
     Answers expected;
     EmbreeWorld(world).Trace(rays, expected);
@@ -224,18 +223,18 @@ TEST_F(RayTest, FindsSpheresAndCylinders)
   };
   const float far = 1000.0f;
   const std::vector<Case> cases = {
-    { { 0, 0, 5 }, { 0, 0, -1 }, 1, 4.0f },            // a sphere from outside
-    { { 0, 0, 0 }, { 0, 0, -2 }, 1, 0.5f },            // from inside, in units of the direction
-    { { 0, 0, -2 }, { 0, 0, -1 }, 0, 1.0f },           // the triangle behind
-    { { 0, 1.001f, 5 }, { 0, 0, -1 }, -1, 0.0f },      // past the sphere; the triangle ends lower
-    { { 5, 0, 5 }, { 0, 0, -1 }, 2, 4.0f },            // a cap, along the axis
-    { { 5, 5, 0.3f }, { 0, -1, 0 }, 2, 4.5f },         // a side
-    { { 5, 0, 0 }, { 0, 1, 0 }, 2, 0.5f },             // from inside
-    { { 5, 0.4f, 0 }, { 0, 0, 1 }, 2, 1.0f },          // a cap from inside
-    { { 5, 5, 1.001f }, { 0, -1, 0 }, -1, 0.0f },      // past the end
-    { { 10, 0, 5 }, { 0, 0, -1 }, -1, 0.0f },          // through an open cylinder
-    { { 10, 0.2f, 4 }, { 0, 0.3f, -3.5f }, 3, 1.0f },   // its inner side
-    { { far, 0, 0 }, { -1, 0, 0 }, 3, far - 10.5f },   // from far away
+    { { 0, 0, 5 }, { 0, 0, -1 }, 1, 4.0f },           // a sphere from outside
+    { { 0, 0, 0 }, { 0, 0, -2 }, 1, 0.5f },           // from inside, in units of the direction
+    { { 0, 0, -2 }, { 0, 0, -1 }, 0, 1.0f },          // the triangle behind
+    { { 0, 1.001f, 5 }, { 0, 0, -1 }, -1, 0.0f },     // past the sphere; the triangle ends lower
+    { { 5, 0, 5 }, { 0, 0, -1 }, 2, 4.0f },           // a cap, along the axis
+    { { 5, 5, 0.3f }, { 0, -1, 0 }, 2, 4.5f },        // a side
+    { { 5, 0, 0 }, { 0, 1, 0 }, 2, 0.5f },            // from inside
+    { { 5, 0.4f, 0 }, { 0, 0, 1 }, 2, 1.0f },         // a cap from inside
+    { { 5, 5, 1.001f }, { 0, -1, 0 }, -1, 0.0f },     // past the end
+    { { 10, 0, 5 }, { 0, 0, -1 }, -1, 0.0f },         // through an open cylinder
+    { { 10, 0.2f, 4 }, { 0, 0.3f, -3.5f }, 3, 1.0f }, // its inner side
+    { { far, 0, 0 }, { -1, 0, 0 }, 3, far - 10.5f },  // from far away
     { { 20, 0, 0.5f }, { -1, 0, 0 }, 3, 9.5f },
   };
   Rays rays;

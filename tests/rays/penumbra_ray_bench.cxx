@@ -88,7 +88,8 @@ nlohmann::json TraceRates(RayStage& stage, const RayWorld& world, const Options&
   };
   const Rays camera = CameraRays(world, 2 * side, side);
   const Rays scattered = IncoherentRays(world, options.Rays, 21);
-  const std::vector<Kind> kinds = { { "incoherent, intersect1", scattered, EmbreeWorld::Single, false },
+  const std::vector<Kind> kinds = { { "incoherent, intersect1", scattered, EmbreeWorld::Single,
+                                      false },
     { "coherent, intersect1", camera, EmbreeWorld::Single, false },
     { "coherent, packets of 8", camera, EmbreeWorld::Packets, false },
     { "incoherent any, occluded1", scattered, EmbreeWorld::Occluded, true } };
@@ -131,8 +132,9 @@ nlohmann::json BuildRate(int spheres, int rings)
   }
   const double cores = std::max(1u, std::thread::hardware_concurrency());
   const double count = 1e-6 * static_cast<double>(geometry.Triangles.size());
-  std::printf("build %.2f M triangles: %.2f M/s by CPU time, %.2f M/s by the clock; refit %.2f, %.2f\n", count,
-    count * cores / Median(series.Cpu), count / Median(series.Wall),
+  std::printf(
+    "build %.2f M triangles: %.2f M/s by CPU time, %.2f M/s by the clock; refit %.2f, %.2f\n",
+    count, count * cores / Median(series.Cpu), count / Median(series.Wall),
     count * cores / Median(refits.Cpu), count / Median(refits.Wall));
   std::fflush(stdout);
   return { { "mtriangles", count }, { "per_second", count * cores / Median(series.Cpu) },
@@ -176,7 +178,8 @@ int main(int argc, char** argv)
   nlohmann::json report = { { "device", stage.Description() } };
   report["build"] = { BuildRate(160, 18), BuildRate(160, 60) };
   report["move"] = { MoveTime(stage, 1000), MoveTime(stage, 10000) };
-  std::printf("%-24s %-26s %s\n", "Mray/s", "", "   by CPU time: ours, Embree, ratio; by the clock");
+  std::printf(
+    "%-24s %-26s %s\n", "Mray/s", "", "   by CPU time: ours, Embree, ratio; by the clock");
   report["trace"] = nlohmann::json::array();
   for (const RayWorld& world : AllWorlds())
   {

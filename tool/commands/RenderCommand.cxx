@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -126,11 +127,28 @@ private:
       {
         Fail("rendering failed: {}", error);
       }
+      if (frame == 0 && !this->Options.Stock)
+      {
+        this->ReportNotes(pass, console);
+      }
     }
     this->Report["frames"] = frames;
     this->Report["first-frame-ms"] = times.front();
     std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
     this->Report["median-frame-ms"] = times[times.size() / 2];
+  }
+
+  /// What the techniques have to say of the scene; once, as every frame says the same.
+  void ReportNotes(vtkGIPass* pass, Console& console)
+  {
+    nlohmann::json notes = nlohmann::json::array();
+    std::istringstream lines(pass->GetNotes());
+    for (std::string line; std::getline(lines, line);)
+    {
+      console.Note(line);
+      notes.push_back(line);
+    }
+    this->Report["notes"] = notes;
   }
 
   void Write(vtkRenderer* renderer, vtkGIPass* pass, const Scene& scene, Console& console)

@@ -29,8 +29,8 @@ void ParallelFor(std::size_t count, const Body& body)
   std::vector<std::thread> others;
   for (std::size_t i = 1; i < threads; ++i)
   {
-    others.emplace_back([&body, count, threads, i]
-      { body(count * i / threads, count * (i + 1) / threads); });
+    others.emplace_back(
+      [&body, count, threads, i] { body(count * i / threads, count * (i + 1) / threads); });
   }
   body(std::size_t(0), count / threads);
   for (std::thread& other : others)

@@ -81,7 +81,8 @@ void RayBuffer::Grow(std::size_t records)
       " and this OpenGL allows " + Mebibytes(most * this->RecordBytes()) +
       "; show less of it or decimate it.");
   }
-  const std::size_t capacity = std::min(most, std::max(needed, this->Capacity + this->Capacity / 4));
+  const std::size_t capacity =
+    std::min(most, std::max(needed, this->Capacity + this->Capacity / 4));
 
   GLuint name = 0;
   glGenBuffers(1, &name);
@@ -95,7 +96,8 @@ void RayBuffer::Grow(std::size_t records)
   if (glGetError() == GL_OUT_OF_MEMORY)
   {
     glBindBuffer(GL_TEXTURE_BUFFER, 0);
-    throw std::runtime_error("the scene is too large to trace rays against: there is no memory for the " +
+    throw std::runtime_error(
+      "the scene is too large to trace rays against: there is no memory for the " +
       Mebibytes(capacity * this->RecordBytes()) + " of its " + this->Name +
       "; show less of it or decimate it.");
   }

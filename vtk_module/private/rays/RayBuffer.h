@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Records that a shader reads as texels of an image buffer, with blocks of them handed out and taken
- * back, so that one mesh can come or go without touching the others.
+ * Records that a shader reads as texels of an image buffer, with blocks of them handed out and
+ * taken back, so that one mesh can come or go without touching the others.
  */
 #pragma once
 

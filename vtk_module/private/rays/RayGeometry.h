@@ -30,7 +30,8 @@ struct RayCylinder
 
 struct RayGeometry
 {
-  /// What all coordinates below are relative to. Near the data, so that floats near it lose nothing.
+  /// What all coordinates below are relative to. Near the data, so that floats near it lose
+  /// nothing.
   glm::dvec3 Origin{ 0.0 };
   std::vector<glm::vec3> Points;
   std::vector<glm::uvec3> Triangles; ///< indices into Points

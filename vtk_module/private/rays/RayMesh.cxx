@@ -129,13 +129,12 @@ void RayGeometry::SetPoints(const std::vector<glm::dvec3>& points)
   }
   this->Origin = lower.x <= upper.x ? 0.5 * lower + 0.5 * upper : glm::dvec3(0.0);
   this->Points.resize(points.size());
-  ParallelFor(points.size(), [&](std::size_t begin, std::size_t end)
+  ParallelFor(points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        this->Points[i] = glm::vec3(points[i] - this->Origin);
-      }
-    });
+      this->Points[i] = glm::vec3(points[i] - this->Origin);
+    }
+  });
 }
 
 RayMesh::RayMesh(const RayGeometry& geometry)
@@ -148,7 +147,8 @@ RayMesh::RayMesh(const RayGeometry& geometry)
   if (geometry.Size() >= (std::size_t(1) << (31 - GI_RAY_LEAF_SHIFT)))
   {
     throw std::runtime_error("a dataset of " + std::to_string(geometry.Size()) +
-      " primitives is too large to trace rays against; the limit is 268 million: split or decimate it.");
+      " primitives is too large to trace rays against; the limit is 268 million: split or decimate "
+      "it.");
   }
   const std::vector<RayBounds> bounds = this->ItemBounds(geometry);
   this->Bvh.Build(bounds, GI_RAY_LEAF_SIZE, GI_RAY_MESH_DEPTH);
@@ -184,17 +184,16 @@ std::vector<RayBounds> RayMesh::ItemBounds(const RayGeometry& geometry)
 {
   std::vector<RayBounds> bounds(geometry.Size());
   std::atomic<std::size_t> dropped{ 0 };
-  ParallelFor(bounds.size(), [&](std::size_t begin, std::size_t end)
+  ParallelFor(bounds.size(), [&](std::size_t begin, std::size_t end) {
+    const Bounder bounder(geometry);
+    std::size_t empty = 0;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const Bounder bounder(geometry);
-      std::size_t empty = 0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        bounds[i] = bounder(i);
-        empty += bounds[i].IsEmpty() ? 1 : 0;
-      }
-      dropped += empty;
-    });
+      bounds[i] = bounder(i);
+      empty += bounds[i].IsEmpty() ? 1 : 0;
+    }
+    dropped += empty;
+  });
   this->NotFinite = dropped;
   return bounds;
 }
@@ -202,15 +201,14 @@ std::vector<RayBounds> RayMesh::ItemBounds(const RayGeometry& geometry)
 void RayMesh::WriteRecords(const RayGeometry& geometry, const std::vector<RayBounds>& bounds)
 {
   this->Primitives.resize(this->Bvh.Order.size());
-  ParallelFor(this->Primitives.size(), [&](std::size_t begin, std::size_t end)
+  ParallelFor(this->Primitives.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const std::uint32_t item = this->Bvh.Order[i];
-        // One that stopped being finite since the tree was built: a triangle of no area.
-        this->Primitives[i] =
-          bounds[item].IsEmpty() ? shared::RayPrimitive{} : Record(geometry, item);
-      }
-    });
+      const std::uint32_t item = this->Bvh.Order[i];
+      // One that stopped being finite since the tree was built: a triangle of no area.
+      this->Primitives[i] =
+        bounds[item].IsEmpty() ? shared::RayPrimitive{} : Record(geometry, item);
+    }
+  });
 }
 }

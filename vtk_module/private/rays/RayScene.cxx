@@ -76,8 +76,7 @@ void RayScene::RemoveMesh(Key mesh)
   }
 }
 
-void RayScene::SetInstance(
-  Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user)
+void RayScene::SetInstance(Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user)
 {
   this->All[instance] = { mesh, meshToWorld, user };
   this->TopChanged = true;
@@ -123,7 +122,8 @@ void RayScene::Upload(Placed& mesh)
     mesh.FirstRecord = tree.Order.empty() ? 0 : this->Primitives.Allocate(tree.Order.size());
     mesh.RecordCount = tree.Order.size();
   }
-  // In parts: references are moved to where the mesh lies in the buffers without a second copy of it.
+  // In parts: references are moved to where the mesh lies in the buffers without a second copy of
+  // it.
   constexpr std::size_t part = 65536;
   std::vector<shared::RayNode> moved;
   const auto nodes = static_cast<std::int32_t>(mesh.FirstNode);

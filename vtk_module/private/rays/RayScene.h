@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What rays are traced against: meshes with a tree each, and instances of them under a tree of their
- * own. A change costs what changed: a mesh its own tree, an instance the top level only.
+ * What rays are traced against: meshes with a tree each, and instances of them under a tree of
+ * their own. A change costs what changed: a mesh its own tree, an instance the top level only.
  *
  * The caller names meshes and instances by numbers of its own (an address, an index). Coordinates
  * are doubles here and floats relative to SetOrigin() in the shader.

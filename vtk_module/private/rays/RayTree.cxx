@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 
 namespace penumbra
 {
@@ -120,19 +122,18 @@ void RayTree::Build(const std::vector<RayBounds>& items, int leafSize, int depth
   *this = RayTree();
   std::size_t count = 0;
   std::mutex adding;
-  ParallelFor(items.size(), [&](std::size_t begin, std::size_t end)
+  ParallelFor(items.size(), [&](std::size_t begin, std::size_t end) {
+    RayBounds bounds;
+    std::size_t present = 0;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      RayBounds bounds;
-      std::size_t present = 0;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        bounds.Add(items[i]); // an empty one changes nothing
-        present += items[i].IsEmpty() ? 0 : 1;
-      }
-      const std::lock_guard<std::mutex> lock(adding);
-      this->Bounds.Add(bounds);
-      count += present;
-    });
+      bounds.Add(items[i]); // an empty one changes nothing
+      present += items[i].IsEmpty() ? 0 : 1;
+    }
+    const std::lock_guard<std::mutex> lock(adding);
+    this->Bounds.Add(bounds);
+    count += present;
+  });
   if (count == 0)
   {
     return;
@@ -141,6 +142,13 @@ void RayTree::Build(const std::vector<RayBounds>& items, int leafSize, int depth
   this->Nodes.reserve(count / 2 + 1);
   const RayTreeBuilder built(items, count, leafSize, depthLimit);
   Flattener(*this, Margin(this->Bounds)).Write(built.Root());
+  if (this->Depth > depthLimit)
+  {
+    // Halves reach this only with more items than any level of the limits in ray_scene.h holds.
+    throw std::runtime_error("the scene is too large to trace rays against: a tree over " +
+      std::to_string(count) + " items is deeper than the " + std::to_string(depthLimit) +
+      " levels that the shaders can walk; show fewer instances.");
+  }
 }
 
 void RayTree::Refit(const std::vector<RayBounds>& items)

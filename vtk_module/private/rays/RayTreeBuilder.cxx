@@ -69,8 +69,9 @@ public:
     const glm::vec3 size = centers.Upper - centers.Lower;
     const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     std::uint32_t* middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b)
-      { return this->Center(a)[axis] < this->Center(b)[axis]; });
+    std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
+      return this->Center(a)[axis] < this->Center(b)[axis];
+    });
     RayBuildInner& node = this->Made.Inner.emplace_back(); // a deque moves nothing as it grows
     node.Bounds[0] = this->BoundsOf(begin, middle);
     node.Bounds[1] = this->BoundsOf(middle, end);
@@ -178,17 +179,16 @@ struct RayTreeBuilder::Internals
     {
       present = Present(items, count);
     }
-    ParallelFor(count, [&](std::size_t begin, std::size_t end)
+    ParallelFor(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const std::size_t item = present.empty() ? i : present[i];
-          const glm::vec3& lower = items[item].Lower;
-          const glm::vec3& upper = items[item].Upper;
-          primitives[i] = { lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z,
-            static_cast<unsigned int>(item) };
-        }
-      });
+        const std::size_t item = present.empty() ? i : present[i];
+        const glm::vec3& lower = items[item].Lower;
+        const glm::vec3& upper = items[item].Upper;
+        primitives[i] = { lower.x, lower.y, lower.z, 0, upper.x, upper.y, upper.z,
+          static_cast<unsigned int>(item) };
+      }
+    });
     this->Tree = rtcNewBVH(Device());
     RTCBuildArguments arguments = rtcDefaultBuildArguments();
     arguments.maxBranchingFactor = 2;
