@@ -30,6 +30,7 @@ public:
         std::filesystem::temp_directory_path() / ("penumbra_shaders_" + std::to_string(getpid())))
   {
     std::filesystem::create_directories(this->Path / "direct_light");
+    std::filesystem::create_directories(this->Path / "capture");
   }
   ~OverrideFolder() { std::filesystem::remove_all(this->Path); }
   void Write(const char* name, const std::string& text) const
@@ -64,6 +65,23 @@ TEST(Errors, CorruptShaderOverride)
     EXPECT_TRUE(TakeMessages().empty());
     EXPECT_GT(pass->GetNumberOfRenderedProps(), 0);
   }
+  pass->SetShaderPath("");
+  ExpectSame(stock, Shoot(scene.Window));
+  EXPECT_STREQ(pass->GetLastError(), "");
+}
+
+// VTK itself compiles the capture snippets, and crashes over a program that it could not build.
+TEST(Errors, CorruptCaptureOverride)
+{
+  Scene plain;
+  const Picture stock = Shoot(plain.Window);
+  OverrideFolder folder;
+  folder.Write("capture/phong.glsl", "  gl_FragData[0] = nonsense;\n");
+  Scene scene;
+  vtkGIPass* pass = scene.SetPass();
+  pass->SetShaderPath(folder.Path.c_str());
+  EXPECT_EQ(Compare(stock, Shoot(scene.Window), 1).Within, 1.0) << "VTK's picture is drawn instead";
+  ExpectOneMessage("capture/phong.glsl");
   pass->SetShaderPath("");
   ExpectSame(stock, Shoot(scene.Window));
   EXPECT_STREQ(pass->GetLastError(), "");

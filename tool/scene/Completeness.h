@@ -10,6 +10,7 @@ namespace penumbra::tool
 {
 /// Each throws a Failure where the file is shorter than its header says, or its compressed data is
 /// damaged. What they do not understand they leave to the reader.
+void RequireCompleteXml(const std::string& path);
 void RequireCompleteStl(const std::string& path);
 void RequireCompletePly(const std::string& path);
 void RequireCompleteMetaImage(const std::string& path);

@@ -40,6 +40,9 @@ const DefaultView Patient = { { 0, 1, 0 }, { 0, 0, 1 }, 30, 2 };
 /// North is away from the camera.
 const DefaultView Land = { { 0, -1, 0 }, { 0, 0, 1 }, -20, 38 };
 
+template <typename Reader>
+constexpr auto ReadXml = ReadChecked<Reader, RequireCompleteXml>;
+
 /// Some readers never end on damaged files; the slowest good ones (text, XML) do ten megabytes a second.
 double LongestReading(const std::string& path)
 {
@@ -53,12 +56,12 @@ double LongestReading(const std::string& path)
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = {
-    { ".vti", "VTK image data", ReadWith<vtkXMLImageDataReader>, Simulation },
-    { ".vtp", "VTK polygonal data", ReadWith<vtkXMLPolyDataReader>, Model },
-    { ".vtu", "VTK unstructured grid", ReadWith<vtkXMLUnstructuredGridReader>, Simulation },
-    { ".vtr", "VTK rectilinear grid", ReadWith<vtkXMLRectilinearGridReader>, Simulation },
-    { ".vts", "VTK structured grid", ReadWith<vtkXMLStructuredGridReader>, Simulation },
-    { ".vtm", "VTK multi-block data", ReadWith<vtkXMLMultiBlockDataReader>, Simulation },
+    { ".vti", "VTK image data", ReadXml<vtkXMLImageDataReader>, Simulation },
+    { ".vtp", "VTK polygonal data", ReadXml<vtkXMLPolyDataReader>, Model },
+    { ".vtu", "VTK unstructured grid", ReadXml<vtkXMLUnstructuredGridReader>, Simulation },
+    { ".vtr", "VTK rectilinear grid", ReadXml<vtkXMLRectilinearGridReader>, Simulation },
+    { ".vts", "VTK structured grid", ReadXml<vtkXMLStructuredGridReader>, Simulation },
+    { ".vtm", "VTK multi-block data", ReadXml<vtkXMLMultiBlockDataReader>, Simulation },
     { ".vtk", "VTK legacy file", ReadWith<vtkGenericDataObjectReader>, Simulation },
     { ".ply", "Stanford polygons", ReadChecked<vtkPLYReader, RequireCompletePly>, Model },
     { ".stl", "stereolithography", ReadChecked<vtkSTLReader, RequireCompleteStl>, Simulation },

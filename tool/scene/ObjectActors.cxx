@@ -275,7 +275,7 @@ std::optional<ColorBy> ColoringOf(const Object& object, const Loaded& loaded)
 }
 
 ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
-  FramedPoints& points, Reporter& reporter)
+  FramedPoints& points, const TriangleBudget& budget, Reporter& reporter)
 {
   const Loaded loaded = Obtain(object, reporter);
   Maker maker(object, underEnvironment, paletteIndex, points);
@@ -299,7 +299,7 @@ ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t
   }
   else
   {
-    maker.AddParts(MakeParts(loaded, object, reporter), ColoringOf(object, loaded));
+    maker.AddParts(MakeParts(loaded, object, budget, reporter), ColoringOf(object, loaded));
   }
   maker.Made.View = loaded.View;
   if (!object.Color || !object.Color->ScalarBar)

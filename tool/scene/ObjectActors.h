@@ -23,7 +23,7 @@ struct ObjectActors
 /// Reads or makes the object. Surfaces without a material take default ones from paletteIndex on,
 /// which is advanced. Adds what must be in view to points.
 ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
-  FramedPoints& points, Reporter& reporter);
+  FramedPoints& points, const TriangleBudget& budget, Reporter& reporter);
 }
 
 #endif

@@ -100,22 +100,17 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
   BuiltScene built;
   built.Renderer = vtkSmartPointer<vtkRenderer>::New();
   FramedPoints points;
+  TriangleBudget budget(limits.Triangles);
   DefaultView view;
   std::size_t paletteIndex = 0;
   bool hasScalarBar = false;
   for (const Object& object : scene.Objects)
   {
     ObjectActors made =
-      MakeActors(object, scene.Surroundings.has_value(), paletteIndex, points, reporter);
+      MakeActors(object, scene.Surroundings.has_value(), paletteIndex, points, budget, reporter);
     view = &object == &scene.Objects.front() ? made.View : view;
-    built.Triangles += made.Triangles;
+    budget.Spend(made.Triangles, Describe(object));
     built.Balls += made.Balls;
-    if (built.Triangles > limits.Triangles)
-    {
-      Fail("{} brings the scene to {} triangles and the limit is {}: simplify it, or give "
-           "--max-triangles {}",
-        Describe(object), built.Triangles, limits.Triangles, built.Triangles);
-    }
     for (vtkActor* actor : made.Actors)
     {
       built.Renderer->AddActor(actor);
@@ -130,6 +125,7 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
   {
     FailUsage("the scene has no objects: name a file to draw");
   }
+  built.Triangles = budget.GetSpent();
   SetBackground(scene.Backdrop, built.Renderer);
   SetLights(scene.Lights.value_or(DefaultLights()), built.Renderer);
   if (scene.Surroundings)

@@ -158,18 +158,23 @@ std::string Describe(const Object& object)
   return object.Name.empty() ? "an object of the scene" : fmt::format("object '{}'", object.Name);
 }
 
-std::vector<Part> MakeParts(const Loaded& loaded, const Object& object, Reporter& reporter)
+std::vector<Part> MakeParts(const Loaded& loaded, const Object& object,
+  const TriangleBudget& budget, Reporter& reporter)
 {
   const auto* image = vtkImageData::SafeDownCast(loaded.Data);
   const bool terrain = image && (loaded.Kind == Content::Heights || object.Heights);
-  std::vector<Part> parts = terrain ? std::vector<Part>{ MakeTerrain(loaded, object, reporter) }
-                                    : PartsOfData(loaded, object, reporter);
+  std::vector<Part> parts = terrain
+    ? std::vector<Part>{ MakeTerrain(loaded, object, budget, reporter) }
+    : PartsOfData(loaded, object, reporter);
   std::vector<Part> drawn;
   DroppedPoints dropped;
+  vtkIdType triangles = 0;
   for (Part& part : parts)
   {
     Step step(reporter, fmt::format("preparing {}", part.Label));
     part.Geometry = DropNonFinite(part.Geometry, dropped);
+    triangles += CountTriangles(part.Geometry);
+    budget.Require(triangles, Describe(object));
     part.Geometry = loaded.PointsRepeated ? Joined(part.Geometry, object, step) : part.Geometry;
     part.Geometry = WithNormals(part.Geometry, object, step);
     if (loaded.ToWorld)

@@ -6,6 +6,7 @@
 
 #include "Loaded.h"
 #include "Reporter.h"
+#include "TriangleBudget.h"
 
 #include <vtkPolyData.h>
 
@@ -20,8 +21,9 @@ struct Part
 
 /// Surfaces of an object whose content is data or heights: isosurfaces of volumes, terrain, the outer
 /// surface of grids, each block of a composite. Points that are not finite are dropped. Throws a
-/// Failure where nothing is left to draw.
-std::vector<Part> MakeParts(const Loaded& loaded, const Object& object, Reporter& reporter);
+/// Failure where nothing is left to draw, or more than the budget allows.
+std::vector<Part> MakeParts(const Loaded& loaded, const Object& object,
+  const TriangleBudget& budget, Reporter& reporter);
 
 /// The object's name for sentences: its file, or the name given in the scene.
 std::string Describe(const Object& object);

@@ -32,9 +32,22 @@ vtkSmartPointer<vtkImageData> EveryNth(vtkImageData* image, int stride)
   extract->Update();
   return extract->GetOutput();
 }
+
+bool AllFinite(vtkDataArray* heights)
+{
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isfinite(heights->GetComponent(i, 0)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 }
 
-Part MakeTerrain(const Loaded& loaded, const Object& object, Reporter& reporter)
+Part MakeTerrain(const Loaded& loaded, const Object& object, const TriangleBudget& budget,
+  Reporter& reporter)
 {
   const Terrain settings = object.Heights.value_or(Terrain());
   Step step(reporter, fmt::format("raising terrain from {}", Describe(object)));
@@ -55,6 +68,12 @@ Part MakeTerrain(const Loaded& loaded, const Object& object, Reporter& reporter)
   if (settings.Spacing)
   {
     image->SetSpacing(*settings.Spacing * settings.Stride, *settings.Spacing * settings.Stride, 1);
+  }
+  if (AllFinite(heights))
+  {
+    // Else those that remain are counted later.
+    image->GetDimensions(size);
+    budget.Require(2 * vtkIdType(size[0] - 1) * vtkIdType(size[1] - 1), Describe(object));
   }
   const std::string name = heights->GetName() ? heights->GetName() : "elevation";
   heights->SetName(name.c_str());

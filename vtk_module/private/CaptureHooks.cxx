@@ -36,9 +36,14 @@ void vtkGICaptureHooks::SetExtended(bool extended)
   if (this->Extended != extended)
   {
     this->Extended = extended;
-    this->Modified();
-    this->StageTime = this->GetMTime();
+    this->Renew();
   }
+}
+
+void vtkGICaptureHooks::Renew()
+{
+  this->Modified();
+  this->StageTime = this->GetMTime();
 }
 
 std::string vtkGICaptureHooks::Snippet(const char* name, const char* depth) const
@@ -53,6 +58,25 @@ std::string vtkGICaptureHooks::Snippet(const char* name, const char* depth) cons
     defines["GI_EXTENDED"] = "1";
   }
   return this->Shaders->Source(std::string("capture/") + name, defines);
+}
+
+void vtkGICaptureHooks::CheckSnippets() const
+{
+  for (const char* name : { "phong.glsl", "pbr.glsl", "as_drawn.glsl" })
+  {
+    std::string text = this->Shaders->Source("capture/check.frag");
+    vtkShaderProgram::Substitute(text, Marker, this->Snippet(name, "gl_FragCoord.z"), false);
+    // As VTK does with its outputs.
+    std::string outputs;
+    for (int i = 0; i < 6; ++i)
+    {
+      const std::string number = std::to_string(i);
+      vtkShaderProgram::Substitute(text, "gl_FragData[" + number + "]", "fragOutput" + number);
+      outputs += "out vec4 fragOutput" + number + ";\n";
+    }
+    text.insert(text.find('\n', text.find("#version")) + 1, outputs);
+    this->Shaders->Check(std::string("capture/") + name, GL_FRAGMENT_SHADER, text);
+  }
 }
 
 bool vtkGICaptureHooks::PreReplaceShaderValues(std::string&, std::string&,

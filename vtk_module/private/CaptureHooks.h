@@ -28,6 +28,13 @@ public:
   /// when this changes.
   void SetExtended(bool extended);
 
+  /// Have mappers build their shaders anew.
+  void Renew();
+
+  /// Compile the snippets by themselves. Throws std::runtime_error with the compiler's message where
+  /// one that was replaced from a folder is not valid.
+  void CheckSnippets() const;
+
   /// The kind of projection of the draws that follow, whatever the active camera's is.
   void SetParallel(bool parallel) { this->Parallel = parallel; }
 

@@ -124,10 +124,6 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   {
     return problem;
   }
-  if (this->ShaderPath != this->Shaders.OverrideFolder())
-  {
-    this->Shaders.SetOverrideFolder(this->ShaderPath);
-  }
   const int eye = renderer->GetActiveCamera()->GetLeftEye();
   Memory& memory = this->Views[{ renderer, eye }];
   if (!memory.Renderer)
@@ -138,6 +134,13 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   }
   try
   {
+    if (this->ShaderPath != this->Shaders.OverrideFolder() || this->ShadersUnchecked)
+    {
+      this->ShadersUnchecked = true;
+      this->Shaders.SetOverrideFolder(this->ShaderPath);
+      this->Capture.ReloadShaders();
+      this->ShadersUnchecked = false;
+    }
     this->DrawFrame(self, state, memory);
     ++memory.StillFrames;
     ++memory.FrameNumber;

@@ -64,5 +64,6 @@ private:
   penumbra::LightTable Lights;
   std::map<std::pair<vtkRenderer*, int>, Memory> Views;
   int ViewsMade = 0;
+  bool ShadersUnchecked = false; ///< the last folder's did not compile
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 };

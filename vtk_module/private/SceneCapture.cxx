@@ -125,6 +125,12 @@ SceneCapture::SceneCapture(const ShaderLibrary& shaders)
 
 SceneCapture::~SceneCapture() = default;
 
+void SceneCapture::ReloadShaders()
+{
+  this->Hooks->CheckSnippets();
+  this->Hooks->Renew();
+}
+
 bool SceneCapture::CanCapture(vtkProp* prop)
 {
   if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))

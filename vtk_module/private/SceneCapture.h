@@ -31,6 +31,10 @@ public:
   SceneCapture(const ShaderLibrary& shaders);
   ~SceneCapture();
 
+  /// The shaders come from another folder: check those that VTK will compile, and have mappers take
+  /// them. Throws std::runtime_error where one is not valid.
+  void ReloadShaders();
+
   /// Sort the props of a frame: those in view that can be captured, those that VTK must draw, and
   /// all visible ones, in view or not, that may cast shadows.
   void Collect(const vtkRenderState* state);

@@ -123,6 +123,45 @@ const Program& ShaderLibrary::Compute(const std::string& name, const Defines& de
   return this->Build(key, { { GL_COMPUTE_SHADER, this->Source(name, defines) } });
 }
 
+void ShaderLibrary::Fail(const std::string& name, const std::string& problem) const
+{
+  throw std::runtime_error("the shader " + name + " does not compile" +
+    (this->Folder.empty() ? "" : " (shaders are overridden from " + this->Folder + ")") + ": " +
+    problem);
+}
+
+namespace
+{
+// A shader of this text; problem gets the compiler's message where it does not compile.
+GLuint CompileShader(GLenum stage, const std::string& source, std::string& problem)
+{
+  const GLuint shader = glCreateShader(stage);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint compiled = GL_FALSE;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (!compiled)
+  {
+    char log[2048] = "";
+    glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
+    problem = log;
+  }
+  return shader;
+}
+}
+
+void ShaderLibrary::Check(
+  const std::string& name, GLenum stage, const std::string& text) const
+{
+  std::string problem;
+  glDeleteShader(CompileShader(stage, text, problem));
+  if (!problem.empty())
+  {
+    this->Fail(name, problem);
+  }
+}
+
 const Program& ShaderLibrary::Build(
   const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages)
 {
@@ -130,18 +169,7 @@ const Program& ShaderLibrary::Build(
   std::string problem;
   for (const auto& stage : stages)
   {
-    const GLuint shader = glCreateShader(stage.first);
-    const char* text = stage.second.c_str();
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    GLint compiled = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled)
-    {
-      char log[2048] = "";
-      glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
-      problem = log;
-    }
+    const GLuint shader = CompileShader(stage.first, stage.second, problem);
     glAttachShader(program->Get(), shader);
     glDeleteShader(shader); // kept alive by the program
   }
@@ -159,9 +187,7 @@ const Program& ShaderLibrary::Build(
   }
   if (!problem.empty())
   {
-    throw std::runtime_error("the shader " + key + " does not compile" +
-      (this->Folder.empty() ? "" : " (shaders are overridden from " + this->Folder + ")") + ": " +
-      problem);
+    this->Fail(key, problem);
   }
   return *(this->Programs[key] = std::move(program));
 }

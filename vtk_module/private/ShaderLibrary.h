@@ -61,6 +61,10 @@ public:
   /// A program of one compute shader.
   const Program& Compute(const std::string& name, const Defines& defines = {});
 
+  /// Compile a shader's text and throw it away. Throws std::runtime_error, naming it and with the
+  /// compiler's message, where it does not compile.
+  void Check(const std::string& name, GLenum stage, const std::string& text) const;
+
   /// Free all programs; the context that made them must be current.
   void Release() { this->Programs.clear(); }
 
@@ -68,6 +72,8 @@ private:
   void Append(const std::string& name, std::set<std::string>& seen, std::string& text) const;
   const Program& Build(
     const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages);
+
+  [[noreturn]] void Fail(const std::string& name, const std::string& problem) const;
 
   std::string Folder;
   std::map<std::string, std::unique_ptr<Program>> Programs;
