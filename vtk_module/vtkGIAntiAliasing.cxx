@@ -75,29 +75,12 @@ void SteadyDepth(FrameContext& context)
 {
   const View& view = context.GetView();
   const Texture* buffer = context.Input(resource::Depth);
-  const bool direct = buffer->IsBorrowed();
-  const Texture* depth = direct ? buffer : context.Input(resource::WindowDepth);
+  const Texture* depth =
+    buffer->IsBorrowed() ? buffer : context.Input(resource::WindowDepth);
   bool fresh = false;
   Texture& kept = context.History("depth", depth->Desc(), fresh);
   const bool keep = fresh || view.StillFrames == 0;
-  const auto bind = [&context, direct](const Texture* texture) {
-    std::vector<Attachment> colors;
-    if (!direct)
-    {
-      colors.push_back({ texture, -1 });
-    }
-    context.BindTarget(colors, { direct ? texture : nullptr, -1 });
-  };
-  ScopedState scope(context.State());
-  bind(keep ? depth : &kept);
-  GLint source = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
-  bind(keep ? &kept : depth);
-  context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
-  const glm::ivec4& area = view.Viewport;
-  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
-    area.x + area.z, area.y + area.w, direct ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT,
-    GL_NEAREST);
+  context.CopyDepth(keep ? depth : &kept, keep ? &kept : depth);
 }
 }
 

@@ -8,8 +8,7 @@
   gl_FragData[0] = vec4(0.0, 0.0, 0.0, giDrawn.a);
   gl_FragData[1] = vec4(0.5, 0.5, 0.0, giWhole);
   gl_FragData[2] = giDrawn;
-  gl_FragData[3] = vec4(GI_WINDOW_DEPTH, 0.0, 0.0, 1.0);
 #ifdef GI_EXTENDED
-  gl_FragData[4] = vec4(0.0, 0.0, 0.0, giWhole);
-  gl_FragData[5] = vec4(0.0, 0.0, 0.0, giDrawn.a);
+  gl_FragData[3] = vec4(0.0, 0.0, 0.0, giWhole);
+  gl_FragData[4] = vec4(0.0, 0.0, 0.0, giDrawn.a);
 #endif

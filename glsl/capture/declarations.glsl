@@ -3,11 +3,10 @@
 //   1 normal:   xy octahedral normal in view coordinates, z material / 65535
 //   2 ambient:  rgb radiance reflected from ambient light or surroundings; of a surface that is
 //               shown as drawn, its colour
-//   3 depth:    r window depth, to read: the depth buffer itself stays bound for testing
 // and, where the scene holds textures or PBR (GI_EXTENDED):
-//   4 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
+//   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
-//   5 emission: rgb radiance given off
+//   4 emission: rgb radiance given off
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.

@@ -46,13 +46,9 @@ void vtkGICaptureHooks::Renew()
   this->StageTime = this->GetMTime();
 }
 
-std::string vtkGICaptureHooks::Snippet(const char* name, const char* depth) const
+std::string vtkGICaptureHooks::Snippet(const char* name) const
 {
   penumbra::Defines defines;
-  if (depth)
-  {
-    defines["GI_WINDOW_DEPTH"] = depth;
-  }
   if (this->Extended)
   {
     defines["GI_EXTENDED"] = "1";
@@ -65,10 +61,10 @@ void vtkGICaptureHooks::CheckSnippets() const
   for (const char* name : { "phong.glsl", "pbr.glsl", "as_drawn.glsl" })
   {
     std::string text = this->Shaders->Source("capture/check.frag");
-    vtkShaderProgram::Substitute(text, Marker, this->Snippet(name, "gl_FragCoord.z"), false);
+    vtkShaderProgram::Substitute(text, Marker, this->Snippet(name), false);
     // As VTK does with its outputs.
     std::string outputs;
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 5; ++i)
     {
       const std::string number = std::to_string(i);
       vtkShaderProgram::Substitute(text, "gl_FragData[" + number + "]", "fragOutput" + number);
@@ -117,9 +113,7 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
   {
     snippet = "phong.glsl";
   }
-  const char* depth =
-    Contains(fragmentShader, "gl_FragDepth = ") ? "gl_FragDepth" : "gl_FragCoord.z";
-  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet, depth), false);
+  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet), false);
   return true;
 }
 

@@ -59,7 +59,7 @@ private:
   vtkGICaptureHooks(const vtkGICaptureHooks&) = delete;
   void operator=(const vtkGICaptureHooks&) = delete;
 
-  std::string Snippet(const char* name, const char* depth = nullptr) const;
+  std::string Snippet(const char* name) const;
 
   penumbra::MaterialTable* Materials = nullptr;
   const penumbra::ShaderLibrary* Shaders = nullptr;

@@ -29,7 +29,7 @@ namespace resource
 constexpr const char* Depth = "depth";                          ///< the depth buffer, to test against
 constexpr const char* Albedo = "gbuffer.albedo";                ///< rgb, a: 1 where captured
 constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material
-constexpr const char* WindowDepth = "gbuffer.depth";           ///< window depth, to read
+constexpr const char* WindowDepth = "gbuffer.depth";           ///< a copy of it, to read meanwhile
 constexpr const char* Ambient = "gbuffer.ambient";              ///< ambient light reflected
 constexpr const char* Surface = "gbuffer.surface";              ///< see capture/gbuffer.glsl
 constexpr const char* Emission = "gbuffer.emission";            ///< radiance not due to light
@@ -79,6 +79,9 @@ public:
 
   /// Make a program current and bind textures to its units, in order.
   void Use(const Program& program, const std::vector<const Texture*>& textures) const;
+
+  /// Copy the viewport's part of a depth texture to another of the same format.
+  void CopyDepth(const Texture* from, const Texture* to) const;
 
   /// One triangle over the viewport, at the far plane.
   void DrawFullscreen() const;

@@ -182,6 +182,18 @@ void FrameContext::BindTarget(
     GL_FRAMEBUFFER, this->Executor->Pool.Framebuffer(colors, depth));
 }
 
+void FrameContext::CopyDepth(const Texture* from, const Texture* to) const
+{
+  ResourcePool& pool = this->Executor->Pool;
+  const glm::ivec4& area = this->GetView().Viewport;
+  this->State()->PushFramebufferBindings();
+  this->State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, pool.Framebuffer({}, { from, -1 }));
+  this->State()->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, pool.Framebuffer({}, { to, -1 }));
+  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+    area.x + area.z, area.y + area.w, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  this->State()->PopFramebufferBindings();
+}
+
 void FrameContext::Use(const Program& program, const std::vector<const Texture*>& textures) const
 {
   // VTK remembers the program it bound last: make it forget, as we bind ours past it.

@@ -199,7 +199,7 @@ void SceneCapture::Contribute(FrameBuilder& frame)
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
     .Write(resource::Ambient, frame.WindowTexture(this->Extended ? GL_RGBA16F : GL_RGBA8))
-    .Write(resource::WindowDepth, frame.WindowTexture(GL_R32F));
+    .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
   if (this->Extended)
   {
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
@@ -210,8 +210,7 @@ void SceneCapture::Contribute(FrameBuilder& frame)
 
 void SceneCapture::Draw(FrameContext& context)
 {
-  std::vector<const char*> outputs = { resource::Albedo, resource::Normal, resource::Ambient,
-    resource::WindowDepth };
+  std::vector<const char*> outputs = { resource::Albedo, resource::Normal, resource::Ambient };
   if (this->Extended)
   {
     outputs.push_back(resource::Surface);
@@ -230,15 +229,13 @@ void SceneCapture::Draw(FrameContext& context)
   }
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthMask(true);
-  // Where nothing is captured only the albedo's alpha and the depth are read; blending reads all.
+  // Where nothing is captured only the albedo's alpha is read; blending reads all.
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
   const GLint cleared = this->Table.CoverInPart() ? static_cast<GLint>(outputs.size()) : 1;
   for (GLint output = 0; output < cleared; ++output)
   {
     glClearBufferfv(GL_COLOR, output, nothing);
   }
-  const GLfloat farthest[4] = { 1.0f, 1.0f, 1.0f, 1.0f };
-  glClearBufferfv(GL_COLOR, 3, farthest);
   if (!context.Output(resource::Depth)->IsBorrowed())
   {
     // Depth of our own starts from what the window holds: another layer's, or cleared.
@@ -256,6 +253,10 @@ void SceneCapture::Draw(FrameContext& context)
   this->Hooks->SetParallel(view.Parallel);
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
   this->Drawn = this->DrawProps(context.Renderer(), this->Captured);
+
+  // A depth buffer must not be bound and read at once: techniques test against the one and read the
+  // other.
+  context.CopyDepth(context.Output(resource::Depth), context.Output(resource::WindowDepth));
 }
 
 int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props)
