@@ -20,8 +20,8 @@ void RequireCompleteXml(const std::string& path)
   const std::string tail{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   if (file && size > 0 && tail.find(end) == std::string::npos)
   {
-    Fail("'{}' is damaged or cut off: it does not end with {}; copy or download it again", path,
-      end);
+    Fail(
+      "'{}' is damaged or cut off: it does not end with {}; copy or download it again", path, end);
   }
 }
 }

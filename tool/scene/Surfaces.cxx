@@ -158,8 +158,8 @@ std::string Describe(const Object& object)
   return object.Name.empty() ? "an object of the scene" : fmt::format("object '{}'", object.Name);
 }
 
-std::vector<Part> MakeParts(const Loaded& loaded, const Object& object,
-  const TriangleBudget& budget, Reporter& reporter)
+std::vector<Part> MakeParts(
+  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter)
 {
   const auto* image = vtkImageData::SafeDownCast(loaded.Data);
   const bool terrain = image && (loaded.Kind == Content::Heights || object.Heights);

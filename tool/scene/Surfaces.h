@@ -22,8 +22,8 @@ struct Part
 /// Surfaces of an object whose content is data or heights: isosurfaces of volumes, terrain, the outer
 /// surface of grids, each block of a composite. Points that are not finite are dropped. Throws a
 /// Failure where nothing is left to draw, or more than the budget allows.
-std::vector<Part> MakeParts(const Loaded& loaded, const Object& object,
-  const TriangleBudget& budget, Reporter& reporter);
+std::vector<Part> MakeParts(
+  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter);
 
 /// The object's name for sentences: its file, or the name given in the scene.
 std::string Describe(const Object& object);

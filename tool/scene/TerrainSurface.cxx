@@ -46,8 +46,8 @@ bool AllFinite(vtkDataArray* heights)
 }
 }
 
-Part MakeTerrain(const Loaded& loaded, const Object& object, const TriangleBudget& budget,
-  Reporter& reporter)
+Part MakeTerrain(
+  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter)
 {
   const Terrain settings = object.Heights.value_or(Terrain());
   Step step(reporter, fmt::format("raising terrain from {}", Describe(object)));

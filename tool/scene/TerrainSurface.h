@@ -9,8 +9,8 @@
 namespace penumbra::tool
 {
 /// Warps the picture by its values; the part keeps them as its active scalars.
-Part MakeTerrain(const Loaded& loaded, const Object& object, const TriangleBudget& budget,
-  Reporter& reporter);
+Part MakeTerrain(
+  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter);
 }
 
 #endif

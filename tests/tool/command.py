@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the penumbra command and judges how it ends."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+COMMAND = os.environ.get("PENUMBRA_COMMAND", "penumbra")
+LONGEST = 240  # seconds, on a busy machine
+TINY = ("--size", "32x24", "--frames", "1")
+
+
+def box(**more):
+    return {"size": [32, 24], "frames": 1, "objects": [{"box": {}}], **more}
+
+
+class CommandTest(unittest.TestCase):
+    """A folder of its own for every class, and the command to run in it."""
+
+    @classmethod
+    def setUpClass(cls):
+        holder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(holder.cleanup)
+        cls.folder = pathlib.Path(holder.name)
+
+    def scene(self, described, name="scene.json"):
+        path = self.folder / name
+        path.write_text(json.dumps(described))
+        return path
+
+    def penumbra(self, *arguments, env=None):
+        """In that folder; a variable of the environment that is None is unset."""
+        changed = {**os.environ, **(env or {})}
+        return subprocess.run(
+            [COMMAND, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
+            errors="replace", timeout=LONGEST, stdin=subprocess.DEVNULL,
+            env={key: value for key, value in changed.items() if value is not None})
+
+    def succeeds(self, *arguments, notes=(), env=None):
+        """Ends with 0 and says nothing but notes with these words, one each."""
+        ended = self.penumbra(*arguments, env=env)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        lines = ended.stderr.splitlines()
+        self.assertEqual(len(lines), len(notes), ended.stderr)
+        for line, words in zip(lines, notes):
+            self.assertTrue(line.startswith("penumbra: note: "), line)
+            self.assertIn(words, line)
+        return ended
+
+    def refused(self, *arguments, says, status=None, env=None):
+        """Ends with one sentence that has these words, no signal, and a status other than 0."""
+        ended = self.penumbra(*arguments, env=env)
+        self.assert_sentence(ended, says)
+        if status is not None:
+            self.assertEqual(ended.returncode, status, ended.stderr)
+        return ended
+
+    def assert_sentence(self, ended, says):
+        self.assertIn(ended.returncode, (1, 2), ended.stderr)
+        lines = ended.stderr.splitlines()
+        sentences = [line for line in lines if not line.startswith("penumbra: note: ")]
+        self.assertEqual(len(sentences), 1, ended.stderr)
+        self.assertEqual(sentences[0], lines[-1], "notes come before")
+        self.assertTrue(sentences[0].startswith("penumbra: "), ended.stderr)
+        self.assertIn(says, sentences[0])
+        for raw in ("ERR|", "WARN|", "Warning:", "ERROR:"):
+            self.assertNotIn(raw, ended.stdout + ended.stderr)

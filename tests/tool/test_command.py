@@ -1,0 +1,167 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the command promises where all is well."""
+import json
+import unittest
+
+from PIL import Image
+
+import command
+
+SCENE = {
+    "size": [64, 48],
+    "objects": [
+        {"plane": {"size": [6, 6]}, "material": {"color": "gray"}},
+        {"box": {"center": [0, 0, 0.5]}, "material": {"color": [0.8, 0.3, 0.2]}},
+        {"sphere": {"center": [1.3, 0, 0.5]}, "material": {"shading": "phong", "specular": 0.5}}],
+    "lights": [{"type": "directional", "position": [-1, -1, 1.4], "intensity": 0.9}, {"type": "head"}],
+    "camera": {"azimuth": 15, "elevation": 30}, "frames": 4}
+
+
+class Rendered(command.CommandTest):
+    def render(self, output, *arguments, scene=SCENE, **more):
+        return self.succeeds("render", self.scene(scene), "-o", output, *arguments, **more)
+
+    def compare(self, a, b, *limits):
+        return json.loads(self.succeeds("compare", a, b, "--json", *limits).stdout)
+
+    def test_png(self):
+        self.render("out.png")
+        with Image.open(self.folder / "out.png") as picture:
+            self.assertEqual((picture.size, picture.mode), ((64, 48), "RGB"))
+            self.assertGreater(len(set(picture.getdata())), 100)
+
+    def test_transparent_background(self):
+        self.render("clear.png", "--background", "transparent", scene=command.box())
+        with Image.open(self.folder / "clear.png") as picture:
+            alpha = picture.getchannel("A")
+            self.assertEqual((alpha.getpixel((0, 0)), alpha.getpixel((16, 12))), (0, 255))
+
+    def test_exr_keeps_radiance_above_one(self):
+        glow = {"size": [32, 24], "frames": 2, "background": "black", "lights": [],
+                "camera": {"position": [0, 0, 5], "focal": [0, 0, 0]}}
+        plane = {"plane": {"size": [50, 50]}, "material": {"color": "black"}}
+        bright = {**plane, "material": {"color": "black", "emission": [5, 2, 0.5]}}
+        self.render("dark.exr", scene={**glow, "objects": [plane]})
+        for suffix, least, most in (("exr", 4.9, 5.1), ("png", 0.9, 1.0)):
+            self.render(f"glow.{suffix}", scene={**glow, "objects": [bright]})
+            measured = self.compare(f"glow.{suffix}", "dark.exr")
+            self.assertTrue(least <= measured["maximum"] <= most, measured)
+            self.assertEqual(measured["non-finite-pixels"], 0)
+
+    def test_stats(self):
+        stats = json.loads(self.render("out.png", "--stats").stdout)
+        self.assertEqual(stats["size"], [64, 48])
+        self.assertEqual((stats["frames"], stats["accumulated-frames"]), (4, 4))
+        self.assertGreater(stats["triangles"], 14)
+        self.assertFalse(stats["stock"])
+        self.assertEqual(stats["notes"], [])
+        self.assertIn("shadow-maps", [row["name"] for row in stats["pass"]["passes"]])
+        stock = json.loads(self.render("stock.png", "--stats", "--stock").stdout)
+        self.assertTrue(stock["stock"])
+        self.assertEqual(stock["triangles"], stats["triangles"])
+
+    def test_frames_accumulate(self):
+        counts = []
+        for frames in (1, 16):
+            ended = self.render(f"frames{frames}.png", "--frames", frames, "--stats")
+            counts.append(json.loads(ended.stdout)["accumulated-frames"])
+        self.assertEqual(counts, [1, 16])
+        measured = self.compare("frames1.png", "frames16.png", "--min-ssim", 0.9)
+        self.assertGreater(measured["maximum"], 0)
+
+    def test_notes_of_the_techniques(self):
+        lamps = [{"type": "point", "position": [x, 1, 3], "intensity": 0.2} for x in range(3)]
+        scene = {**command.box(lights=lamps), "frames": 3}
+        fewer = ("--set", "shadow-maps.maximum-lights=1", "--stats")
+        says = "2 of 3 lights cast no shadow"
+        ended = self.render("out.png", *fewer, scene=scene, notes=[says])
+        notes = json.loads(ended.stdout)["notes"]
+        self.assertEqual(len(notes), 1)
+        self.assertIn(says, notes[0])
+        self.render("out.png", *fewer, "--quiet", scene=scene)
+
+    def test_techniques_change_the_picture(self):
+        self.render("on.png")
+        self.render("off.png", "--preset", "off")
+        self.render("again.png", "--preset", "off", "--on", "shadow-maps", "--on", "ambient-occlusion",
+                    "--on", "anti-aliasing")
+        self.assertGreater(self.compare("on.png", "off.png")["p99"], 0.1)
+        self.assertLess(self.compare("on.png", "again.png")["maximum"], 1.5 / 255)
+
+    def test_backends_agree(self):
+        for backend in ("egl", "osmesa"):
+            ended = self.render(f"{backend}.png", "--backend", backend, "--stats")
+            self.assertEqual(json.loads(ended.stdout)["opengl"]["backend"].lower(), backend)
+        self.compare("egl.png", "osmesa.png", "--tolerance", 1, "--fail-over", 0)
+
+
+class Info(command.CommandTest):
+    def test_every_technique_is_in_every_table(self):
+        info = json.loads(self.succeeds("info", "--json").stdout)
+        names = [technique["name"] for technique in info["techniques"]]
+        self.assertLessEqual({"shadow-maps", "ambient-occlusion", "anti-aliasing"}, set(names))
+        self.assertGreater(len(info["opengl"]["version"]), 0)
+        parameters = json.loads(self.succeeds("info", "--json", "--parameters").stdout)["techniques"]
+        for arguments in ((), ("--parameters",), ("--markdown",), ("--markdown", "--parameters")):
+            table = self.succeeds("info", *arguments).stdout
+            for technique in parameters:
+                self.assertIn(technique["name"], table)
+                for parameter in technique["parameters"] if "--parameters" in arguments else ():
+                    self.assertIn(parameter["name"], table)
+
+    def test_markdown_needs_no_opengl(self):
+        nowhere = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/nonexistent", "PENUMBRA_BACKEND": "egl"}
+        self.assertIn("shadow-maps", self.succeeds("info", "--markdown", env=nowhere).stdout)
+
+    def test_version_and_help(self):
+        self.assertRegex(self.succeeds("--version").stdout, r"^penumbra \d+\.\d+\.\d+\n$")
+        for name in ("render", "info", "compare"):
+            self.assertIn(name, self.succeeds("--help").stdout)
+            self.assertIn("Examples:", self.succeeds(name, "--help").stdout)
+
+
+class Compared(command.CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        ramp = Image.new("RGB", (40, 30))
+        ramp.putdata([(5 * x, 5 * x, 100) for _ in range(30) for x in range(40)])
+        ramp.save(cls.folder / "ramp.png")
+        ramp.save(cls.folder / "same.tif")
+        spot = ramp.copy()
+        for x in range(4):  # 12 of 1200 pixels are off, by 50 in one channel
+            for y in range(3):
+                spot.putpixel((20 + x, 10 + y), (100 + 5 * x + 50, 100 + 5 * x, 100))
+        spot.save(cls.folder / "spot.png")
+
+    def test_identical(self):
+        ended = self.succeeds("compare", "ramp.png", "same.tif", "--json", "--max-relmse", 0,
+                              "--min-ssim", 0.999999, "--fail-over", 0, "--tolerance", 0)
+        measured = json.loads(ended.stdout)
+        self.assertEqual((measured["relmse"], measured["maximum"], measured["signed-mean"]), (0, 0, 0))
+
+    def test_different(self):
+        measured = json.loads(self.succeeds("compare", "spot.png", "ramp.png", "--json").stdout)
+        self.assertAlmostEqual(measured["maximum"], 50 / 255, 4)
+        self.assertAlmostEqual(measured["fraction-over"], 0.01, 6)
+        self.assertAlmostEqual(measured["signed-mean"], 0.01 * 0.2126 * 50 / 255, 6)
+        self.assertLess(measured["ssim"], 1)
+
+    def test_limits(self):
+        pair = ("compare", "spot.png", "ramp.png")
+        self.succeeds(*pair, "--fail-over", 0.011, "--max-relmse", 1, "--min-ssim", 0.5)
+        self.succeeds(*pair, "--fail-over", 0, "--tolerance", 50.5)
+        for limit in (("--fail-over", 0.009), ("--max-relmse", 1e-9), ("--min-ssim", 0.9999999)):
+            with self.subTest(limit):
+                self.refused(*pair, *limit, says="'spot.png' is too far from 'ramp.png'", status=1)
+
+    def test_difference_picture(self):
+        self.succeeds("compare", "spot.png", "ramp.png", "--diff", "diff.png", "--diff-gain", 2)
+        with Image.open(self.folder / "diff.png") as picture:
+            self.assertEqual(picture.convert("RGB").getpixel((21, 11)), (100, 0, 0))
+            self.assertEqual(picture.convert("RGB").getpixel((0, 0)), (0, 0, 0))
+
+
+if __name__ == "__main__":
+    unittest.main()

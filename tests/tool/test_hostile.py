@@ -1,0 +1,292 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be done ends in one sentence that names the thing, and never in a signal."""
+import json
+import os
+import unittest
+
+import numpy as np
+
+import command
+import seeds
+
+TINY = command.TINY
+
+
+def mesh(points, polygons, **more):
+    return {"size": [32, 24], "frames": 1,
+            "objects": [{"name": "piece", "mesh": {"points": points, "polygons": polygons, **more}}]}
+
+
+def polydata(points, triangles):
+    """An XML file in text, which can say nan."""
+    numbers = " ".join(str(value) for point in points for value in point)
+    corners = " ".join(str(corner) for triangle in triangles for corner in triangle)
+    ends = " ".join(str(3 * i + 3) for i in range(len(triangles)))
+    return f"""<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData><Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(triangles)}">
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">{numbers}</DataArray></Points>
+<Polys><DataArray type="Int64" Name="connectivity" format="ascii">{corners}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">{ends}</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+"""
+
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
+NAN = ("nan", "nan", "nan")
+
+
+class Hostile(command.CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        (cls.folder / "good").mkdir()
+        cls.good = seeds.make(cls.folder / "good")
+        (cls.folder / "box.json").write_text(json.dumps(command.box()))
+
+    def file(self, name, content):
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def render_refused(self, source, *arguments, says, output="out.png", **more):
+        ended = self.refused("render", source, "-o", output, *TINY, *arguments, says=says, **more)
+        self.assertFalse((self.folder / output).is_file(), "a picture was left behind")
+        return ended
+
+    def render(self, source, *arguments, **more):
+        ended = self.succeeds("render", source, "-o", "out.png", *TINY, *arguments, **more)
+        (self.folder / "out.png").unlink()
+        return ended
+
+    def wrong_use(self, *arguments, says):
+        self.render_refused("box.json", *arguments, says=says, status=2)
+
+
+class Files(Hostile):
+    def test_empty(self):
+        for name in sorted({"".join(path.suffixes) for path in self.good}) + [".json"]:
+            with self.subTest(name):
+                self.render_refused(self.file(f"empty{name}", b""), says=f"empty{name}")
+
+    def test_truncated(self):
+        for path in self.good:
+            content = path.read_bytes()
+            half = len(content) // 2
+            if path.suffix == ".pdb":  # whole lines would be a smaller molecule: cut one
+                half = content.index(b"\n", half) - 50
+            with self.subTest(path.name):
+                name = self.file(f"cut_{path.name}", content[:half])
+                self.render_refused(name, says=name)
+
+    def test_of_another_kind(self):
+        for path in self.good:
+            with self.subTest(path.name):
+                name = self.file(f"noise_{path.name}", bytes(range(256)) * 8)
+                self.render_refused(name, says=name)
+
+    def test_without_end(self):
+        for name in ("/dev/zero", "/dev/null"):
+            self.render_refused(name, says=name)
+
+    def test_missing_or_no_file(self):
+        self.render_refused("absent.vtp", says="absent.vtp")
+        (self.folder / "folder.vtp").mkdir()
+        self.render_refused("folder.vtp", says="folder.vtp")
+        self.render_refused(self.file("a.xyz", "1 2 3"), says="a.xyz")
+
+    def test_no_triangles(self):
+        self.render_refused(self.file("points.vtp", polydata(CORNERS, [])), says="points.vtp")
+        self.render_refused(self.file("nothing.vtp", polydata([], [])), says="nothing.vtp")
+        self.render_refused(self.scene(mesh([], [])), says="piece")
+
+    def test_one_triangle(self):
+        self.render(self.file("one.vtp", polydata(CORNERS, [(0, 1, 2)])))
+        self.render(self.scene(mesh(CORNERS, [[0, 1, 2]])))
+
+    def test_triangle_without_area(self):
+        self.render(self.file("line.vtp", polydata([(0, 0, 0)] * 3, [(0, 1, 2)])))
+
+    def test_points_that_are_nan(self):
+        some = polydata([*CORNERS, NAN], [(0, 1, 2), (1, 3, 4)])
+        self.render(self.file("some.vtp", some),
+                    notes=["'some.vtp': left out 1 points that are not finite and 1 cells"])
+        self.render_refused(
+            self.file("all.vtp", polydata([NAN] * 3, [(0, 1, 2)])), says="all.vtp")
+
+    def test_points_far_away_or_absent(self):
+        far = polydata([*CORNERS, ("1e30", 0, 0)], [(0, 1, 2), (1, 3, 4)])
+        self.render(self.file("far.vtp", far), notes=["'far.vtp': left out 1 points"])
+        self.render_refused(
+            self.file("outside.vtp", polydata(CORNERS, [(0, 1, 77)])), says="outside.vtp")
+        self.render_refused(self.scene(mesh(CORNERS, [[0, 1, 77]])), says="77", status=2)
+
+    def test_heights_that_are_nan(self):
+        heights = np.zeros((6, 6), "f4")
+        heights[2, 3] = np.nan
+        np.save(self.folder / "hole.npy", heights)
+        self.render("hole.npy", notes=["'hole.npy': left out 1 points"])
+        np.save(self.folder / "void.npy", np.full((6, 6), np.nan, "f4"))
+        self.render_refused("void.npy", says="void.npy")
+
+    def test_more_than_ten_million_triangles(self):
+        np.save(self.folder / "wide.npy", np.zeros((2300, 2300), "u1"))
+        self.render_refused("wide.npy", says="'wide.npy' brings the scene to 10568402 triangles "
+                            "and the limit is 10000000")
+        # The same where it shows only after points were left out.
+        heights = np.zeros((20, 20), "f4")
+        heights[2, 3] = np.nan
+        np.save(self.folder / "hole.npy", heights)
+        self.render_refused("hole.npy", "--max-triangles", 500, says="716 triangles")
+        self.render("hole.npy", "--max-triangles", 716, notes=["left out"])
+
+
+class Wishes(Hostile):
+    def test_unknown_names_are_named_with_the_nearest(self):
+        for arguments, says in (
+                (("--on", "shadow-mapz"), "'shadow-mapz': did you mean 'shadow-maps'"),
+                (("--off", "nonsense"), "'nonsense'"),
+                (("--set", "shadow-mapz.resolution=512"), "'shadow-mapz'"),
+                (("--set", "shadow-maps.resolutoin=512"), "did you mean 'resolution'"),
+                (("--preset", "hihg"), "did you mean 'high'"),
+                (("--backend", "elg"), "did you mean 'egl'"),
+                (("--light", "kei"), "did you mean 'key'"),
+                (("--light", "key:azimut=3"), "did you mean 'azimuth'"),
+                (("--camera", "zom=2"), "did you mean 'zoom'"),
+                (("--isoval", "3"), "did you mean '--isovalue'"),
+                (("--color", "blurple"), "blurple"),
+                (("--background", "blurple"), "blurple")):
+            with self.subTest(arguments):
+                self.wrong_use(*arguments, says=says)
+
+    def test_values_out_of_range(self):
+        for arguments, says in (
+                (("--set", "shadow-maps.resolution=3"), "shadow-maps.resolution cannot be 3"),
+                (("--set", "shadow-maps.resolution=1e99"), "shadow-maps.resolution"),
+                (("--set", "shadow-maps.filter-radius=nan"), "shadow-maps.filter-radius"),
+                (("--set", "shadow-maps.filter-radius=abc"), "'abc'"),
+                (("--set", "shadow-maps"), "'shadow-maps'"),
+                (("--opacity", "2"), "--opacity is 2"),
+                (("--smooth", "-1"), "--smooth is -1"),
+                (("--light", "point:1,2"), "position"),
+                (("--light", "cone:angle=90"), "angle"),
+                (("--camera", "zoom=0"), "zoom"),
+                (("--camera", "angle=nan"), "angle"),
+                (("--max-triangles", "0"), "--max-triangles is 0")):
+            with self.subTest(arguments):
+                self.wrong_use(*arguments, says=says)
+        for size in ("0x5", "5", "99999x2", "-3x4", "axb", ""):
+            with self.subTest(size=size):
+                self.refused("render", "box.json", "-o", "out.png", "--size", size, says="--size")
+        for frames in ("0", "-1", "70000", "many"):
+            with self.subTest(frames=frames):
+                self.refused("render", "box.json", "-o", "out.png", "--frames", frames, says="--frames")
+
+    def test_pictures_too_big(self):
+        self.refused("render", "box.json", "-o", "out.png", "--size", "32768x32768", says="too big")
+        self.assertFalse((self.folder / "out.png").exists())
+
+    def test_arrays_and_isovalues(self):
+        good = self.folder / "good"
+        self.render_refused(good / "a.vtp", "--color-by", "Elevatoin", says="did you mean 'Elevation'")
+        self.render_refused(good / "a.vtp", "--color-by", "Elevation", "--color-range", "2,1",
+                            says="--color-range")
+        self.render_refused(good / "a.vti", "--isovalue", "1e9", says="1e+09")
+        self.render_refused("box.json", "--env", "absent.hdr", says="absent.hdr")
+
+    def test_scene_files(self):
+        for described, says in (
+                ({"objects": []}, "objects"), ({}, "objects"), ([], "scene"), (7, "scene"),
+                ({**command.box(), "lihgts": []}, "did you mean 'lights'"),
+                (command.box(size=[0, 5]), "size"), (command.box(frames=0), "frames"),
+                (command.box(techniques={"on": ["nonsense"]}), "nonsense"),
+                ({"objects": [{"sphere": {"radios": 1}}]}, "did you mean 'radius'"),
+                ({"objects": [{"sphere": {"radius": -1}}]}, "radius"),
+                ({"objects": [{"sphere": {"resolution": 10 ** 9}}]}, "resolution"),
+                ({"objects": [{"file": "absent.vtp"}]}, "absent.vtp"),
+                ({"objects": [{"box": {}, "material": {"opacity": "thick"}}]}, "opacity")):
+            with self.subTest(says):
+                self.render_refused(self.scene(described), says=says)
+        self.render_refused(self.file("broken.json", '{"objects": [{'), says="broken.json")
+        self.render_refused(self.file("deep.json", "[" * 100000), says="deep.json")
+
+    def test_wrong_use(self):
+        for arguments in ((), ("rendr",), ("render",), ("render", "box.json"), ("compare",),
+                          ("compare", "a.png"), ("info", "extra"), ("info", "--json", "--markdown"),
+                          ("info", "--backend", "elg")):
+            with self.subTest(arguments):
+                self.refused(*arguments, says="", status=2)
+
+
+class Outputs(Hostile):
+    def test_unwritable(self):
+        (self.folder / "taken.png").mkdir(exist_ok=True)
+        for output in ("absent/out.png", "/proc/out.png", "taken.png"):
+            with self.subTest(output):
+                self.render_refused("box.json", says=output, output=output)
+        self.render_refused("box.json", says="out.xyz", output="out.xyz", status=2)
+        self.render_refused("box.json", says="--output", output="")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs a device that is always full")
+    def test_full_disk(self):
+        for name in ("full.png", "full.exr", "full.jpg", "full.tif"):
+            os.symlink("/dev/full", self.folder / name)
+            with self.subTest(name):
+                self.refused("render", "box.json", "-o", name, *TINY, says=name, status=1)
+
+
+class Compared(Hostile):
+    def test_pictures_that_cannot_be_compared(self):
+        good = self.folder / "good" / "a.png"
+        content = good.read_bytes()
+        self.file("cut.png", content[:len(content) // 2])
+        self.file("empty.png", b"")
+        self.file("noise.png", bytes(range(256)))
+        self.file("noise.exr", b"\x76\x2f\x31\x01" + bytes(range(256)))
+        self.succeeds("render", "box.json", "-o", "box.png", *TINY)
+        for name in ("cut.png", "empty.png", "noise.png", "noise.exr", "absent.png", ".", "box.png"):
+            with self.subTest(name):
+                self.refused("compare", good, name, says=f"'{name}'", status=1)
+                self.refused("compare", name, good, says=f"'{name}'", status=1)
+
+    def test_wishes(self):
+        good = self.folder / "good" / "a.png"
+        self.refused("compare", good, good, "--diff", "absent/d.png", says="absent/d.png", status=1)
+        self.refused("compare", good, good, "--max-relms", "1", says="did you mean '--max-relmse'")
+        for option in ("--epsilon", "--tolerance", "--diff-gain"):
+            self.refused("compare", good, good, option, "-1", says=option, status=2)
+
+
+class Graphics(Hostile):
+    def without(self, backend, says, **env):
+        self.render_refused("box.json", "--backend", backend, says=says, env=env)
+        self.refused("info", "--backend", backend, says=says, env=env, status=1)
+        ended = self.refused("info", "--json", "--backend", backend, says=says, env=env)
+        self.assertIsNone(json.loads(ended.stdout)["opengl"])
+
+    def test_no_opengl(self):
+        self.without("egl", "OpenGL", __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
+
+    def test_opengl_too_old(self):
+        self.without("osmesa", "4.3", MESA_GL_VERSION_OVERRIDE="3.0")
+
+    def test_no_display(self):
+        self.without("x11", "DISPLAY", DISPLAY=None)
+        self.without("x11", "", DISPLAY=":98765")
+
+    def test_unknown_backend_in_the_environment(self):
+        self.render_refused("box.json", says="'elg'", env={"PENUMBRA_BACKEND": "elg"})
+
+    def test_shaders_that_do_not_compile(self):
+        folder = self.folder / "shaders" / "direct_light"
+        folder.mkdir(parents=True)
+        for broken in ("this is no shader\n", "", "#version 430\n#include \"absent.glsl\"\n"):
+            (folder / "resolve.frag").write_text(broken)
+            for output in ("out.png", "out.exr"):
+                with self.subTest(broken, output=output):
+                    self.render_refused("box.json", says="resolve.frag", output=output,
+                                        env={"PENUMBRA_SHADER_PATH": str(folder.parent)}, status=1)
+
+
+if __name__ == "__main__":
+    unittest.main()
