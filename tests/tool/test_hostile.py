@@ -50,8 +50,11 @@ class Hostile(command.CommandTest):
         return name
 
     def render_refused(self, source, *arguments, says, output="out.png", **more):
+        picture = self.folder / output
+        if picture.is_file():
+            picture.unlink()  # of a test that failed
         ended = self.refused("render", source, "-o", output, *TINY, *arguments, says=says, **more)
-        self.assertFalse((self.folder / output).is_file(), "a picture was left behind")
+        self.assertFalse(picture.is_file(), "a picture was left behind")
         return ended
 
     def render(self, source, *arguments, **more):

@@ -54,6 +54,7 @@ struct View
   int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
   int FrameNumber = 0;
   GLenum DepthFormat = 0; ///< of the window, so that depth can be copied; 0 if it cannot
+  bool KeepsRadiance = false; ///< values above 1 matter
   bool WantsAntiAliasing = false; ///< the window is multisampled, or the renderer asks for FXAA
 };
 

@@ -189,6 +189,7 @@ void vtkGIPass::Internals::DrawFrame(
   auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   View view = this->MakeView(renderer, memory);
+  view.KeepsRadiance = self->GetKeepRadiance();
   this->Capture.Collect(state);
   this->Lights.Collect(renderer);
 

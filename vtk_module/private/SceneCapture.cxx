@@ -194,11 +194,12 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   // its linear values need more.
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
+  const bool wide = this->Extended || frame.GetView().KeepsRadiance;
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
-    .Write(resource::Ambient, frame.WindowTexture(this->Extended ? GL_RGBA16F : GL_RGBA8))
+    .Write(resource::Ambient, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
     .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
   if (this->Extended)
   {
