@@ -194,7 +194,9 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   // its linear values need more.
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
-  const bool wide = this->Extended || frame.GetView().KeepsRadiance;
+  // Blended fragments are rounded to the window's eight bits, as VTK's are.
+  const bool wide =
+    this->Extended || (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
