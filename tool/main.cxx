@@ -85,9 +85,28 @@ int ReportLeftovers(int status, Console& console)
   return Failure::Failed;
 }
 
+/// An unset variable of a shell, most often: no option and no file has an empty value.
+std::string FindEmptyArgument(int argc, char** argv)
+{
+  for (int i = 1; i < argc; ++i)
+  {
+    if (argv[i][0] == '\0')
+    {
+      return i > 1 ? fmt::format("the argument after '{}' is empty", argv[i - 1])
+                   : "the first argument is empty";
+    }
+  }
+  return "";
+}
+
 int RunCommandLine(int argc, char** argv)
 {
   Console console;
+  if (const std::string empty = FindEmptyArgument(argc, argv); !empty.empty())
+  {
+    console.Error(empty);
+    return Failure::Usage;
+  }
   CLI::App app(
     "Real-time global illumination for VTK data, with or without a GPU or a screen.", "penumbra");
   app.set_version_flag("--version", "penumbra " PENUMBRA_VERSION);

@@ -203,6 +203,6 @@ def make(folder):
         write(writer, picture(heights), folder / name)
     write_gltf(folder)
     write_rasters(folder, values)
-    write_dem(folder, heights)
+    write_dem(folder, np.tile(heights, (1, 5)))  # fewer than 100 columns VTK cannot read
     write_molecule(folder)
     return sorted(path for path in folder.iterdir() if path.is_file())

@@ -4,12 +4,17 @@
 
 #include "../scene/Failure.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <system_error>
 
 namespace penumbra::tool
 {
@@ -24,6 +29,37 @@ std::string Extension(const std::string& path)
   std::transform(
     end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
   return end;
+}
+
+/// What is written of a picture that does not fit the disk is removed again.
+void WriteBytes(const std::string& path, const std::vector<unsigned char>& bytes)
+{
+  std::ofstream file(path, std::ios::binary);
+  file.write(
+    reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file)
+  {
+    const std::string reason = std::generic_category().message(errno);
+    if (std::filesystem::is_regular_file(path))
+    {
+      std::error_code ignored;
+      std::filesystem::remove(path, ignored);
+    }
+    Fail("the output '{}' cannot be written to its end ({}): make room on the disk", path, reason);
+  }
+}
+
+/// ITU-T T.81: a JPEG file ends with the marker EOI. The decoder fills what is missing with gray.
+void RequireCompleteJpeg(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), {});
+  const std::array<char, 2> marker = { '\xff', '\xd9' };
+  if (std::find_end(bytes.begin(), bytes.end(), marker.begin(), marker.end()) == bytes.end())
+  {
+    Fail("the picture '{}' is cut off: copy or download it again", path);
+  }
 }
 }
 
@@ -46,6 +82,10 @@ Picture ReadPicture(const std::string& path)
   {
     Fail("the picture '{}' has a size of {} by {} pixels: it is damaged or too big", path,
       spec.width, spec.height);
+  }
+  if (std::string(file->format_name()) == "jpeg")
+  {
+    RequireCompleteJpeg(path);
   }
   Picture picture(spec.width, spec.height, std::min(spec.nchannels, 4));
   if (!file->read_image(0, 0, 0, picture.Channels, OIIO::TypeDesc::FLOAT, picture.Values.data()))
@@ -90,7 +130,9 @@ bool HoldsRadiance(const std::string& path)
 
 void WritePicture(const std::string& path, const Picture& picture)
 {
-  const auto file = OIIO::ImageOutput::create(path);
+  // Encoded in memory first: some of the encoders do not notice that a disk is full, one never ends.
+  OIIO::Filesystem::IOVecOutput memory;
+  const auto encoder = OIIO::ImageOutput::create(path);
   const OIIO::TypeDesc stored = HoldsRadiance(path) ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(picture.Width, picture.Height, picture.Channels, stored);
   spec.attribute("Software", "Penumbra");
@@ -98,13 +140,14 @@ void WritePicture(const std::string& path, const Picture& picture)
   {
     spec.attribute("compression", "zip");
   }
-  const bool written = file && file->open(path, spec) &&
-    file->write_image(OIIO::TypeDesc::FLOAT, picture.Values.data()) && file->close();
-  if (!written)
+  const bool encoded = encoder && encoder->set_ioproxy(&memory) && encoder->open(path, spec) &&
+    encoder->write_image(OIIO::TypeDesc::FLOAT, picture.Values.data()) && encoder->close();
+  if (!encoded)
   {
-    Fail(
-      "the output '{}' cannot be written ({})", path, file ? file->geterror() : OIIO::geterror());
+    Fail("the output '{}' cannot be encoded ({})", path,
+      encoder ? encoder->geterror() : OIIO::geterror());
   }
+  WriteBytes(path, memory.buffer());
 }
 
 std::size_t RemoveNonFinite(Picture& picture)

@@ -4,10 +4,13 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <fmt/format.h>
 
@@ -79,6 +82,31 @@ bool RefersOutside(vtkCellArray* cells, vtkIdType points)
   }
   return false;
 }
+}
+
+bool HasValidCells(vtkDataObject* data)
+{
+  const auto valid = [](vtkCellArray* cells) { return !cells || cells->IsValid(); };
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    return valid(surface->GetVerts()) && valid(surface->GetLines()) && valid(surface->GetPolys()) &&
+      valid(surface->GetStrips());
+  }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return valid(grid->GetCells());
+  }
+  bool all = true;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto iterator = vtk::TakeSmartPointer(composite->NewIterator());
+    for (iterator->InitTraversal(); all && !iterator->IsDoneWithTraversal();
+         iterator->GoToNextItem())
+    {
+      all = HasValidCells(iterator->GetCurrentDataObject());
+    }
+  }
+  return all;
 }
 
 void DroppedPoints::Report(const std::string& what, Reporter& reporter) const

@@ -5,9 +5,12 @@
 
 #include <zlib.h>
 
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -172,6 +175,38 @@ void RequireCompleteNrrd(const std::string& path)
   if (encoding == "raw" && FileSize(path) - start < needed)
   {
     FailShort(path, start + needed, FileSize(path));
+  }
+}
+
+/// United States Geological Survey 1998, Standards for Digital Elevation Models, part 2: a record of
+/// 1024 bytes says in its columns 859 to 864 how many profiles follow.
+void RequireCompleteDem(const std::string& path)
+{
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+    std::fopen(path.c_str(), "rb"), std::fclose);
+  std::array<char, 1025> header = {};
+  const std::size_t length = file ? std::fread(header.data(), 1, header.size() - 1, file.get()) : 0;
+  if (length < header.size() - 1)
+  {
+    FailShort(path, static_cast<double>(header.size() - 1), static_cast<double>(length));
+  }
+  const int profiles = std::atoi(std::string(header.data() + 858, 6).c_str());
+  for (int profile = 1; profile <= profiles; ++profile)
+  {
+    int row = 0, column = 0, rows = 0, columns = 0;
+    std::array<char, 120> plan = {};
+    bool whole = std::fscanf(file.get(), "%6d%6d%6d%6d", &row, &column, &rows, &columns) == 4 &&
+      std::fread(plan.data(), 1, plan.size(), file.get()) == plan.size();
+    int elevation = 0;
+    for (int i = 0; whole && i < rows; ++i)
+    {
+      whole = std::fscanf(file.get(), "%6d", &elevation) == 1;
+    }
+    if (!whole || row < 1 || column < 1 || column > profiles)
+    {
+      Fail("'{}' is damaged or cut off in profile {} of {}: copy or download it again", path,
+        profile, profiles);
+    }
   }
 }
 }

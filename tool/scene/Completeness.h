@@ -15,6 +15,7 @@ void RequireCompleteStl(const std::string& path);
 void RequireCompletePly(const std::string& path);
 void RequireCompleteMetaImage(const std::string& path);
 void RequireCompleteNrrd(const std::string& path);
+void RequireCompleteDem(const std::string& path);
 void RequireCompleteNetcdf(const std::string& path);
 }
 

@@ -35,20 +35,13 @@ Loaded ReadChecked(const std::string& path, Step& step)
 }
 
 /// As ReadWith, for pictures whose values are elevations.
-template <typename Reader>
-Loaded ReadHeightsWith(const std::string& path, Step& step)
-{
-  Loaded loaded = ReadWith<Reader>(path, step);
-  loaded.Kind = Content::Heights;
-  return loaded;
-}
-
 Loaded ReadObj(const std::string& path, Step& step);
 Loaded ReadGltf(const std::string& path, Step& step);
 Loaded ReadPdb(const std::string& path, Step& step);
 Loaded ReadNifti(const std::string& path, Step& step);
 Loaded ReadNrrd(const std::string& path, Step& step);
 Loaded ReadExodus(const std::string& path, Step& step);
+Loaded ReadDemHeights(const std::string& path, Step& step);
 Loaded ReadNumpyHeights(const std::string& path, Step& step);
 Loaded ReadPictureHeights(const std::string& path, Step& step);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats.h"
 
+#include "CleanGeometry.h"
 #include "Completeness.h"
 #include "ExpatDeferral.h"
 #include "Failure.h"
@@ -9,7 +10,6 @@
 #include "Names.h"
 #include "VtkMessages.h"
 
-#include <vtkDEMReader.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkMetaImageReader.h>
 #include <vtkPLYReader.h>
@@ -80,7 +80,7 @@ const std::vector<Format>& Formats()
     { ".ex2", "Exodus II", ReadExodus, Simulation },
     { ".e", "Exodus II", ReadExodus, Simulation },
     { ".exo", "Exodus II", ReadExodus, Simulation },
-    { ".dem", "USGS elevation", ReadHeightsWith<vtkDEMReader>, Land },
+    { ".dem", "USGS elevation", ReadDemHeights, Land },
     { ".npz", "NumPy archive with an elevation array", ReadNumpyHeights, Land },
     { ".npy", "NumPy elevation array", ReadNumpyHeights, Land },
     { ".png", "elevation picture", ReadPictureHeights, Land },
@@ -170,6 +170,10 @@ Loaded Load(const std::string& path, Reporter& reporter)
     Fail("{} ({})", damaged, error.what());
   }
   ThrowVtkErrors(damaged);
+  if (!HasValidCells(loaded.Data))
+  {
+    Fail("{} (its cells are not where it says)", damaged);
+  }
   loaded.View = format->View;
   if (!loaded.Data && loaded.Actors.empty())
   {

@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Elevations as pictures in the plane: NumPy arrays and image files.
+// Elevations as pictures in the plane: USGS elevation files, NumPy arrays and image files.
+#include "Completeness.h"
 #include "Failure.h"
 #include "FormatReaders.h"
 #include "NumpyFile.h"
 
 #include "../image/Picture.h"
 
+#include <vtkDEMReader.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
 #include <vtkMath.h>
 #include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
 
@@ -88,6 +92,29 @@ Axis FindAxis(const Arrays& arrays, std::initializer_list<const char*> vectors,
   }
   return axis;
 }
+}
+
+Loaded ReadDemHeights(const std::string& path, Step& step)
+{
+  RequireCompleteDem(path);
+  vtkNew<vtkDEMReader> reader;
+  reader->SetFileName(path.c_str());
+  step.Observe(reader);
+  reader->UpdateInformation();
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  // VTK's reader divides by a hundredth of the columns, rounded down.
+  constexpr int fewest = 100;
+  if (const int columns = extent[1] - extent[0] + 1; columns < fewest)
+  {
+    Fail("'{}' is damaged or has too few columns of elevations ({}, and VTK's reader needs {})",
+      path, columns, fewest);
+  }
+  reader->Update();
+  Loaded loaded;
+  loaded.Kind = Content::Heights;
+  loaded.Data = reader->GetOutput();
+  return loaded;
 }
 
 Loaded ReadNumpyHeights(const std::string& path, Step& step)

@@ -72,6 +72,12 @@ std::vector<unsigned short> ReadElements(const std::string& path, vtkPeriodicTab
   {
     if (line.rfind("ATOM", 0) == 0 || line.rfind("HETATM", 0) == 0)
     {
+      constexpr std::size_t endOfCoordinates = 54;
+      if (line.size() < endOfCoordinates)
+      {
+        Fail("'{}' is damaged or cut off: the line of atom {} ends before its coordinates do", path,
+          elements.size() + 1);
+      }
       elements.push_back(ElementOfLine(table, line));
     }
   }

@@ -29,8 +29,8 @@ void ShaderLibrary::SetOverrideFolder(const std::string& folder)
   this->Release();
 }
 
-void ShaderLibrary::Append(
-  const std::string& name, std::set<std::string>& seen, std::string& text) const
+void ShaderLibrary::Append(const std::string& name, const std::string& from,
+  std::set<std::string>& seen, std::string& text) const
 {
   if (!seen.insert(name).second)
   {
@@ -51,8 +51,9 @@ void ShaderLibrary::Append(
     auto found = EmbeddedShaders().find(name);
     if (found == EmbeddedShaders().end())
     {
-      throw std::runtime_error("no shader is named '" + name + "'; check the #include lines" +
-        (this->Folder.empty() ? "." : " and the folder " + this->Folder + "."));
+      throw std::runtime_error("no shader is named '" + name + "'" +
+        (from.empty() ? "" : ", which '" + from + "' includes") +
+        (this->Folder.empty() ? "." : "; check the folder " + this->Folder + "."));
     }
     lines << found->second;
   }
@@ -66,7 +67,7 @@ void ShaderLibrary::Append(
       continue;
     }
     const auto begin = directive + 10;
-    this->Append(line.substr(begin, line.find('"', begin) - begin), seen, text);
+    this->Append(line.substr(begin, line.find('"', begin) - begin), name, seen, text);
   }
 }
 
@@ -74,7 +75,7 @@ std::string ShaderLibrary::Source(const std::string& name, const Defines& define
 {
   std::set<std::string> seen;
   std::string text;
-  this->Append(name, seen, text);
+  this->Append(name, "", seen, text);
   std::string header;
   for (const auto& define : defines)
   {
@@ -151,8 +152,7 @@ GLuint CompileShader(GLenum stage, const std::string& source, std::string& probl
 }
 }
 
-void ShaderLibrary::Check(
-  const std::string& name, GLenum stage, const std::string& text) const
+void ShaderLibrary::Check(const std::string& name, GLenum stage, const std::string& text) const
 {
   std::string problem;
   glDeleteShader(CompileShader(stage, text, problem));

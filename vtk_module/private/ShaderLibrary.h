@@ -69,7 +69,8 @@ public:
   void Release() { this->Programs.clear(); }
 
 private:
-  void Append(const std::string& name, std::set<std::string>& seen, std::string& text) const;
+  void Append(const std::string& name, const std::string& from, std::set<std::string>& seen,
+    std::string& text) const;
   const Program& Build(
     const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages);
 
