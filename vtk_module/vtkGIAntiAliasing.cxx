@@ -4,6 +4,7 @@
 
 #include "private/Frame.h"
 #include "private/ScopedState.h"
+#include "private/StillFrames.h"
 
 vtkStandardNewMacro(vtkGIAntiAliasing);
 
@@ -28,17 +29,6 @@ constexpr int EdgeFilterOrder = 810;
 
 // Below this many averaged frames the edge filter still improves on the average.
 constexpr int FramesToFilter = 8;
-
-// The Halton sequence: evenly spread however many frames there will be.
-double Halton(int index, int base)
-{
-  double result = 0.0;
-  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base)
-  {
-    result += digit * (index % base);
-  }
-  return result;
-}
 
 void DrawFilter(FrameContext& context, const Program& program, const char* resource)
 {
@@ -68,27 +58,13 @@ void Average(FrameContext& context, const char* resource, int maximum)
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
-
-// What VTK draws next is not shifted: give it the depth of the frame that was not shifted either.
-// A window drawn to directly holds it in its depth buffer; another one is presented it later.
-void SteadyDepth(FrameContext& context)
-{
-  const View& view = context.GetView();
-  const Texture* buffer = context.Input(resource::Depth);
-  const Texture* depth =
-    buffer->IsBorrowed() ? buffer : context.Input(resource::WindowDepth);
-  bool fresh = false;
-  Texture& kept = context.History("depth", depth->Desc(), fresh);
-  const bool keep = fresh || view.StillFrames == 0;
-  context.CopyDepth(keep ? depth : &kept, keep ? &kept : depth);
-}
 }
 
 void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
 {
   const View& view = frame.GetView();
   const int mode = this->Mode != Auto ? this->Mode : view.WantsAntiAliasing ? Accumulate : Off;
-  if (mode == Off)
+  if (mode == Off || frame.IsAveraged())
   {
     return;
   }
@@ -96,23 +72,13 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   if (mode == Accumulate)
   {
     const int maximum = this->MaximumFrames;
-    const int index = view.StillFrames < maximum ? view.StillFrames : 0;
-    if (index > 0)
-    {
-      frame.SetJitter({ Halton(index, 2) - 0.5, Halton(index, 3) - 0.5 });
-    }
+    ShiftStillFrame(frame, maximum);
     frame.AddPass("accumulate")
       .Modify(resource::Color, AccumulateOrder)
       .Execute([maximum](FrameContext& context) { Average(context, resource::Color, maximum); });
     frame.AddPass("accumulate-radiance")
       .ModifyIfPresent(resource::Radiance, AccumulateOrder)
       .Execute([maximum](FrameContext& context) { Average(context, resource::Radiance, maximum); });
-    frame.AddPass("steady-depth")
-      .Read(resource::Depth)
-      .Read(resource::WindowDepth)
-      .Read(resource::Color)
-      .SideEffect()
-      .Execute(SteadyDepth);
     filter = view.StillFrames + 1 < FramesToFilter;
   }
   if (filter)

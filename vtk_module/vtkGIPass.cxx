@@ -16,7 +16,8 @@ vtkStandardNewMacro(vtkGIPass);
 
 namespace
 {
-constexpr std::array<const char*, 4> PresetNames = { { "off", "fast", "balanced", "high" } };
+constexpr std::array<const char*, 5> PresetNames = { { "off", "fast", "balanced", "high",
+  "reference" } };
 }
 
 vtkGIPass::vtkGIPass()
@@ -60,7 +61,7 @@ bool vtkGIPass::SetPreset(const char* preset)
   if (known == PresetNames.end())
   {
     vtkErrorMacro(<< "there is no preset '" << (preset ? preset : "")
-                  << "': choose off, fast, balanced or high.");
+                  << "': choose off, fast, balanced, high or reference.");
     return false;
   }
   for (auto& technique : this->Impl->Techniques)
@@ -157,6 +158,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
   }
   std::string problem;
   this->Impl->CapturedProps = 0;
+  this->Impl->DrawnByRays = nullptr;
   if (stages.NeedsStockOpaque())
   {
     stages.RenderOpaque();
@@ -175,6 +177,10 @@ void vtkGIPass::Render(const vtkRenderState* state)
     }
   }
   this->Impl->LastError = problem;
+  if (const auto* rays = problem.empty() ? this->Impl->DrawnByRays : nullptr)
+  {
+    stages.LeaveOutTranslucent([rays](vtkProp* prop) { return rays->Contains(prop); });
+  }
   stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
   this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
 }

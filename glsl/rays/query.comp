@@ -27,10 +27,16 @@ void main()
   answer.User = -1;
 #else
   RayHit hit = traceClosest(ray);
-  answer.Hit = ivec2(hit.instance, hit.primitive);
+  answer.Hit = ivec2(-1);
   answer.Barycentrics = hit.barycentrics;
   answer.Distance = hit.t;
-  answer.User = hit.user;
+  answer.User = -1;
+  if (hit.instance >= 0)
+  {
+    ivec2 instance = rayHitInstance(hit);
+    answer.Hit = ivec2(instance.x, rayHitPrimitive(hit));
+    answer.User = instance.y;
+  }
 #endif
   rayAnswers[index] = answer;
 }

@@ -21,10 +21,9 @@ struct Ray
 
 struct RayHit
 {
-  float t;      // tMax where nothing is hit
-  int instance; // -1 where nothing is hit
-  int primitive;
-  int user;          // the number given with the instance
+  float t;           // tMax where nothing is hit
+  int instance;      // the instance's record, -1 where nothing is hit
+  int primitive;     // the primitive's record
   vec2 barycentrics; // triangle: weights of its second and third vertex
 };
 
@@ -51,14 +50,13 @@ vec3 rayInverse(vec3 direction)
 
 RayHit rayTrace(Ray ray, const bool any)
 {
-  RayHit result = RayHit(ray.tMax, -1, -1, -1, vec2(0.0));
+  RayHit result = RayHit(ray.tMax, -1, -1, vec2(0.0));
   int nearest = floatBitsToInt(max(ray.tMin, 0.0));
   vec3 origin = ray.origin;
   vec3 inverse = rayInverse(ray.direction);
   vec3 direction = ray.direction;
   RayShear sheared = RayShear(0, vec3(0.0));
   int instance = -1;
-  int user = -1;
   bool top = true;
 
   int stack[GI_RAY_STACK];
@@ -137,7 +135,7 @@ RayHit rayTrace(Ray ray, const bool any)
 #endif
       if (closer)
       {
-        result = RayHit(hit.x, instance, floatBitsToInt(a.w), user, hit.yz);
+        result = RayHit(hit.x, instance, first + i, hit.yz);
       }
     }
 
@@ -145,23 +143,21 @@ RayHit rayTrace(Ray ray, const bool any)
     bool leave = current == GI_RAY_LEAVE;
     if (enter)
     {
-      int at = (first + 1) * GI_RAY_INSTANCE_TEXELS;
+      instance = first + 1;
+      int at = instance * GI_RAY_INSTANCE_TEXELS;
       vec4 x = rayInstance(at);
       vec4 y = rayInstance(at + 1);
       vec4 z = rayInstance(at + 2);
-      ivec4 what = floatBitsToInt(rayInstance(at + 3));
       origin = vec3(dot(x.xyz, ray.origin) + x.w, dot(y.xyz, ray.origin) + y.w,
         dot(z.xyz, ray.origin) + z.w);
       direction =
         vec3(dot(x.xyz, ray.direction), dot(y.xyz, ray.direction), dot(z.xyz, ray.direction));
       inverse = rayInverse(direction);
       sheared = rayShear(direction);
-      instance = what.y;
-      user = what.z;
       top = false;
       stack[size] = GI_RAY_LEAVE;
       ++size;
-      current = what.x;
+      current = floatBitsToInt(rayInstance(at + 3).x);
     }
     else if (current != GI_RAY_DONE)
     {
@@ -191,4 +187,14 @@ RayHit traceClosest(Ray ray)
 bool traceAny(Ray ray)
 {
   return rayTrace(ray, true).instance >= 0;
+}
+
+// What was hit, by the caller's numbers: x the instance, y the number given with it.
+ivec2 rayHitInstance(RayHit hit)
+{
+  return floatBitsToInt(rayInstance(hit.instance * GI_RAY_INSTANCE_TEXELS + 3).yz);
+}
+int rayHitPrimitive(RayHit hit)
+{
+  return floatBitsToInt(rayPrimitive(hit.primitive * GI_RAY_PRIMITIVE_TEXELS).w);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A light as VTK means it, in view coordinates. Compiled as C++ and as GLSL.
+// A light as VTK means it, in view coordinates (for rays: relative to their scene's origin). Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -23,7 +23,7 @@ struct LightData
   vec4 Direction;   // xyz: the way the light travels; w: exponent of the cone's falloff
   vec4 Position;    // xyz: of a positional light
   vec4 Attenuation; // xyz: constant, linear, quadratic
-  ivec4 Kind;       // x: kind; y: layer of the visibility mask or -1
+  ivec4 Kind;       // x: kind; y: layer of the visibility mask or -1; z: 1 if it shines from the eye
 };
 
 #ifdef __cplusplus

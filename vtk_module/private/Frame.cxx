@@ -2,10 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/Frame.h"
 
+#include "private/rays/RayProps.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace penumbra
 {
+RayProps& FrameBuilder::Rays()
+{
+  if (!this->WorldReady)
+  {
+    this->World.Update(this->Renderer);
+    this->WorldReady = true;
+  }
+  return this->World;
+}
+
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)
 {
   View& view = this->CurrentView;

@@ -21,6 +21,7 @@ class vtkOpenGLState;
 
 namespace penumbra
 {
+class RayProps;
 class SceneCapture;
 
 /// Names of the resources that passes share. A technique meets the others only through these.
@@ -100,17 +101,22 @@ private:
 class FrameBuilder
 {
 public:
-  FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene)
+  FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene,
+    RayProps& rays, vtkOpenGLRenderer* renderer)
     : Graph(graph)
     , CurrentView(view)
     , CurrentLights(lights)
     , Scene(scene)
+    , World(rays)
+    , Renderer(renderer)
   {
   }
   PassDeclaration& AddPass(const std::string& name) { return this->Graph.AddPass(name); }
   const View& GetView() const { return this->CurrentView; }
   LightTable& Lights() { return this->CurrentLights; }
   SceneCapture& Capture() { return this->Scene; }
+  /// The scene for rays, brought up to date when first asked for in a frame.
+  RayProps& Rays();
 
   /// The shape of a texture of the window's size.
   TextureDesc WindowTexture(GLenum format, int layers = 0) const
@@ -120,6 +126,14 @@ public:
 
   /// Shift this frame's picture by a part of a pixel.
   void SetJitter(const glm::dvec2& pixels);
+
+  /// A technique averages still frames itself: what it shows needs no further averaging.
+  void SetAveraged() { this->Averaged = true; }
+  bool IsAveraged() const { return this->Averaged; }
+
+  /// Rays draw all that they see, translucent props too: VTK is not to draw those over them.
+  void SetDrawnByRays() { this->DrawnByRays = true; }
+  bool IsDrawnByRays() const { return this->DrawnByRays; }
 
   /// Take a share of the lights' strength and spread it evenly over all directions.
   void SpreadLight(double share) { this->Share = share; }
@@ -134,6 +148,11 @@ private:
   View& CurrentView;
   LightTable& CurrentLights;
   SceneCapture& Scene;
+  RayProps& World;
+  vtkOpenGLRenderer* Renderer;
+  bool WorldReady = false;
+  bool Averaged = false;
+  bool DrawnByRays = false;
   double Share = 0.0;
   std::vector<std::string> Notes;
 };

@@ -72,23 +72,45 @@ glm::dvec3 LightTable::TotalColor() const
   return total;
 }
 
+shared::LightData LightTable::Entry(const Light& light, double scale) const
+{
+  shared::LightData entry;
+  const double cone = light.IsCone() ? std::cos(glm::radians(light.ConeAngle)) : -2.0;
+  entry.Color = glm::vec4(light.Color * scale, cone);
+  entry.Direction = glm::vec4(light.Direction, light.Exponent);
+  entry.Position = glm::vec4(light.Position, 0.0);
+  entry.Attenuation = glm::vec4(light.Attenuation, 0.0);
+  entry.Kind = glm::ivec4(this->SingleHeadlight ? GI_LIGHT_HEADLIGHT
+      : light.Positional                        ? GI_LIGHT_POSITIONAL
+                                                : GI_LIGHT_DIRECTIONAL,
+    light.MaskChannel, light.Headlight ? 1 : 0, 0);
+  return entry;
+}
+
 void LightTable::Bind(GLuint index, double scale)
 {
   std::vector<shared::LightData> data;
   for (const auto& light : this->All)
   {
-    shared::LightData entry;
-    const bool cone = light.IsCone();
-    entry.Color = glm::vec4(light.Color * scale, cone ? std::cos(glm::radians(light.ConeAngle)) : -2.0);
-    entry.Direction = glm::vec4(light.Direction, light.Exponent);
-    entry.Position = glm::vec4(light.Position, 0.0);
-    entry.Attenuation = glm::vec4(light.Attenuation, 0.0);
-    entry.Kind = glm::ivec4(this->SingleHeadlight ? GI_LIGHT_HEADLIGHT
-        : light.Positional                        ? GI_LIGHT_POSITIONAL
-                                                  : GI_LIGHT_DIRECTIONAL,
-      light.MaskChannel, 0, 0);
-    data.push_back(entry);
+    data.push_back(this->Entry(light, scale));
   }
+  this->Upload(index, std::move(data));
+}
+
+void LightTable::BindWorld(GLuint index, const glm::dvec3& origin)
+{
+  std::vector<shared::LightData> data;
+  for (const auto& light : this->All)
+  {
+    data.push_back(this->Entry(light, 1.0));
+    data.back().Direction = glm::vec4(light.WorldDirection, light.Exponent);
+    data.back().Position = glm::vec4(light.WorldPosition - origin, 0.0);
+  }
+  this->Upload(index, std::move(data));
+}
+
+void LightTable::Upload(GLuint index, std::vector<shared::LightData> data)
+{
   if (data.empty())
   {
     data.emplace_back(); // an empty buffer may not be bound

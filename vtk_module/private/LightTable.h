@@ -53,10 +53,15 @@ public:
 
   /// Upload, with every light's strength scaled.
   void Bind(GLuint index, double scale);
+  /// Upload with places and directions in the world, relative to an origin.
+  void BindWorld(GLuint index, const glm::dvec3& origin);
 
   void ReleaseGraphicsResources() { this->Storage = Buffer(); }
 
 private:
+  shared::LightData Entry(const Light& light, double scale) const;
+  void Upload(GLuint index, std::vector<shared::LightData> data);
+
   std::vector<Light> All;
   bool SingleHeadlight = false;
   bool Positional = false;

@@ -158,6 +158,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       continue;
     }
     this->Pool.ForgetView(it->second.Name);
+    this->Worlds.erase(it->first.first);
     it = this->Views.erase(it);
   }
   return problem;
@@ -195,7 +196,8 @@ void vtkGIPass::Internals::DrawFrame(
 
   const View unshifted = view;
   FrameGraph graph;
-  FrameBuilder builder(graph, view, this->Lights, this->Capture);
+  RayProps& rays = this->Worlds[renderer];
+  FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, renderer);
   for (auto& technique : this->Techniques)
   {
     if (technique->GetEnabled())
@@ -203,6 +205,7 @@ void vtkGIPass::Internals::DrawFrame(
       technique->Contribute(builder);
     }
   }
+  this->DrawnByRays = builder.IsDrawnByRays() ? &rays : nullptr;
   this->Notes.clear();
   for (const auto& note : builder.GetNotes())
   {
@@ -307,5 +310,7 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   this->Lights.ReleaseGraphicsResources();
   this->Capture.Materials().ReleaseGraphicsResources();
   this->Views.clear();
+  this->DrawnByRays = nullptr;
+  this->Worlds.clear();
   this->Window = nullptr;
 }

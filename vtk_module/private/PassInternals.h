@@ -12,6 +12,7 @@
 #include "private/SceneCapture.h"
 #include "private/SceneSignature.h"
 #include "private/TechniqueRegistry.h"
+#include "private/rays/RayProps.h"
 
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkWeakPointer.h"
@@ -48,6 +49,7 @@ public:
   std::string Notes;
   std::string Statistics = "{}";
   int CapturedProps = 0;
+  const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
 
 private:
   std::string CheckContext(vtkOpenGLRenderWindow* window);
@@ -63,6 +65,7 @@ private:
   penumbra::SceneCapture Capture{ Shaders };
   penumbra::LightTable Lights;
   std::map<std::pair<vtkRenderer*, int>, Memory> Views;
+  std::map<vtkRenderer*, penumbra::RayProps> Worlds; ///< of renderers in Views
   int ViewsMade = 0;
   bool ShadersUnchecked = false; ///< the last folder's did not compile
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

@@ -28,6 +28,13 @@ struct PropCount : public vtkRenderer
 {
   static int& Of(vtkRenderer* renderer) { return renderer->*(&PropCount::NumberOfPropsRendered); }
 };
+
+// The renderer's translucent stage takes no list of props but its own.
+struct PropList : public vtkRenderer
+{
+  static vtkProp**& Items(vtkRenderer* renderer) { return renderer->*(&PropList::PropArray); }
+  static int& Count(vtkRenderer* renderer) { return renderer->*(&PropList::PropArrayCount); }
+};
 }
 
 StockStages::StockStages(const vtkRenderState* state)
@@ -88,16 +95,34 @@ void StockStages::RenderOpaque()
   this->Renderer->DeviceRenderOpaqueGeometry();
 }
 
+void StockStages::RenderTranslucent(std::vector<vtkProp*> props)
+{
+  vtkProp**& items = PropList::Items(this->Renderer);
+  int& count = PropList::Count(this->Renderer);
+  vtkProp** const allItems = items;
+  const int all = count;
+  items = props.data();
+  count = static_cast<int>(props.size());
+  this->Renderer->DeviceRenderTranslucentPolygonalGeometry();
+  items = allItems;
+  count = all;
+}
+
 void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
 {
   PropCount::Of(this->Renderer) = opaque + this->Rendered;
   vtkProp** props = this->State->GetPropArray();
   const int count = this->State->GetPropArrayCount();
-  const bool translucent = std::any_of(
-    props, props + count, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+  std::vector<vtkProp*> layers(props, props + count);
+  if (this->LeftOut)
+  {
+    layers.erase(std::remove_if(layers.begin(), layers.end(), this->LeftOut), layers.end());
+  }
+  const bool translucent = std::any_of(layers.begin(), layers.end(),
+    [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
   if (translucent)
   {
-    this->Renderer->DeviceRenderTranslucentPolygonalGeometry();
+    this->RenderTranslucent(layers);
   }
   if (this->Renderer->GetRenderWindow()->GetAbortRender())
   {

@@ -6,8 +6,12 @@
  */
 #pragma once
 
+#include <functional>
+#include <vector>
+
 class vtkOpenGLFXAAFilter;
 class vtkOpenGLRenderer;
+class vtkProp;
 class vtkRenderState;
 
 namespace penumbra
@@ -30,6 +34,9 @@ public:
   /// All opaque props as VTK draws them.
   void RenderOpaque();
 
+  /// Do not draw these among the translucent props.
+  void LeaveOutTranslucent(std::function<bool(vtkProp*)> which) { this->LeftOut = std::move(which); }
+
   /// Everything that follows the opaque props. opaque: how many of those were drawn elsewhere.
   /// fxaa filters the picture where the renderer asks for it.
   void RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa);
@@ -39,6 +46,8 @@ public:
 private:
   const vtkRenderState* State;
   vtkOpenGLRenderer* Renderer;
+  void RenderTranslucent(std::vector<vtkProp*> props);
+  std::function<bool(vtkProp*)> LeftOut;
   int Rendered = 0;
 };
 }

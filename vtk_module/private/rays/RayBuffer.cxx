@@ -141,6 +141,15 @@ void RayBuffer::BindImage(GLuint unit) const
   glBindImageTexture(unit, this->View.Get(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
 }
 
+void RayBuffer::BindTexture(GLuint unit) const
+{
+  GLint active = 0; // VTK remembers it
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_BUFFER, this->View.Get());
+  glActiveTexture(static_cast<GLenum>(active));
+}
+
 void RayBuffer::Release()
 {
   this->Gaps.clear();

@@ -31,6 +31,8 @@ public:
 
   void Write(std::size_t first, const void* records, std::size_t count);
   void BindImage(GLuint unit) const;
+  /// To be read by a usamplerBuffer.
+  void BindTexture(GLuint unit) const;
 
   std::size_t Used() const { return this->Taken; }
   std::size_t RecordBytes() const { return 16 * static_cast<std::size_t>(this->RecordTexels); }

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a surface reflects: the same formulas as direct_light/resolve.frag, with the densities by
+// which directions are sampled. Needs rays/surface.glsl, lib/pbr.glsl, lib/phong.glsl,
+// lib/sampling.glsl.
+struct GiReflector
+{
+  vec3 N;
+  vec3 V;
+  vec3 albedo;
+  vec3 specular; // Phong
+  float power;   // Phong
+  bool pbr;
+  float metallic;
+  float roughness;
+  vec3 f0;
+  vec3 f90;
+  float gloss; // chance to sample the highlight
+};
+
+GiReflector giReflector(RaySurface surface, vec4 color, vec3 N, vec3 V)
+{
+  GiReflector r;
+  r.N = N;
+  r.V = V;
+  r.albedo = color.rgb;
+  r.pbr = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PBR;
+  r.specular = r.pbr ? vec3(0.0) : surface.Specular.rgb;
+  r.power = r.pbr ? 1.0 : surface.Specular.w;
+  r.metallic = surface.Factors.x;
+  r.roughness = surface.Factors.y;
+  r.f0 = mix(vec3(surface.Specular.w), color.rgb, r.metallic);
+  r.f90 = mix(vec3(clamp(dot(r.f0, vec3(50.0 * 0.33)), 0.0, 1.0)), surface.Specular.rgb, r.metallic);
+  float matte = dot(r.albedo, vec3(1.0)) * (r.pbr ? 1.0 - r.metallic : 1.0);
+  vec3 fresnel = giFresnelSchlick(r.f0, r.f90, clamp(dot(N, V), 0.0, 1.0));
+  float shiny = r.pbr ? dot(fresnel, vec3(1.0)) : 2.0 * dot(r.specular, vec3(1.0)) / (r.power + 1.0);
+  r.gloss = shiny > 0.0 ? clamp(shiny / (matte + shiny), matte > 0.0 ? 0.1 : 1.0, 1.0) : 0.0;
+  return r;
+}
+
+// Radiance toward V for unit radiance from a unit solid angle about L, the cosine included.
+vec3 giReflect(GiReflector r, vec3 L)
+{
+  float facing = dot(r.N, L);
+  if (facing <= 0.0)
+  {
+    return vec3(0.0);
+  }
+  if (r.pbr)
+  {
+    return giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, r.roughness, r.f0, r.f90);
+  }
+  return (r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
+}
+
+vec3 giSampleReflection(GiReflector r, float lobe, vec2 u)
+{
+  if (lobe >= r.gloss)
+  {
+    return giBasis(r.N) * giSampleCosine(u);
+  }
+  if (r.pbr)
+  {
+    vec3 H = giBasis(r.N) * giSampleGGX(u, r.roughness * r.roughness);
+    return reflect(-r.V, H);
+  }
+  return giBasis(reflect(-r.V, r.N)) * giSamplePower(u, r.power);
+}
+
+// Per solid angle, of what giSampleReflection returns.
+float giReflectionDensity(GiReflector r, vec3 L)
+{
+  float matte = max(dot(r.N, L), 0.0) / GI_PI;
+  float shiny = 0.0;
+  if (r.pbr)
+  {
+    vec3 H = normalize(r.V + L);
+    float NdH = max(dot(r.N, H), 0.0);
+    shiny = giDistributionGGX(NdH, r.roughness) * NdH / max(4.0 * abs(dot(r.V, H)), 1e-6);
+  }
+  else if (r.gloss > 0.0)
+  {
+    shiny = (r.power + 1.0) / (2.0 * GI_PI) *
+      pow(max(dot(reflect(-r.V, r.N), L), 0.0), r.power);
+  }
+  return mix(matte, shiny, r.gloss);
+}

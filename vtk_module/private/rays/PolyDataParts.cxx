@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/rays/PolyDataParts.h"
+
+#include "private/rays/Parallel.h"
+#include "private/rays/SurfaceMaterial.h"
+
+#include "vtkActor.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkLookupTable.h"
+#include "vtkMapper.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace penumbra
+{
+namespace
+{
+/// Calls add(a, b, c, cell) for each triangle, cells counted as cell data is.
+template <typename Add>
+void ForEachTriangle(vtkPolyData* data, const Add& add)
+{
+  vtkIdType cell = data->GetNumberOfVerts() + data->GetNumberOfLines();
+  const vtkIdType points = data->GetNumberOfPoints();
+  const auto inside = [points](vtkIdType id) { return id >= 0 && id < points; };
+  for (const bool strips : { false, true })
+  {
+    vtkCellArray* cells = strips ? data->GetStrips() : data->GetPolys();
+    auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
+    for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      iterator->GetCurrentCell(size, ids);
+      for (vtkIdType i = 1; i + 1 < size; ++i)
+      {
+        // Every other triangle of a strip runs the other way round.
+        const vtkIdType a = strips ? ids[i - 1] : ids[0];
+        const vtkIdType b = strips && i % 2 == 0 ? ids[i + 1] : ids[i];
+        const vtkIdType c = strips && i % 2 == 0 ? ids[i] : ids[i + 1];
+        if (inside(a) && inside(b) && inside(c))
+        {
+          add(a, b, c, cell);
+        }
+      }
+      ++cell;
+    }
+  }
+}
+
+std::uint32_t PackNormal(glm::vec3 n)
+{
+  const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+  glm::vec2 p = sum > 0.0f ? glm::vec2(n) / sum : glm::vec2(0.0f);
+  if (n.z < 0.0f)
+  {
+    const glm::vec2 side(p.x >= 0.0f ? 1.0f : -1.0f, p.y >= 0.0f ? 1.0f : -1.0f);
+    p = (1.0f - glm::abs(glm::vec2(p.y, p.x))) * side;
+  }
+  return glm::packUnorm2x16(p * 0.5f + 0.5f);
+}
+
+std::uint32_t PackColor(vtkUnsignedCharArray* colors, vtkIdType i)
+{
+  unsigned char rgba[4] = { 255, 255, 255, 255 };
+  for (int c = 0; c < std::min(4, colors->GetNumberOfComponents()); ++c)
+  {
+    rgba[c] = colors->GetValue(i * colors->GetNumberOfComponents() + c);
+  }
+  return rgba[0] | rgba[1] << 8 | rgba[2] << 16 | static_cast<std::uint32_t>(rgba[3]) << 24;
+}
+
+/// The mapper's colours, and whether they belong to points (0), cells (1) or the whole (2).
+vtkUnsignedCharArray* MapColors(vtkMapper* mapper, vtkPolyData* data, int& association)
+{
+  association = 0;
+  if (!mapper->GetScalarVisibility())
+  {
+    return nullptr;
+  }
+  // Colours looked up per pixel, by a texture, come from the same table at the points.
+  const bool perPixel = mapper->GetInterpolateScalarsBeforeMapping() != 0;
+  if (!perPixel)
+  {
+    return mapper->MapScalars(data, 1.0, association);
+  }
+  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
+  return scalars ? mapper->MapScalars(data, 1.0, association) : nullptr;
+}
+
+bool IsPartly(vtkUnsignedCharArray* colors)
+{
+  const int components = colors->GetNumberOfComponents();
+  if (components != 2 && components != 4)
+  {
+    return false;
+  }
+  for (vtkIdType i = components - 1; i < colors->GetNumberOfValues(); i += components)
+  {
+    if (colors->GetValue(i) < 255)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+RayAttributes MakeAttributes(vtkPolyData* data, vtkUnsignedCharArray* colors, int association)
+{
+  RayAttributes attributes;
+  ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
+    shared::RayAttribute entry;
+    entry.Points[0] = static_cast<std::uint32_t>(a);
+    entry.Points[1] = static_cast<std::uint32_t>(b);
+    entry.Points[2] = static_cast<std::uint32_t>(c);
+    const vtkIdType index = association == 1 ? cell : 0;
+    const bool colored = colors && association != 0 && index < colors->GetNumberOfTuples();
+    entry.Color = colored ? PackColor(colors, index) : 0xffffffffu;
+    attributes.Primitives.push_back(entry);
+  });
+  vtkDataArray* normals = data->GetPointData()->GetNormals();
+  vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
+  const bool byPoint = colors && association == 0;
+  const vtkIdType count = data->GetNumberOfPoints();
+  attributes.Points.resize(static_cast<std::size_t>(count));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    shared::RayPoint& point = attributes.Points[static_cast<std::size_t>(i)];
+    double n[3] = { 0.0, 0.0, 1.0 };
+    if (normals)
+    {
+      normals->GetTuple(i, n);
+    }
+    point.Normal = PackNormal(glm::vec3(n[0], n[1], n[2]));
+    point.Color =
+      byPoint && i < colors->GetNumberOfTuples() ? PackColor(colors, i) : 0xffffffffu;
+    point.TextureU = coordinates ? static_cast<float>(coordinates->GetComponent(i, 0)) : 0.0f;
+    point.TextureV = coordinates && coordinates->GetNumberOfComponents() > 1
+      ? static_cast<float>(coordinates->GetComponent(i, 1))
+      : 0.0f;
+  }
+  return attributes;
+}
+
+std::uint64_t Key(const void* a, const void* b = nullptr)
+{
+  const auto x = reinterpret_cast<std::uintptr_t>(a);
+  const auto y = reinterpret_cast<std::uintptr_t>(b);
+  return x ^ (static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15ull);
+}
+}
+
+RayGeometry PolyDataGeometry(vtkPolyData* data)
+{
+  RayGeometry geometry;
+  std::vector<glm::dvec3> points(static_cast<std::size_t>(data->GetNumberOfPoints()));
+  vtkDataArray* coordinates = data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    coordinates->GetTuple(static_cast<vtkIdType>(i), &points[i][0]);
+  }
+  geometry.SetPoints(points);
+  ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+    geometry.Triangles.emplace_back(a, b, c);
+  });
+  return geometry;
+}
+
+RayPart PolyDataPart(vtkActor* actor, vtkMapper* mapper, vtkPolyData* data, const glm::dmat4& toWorld)
+{
+  RayPart part;
+  part.Prop = actor;
+  part.ToWorld = toWorld;
+  part.MeshKey = Key(data);
+  part.CellTime = std::max(data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime());
+  part.PointTime = data->GetPoints() ? data->GetPoints()->GetMTime() : 0;
+  part.MakeGeometry = [data] { return PolyDataGeometry(data); };
+
+  int association = 0;
+  vtkUnsignedCharArray* colors = MapColors(mapper, data, association);
+  part.AttributeKey = Key(data, mapper);
+  part.AttributeTime = std::max({ data->GetMTime(), mapper->GetMTime(),
+    colors ? colors->GetMTime() : 0, part.CellTime });
+  part.MakeAttributes = [=] { return MakeAttributes(data, colors, association); };
+
+  vtkProperty* property = actor->GetProperty();
+  int extra = 0;
+  const bool flat = property->GetInterpolation() == VTK_FLAT;
+  extra |= !flat && data->GetPointData()->GetNormals() ? GI_SURFACE_SMOOTH : 0;
+  extra |= colors ? (association == 0 ? GI_SURFACE_POINT_COLORS : GI_SURFACE_CELL_COLORS) : 0;
+  extra |= colors && IsPartly(colors) ? GI_SURFACE_PARTLY : 0;
+  part.Surface = MakeRaySurface(property);
+  part.Surface.Where.z |= extra;
+  if (vtkProperty* back = actor->GetBackfaceProperty())
+  {
+    part.HasBack = true;
+    part.Back = MakeRaySurface(back);
+    part.Back.Where.z |= extra;
+  }
+  return part;
+}
+}

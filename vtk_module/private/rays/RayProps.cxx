@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/rays/RayProps.h"
+
+#include "private/Matrices.h"
+
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace penumbra
+{
+namespace
+{
+constexpr std::size_t MostEmitters = 4000000; // beyond, light finds them only by chance
+
+double Luminance(const glm::vec3& color)
+{
+  return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+}
+
+/// What a part emits, roughly: how often its points are picked hangs on it, not what they emit.
+double Strength(const shared::RaySurface& surface)
+{
+  const int flags = surface.Where.z;
+  const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0;
+  const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  const bool never =
+    (flags & GI_SURFACE_PARTLY) != 0 || (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
+  return never ? 0.0 : (colored && phong ? 0.5 * surface.Factors.y : Luminance(surface.Emission));
+}
+}
+
+void RayProps::Update(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> left;
+  const std::vector<RayPart> parts = GatherRayParts(renderer, left);
+  this->Left = left.size();
+  this->Seen.clear();
+  for (const RayPart& part : parts)
+  {
+    this->Seen.insert(part.Prop);
+  }
+  for (vtkProp* prop : left)
+  {
+    this->Seen.erase(prop);
+  }
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  glm::dvec3 center = this->Scene.Origin();
+  if (bounds[0] <= bounds[1])
+  {
+    center = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+      0.5 * (bounds[4] + bounds[5]) };
+  }
+  bool changed = center != this->Scene.Origin();
+  this->Scene.SetOrigin(center);
+  changed |= this->UpdateMeshes(parts);
+  this->UpdateAttributes(parts);
+
+  std::vector<shared::RaySurface> surfaces;
+  std::vector<std::int32_t> indices;
+  this->Partly = false;
+  for (const RayPart& part : parts)
+  {
+    const Block& block = this->Blocks[part.AttributeKey];
+    indices.push_back(static_cast<std::int32_t>(surfaces.size()));
+    surfaces.push_back(part.Surface);
+    if (part.HasBack)
+    {
+      surfaces.back().Where.w = indices.back() + 1;
+      surfaces.push_back(part.Back);
+    }
+    for (std::size_t i = static_cast<std::size_t>(indices.back()); i < surfaces.size(); ++i)
+    {
+      surfaces[i].Where.x = static_cast<int>(block.FirstPrimitive);
+      surfaces[i].Where.y = static_cast<int>(block.FirstPoint);
+      this->Partly |= (surfaces[i].Where.z & GI_SURFACE_PARTLY) != 0;
+    }
+  }
+  changed |= this->Places.size() != parts.size();
+  for (std::size_t i = 0; i < parts.size() && !changed; ++i)
+  {
+    const Place& place = this->Places[i];
+    changed = place.Mesh != parts[i].MeshKey || place.ToWorld != parts[i].ToWorld;
+  }
+  this->UpdatePlaces(parts, indices);
+  this->UpdateEmitters(parts, surfaces, indices, changed);
+  if (surfaces.empty())
+  {
+    surfaces.emplace_back(); // an empty buffer may not be bound
+  }
+  const bool same = surfaces.size() == this->Surfaces.size() &&
+    std::memcmp(surfaces.data(), this->Surfaces.data(), surfaces.size() * sizeof(surfaces[0])) == 0;
+  if (!same)
+  {
+    this->Surfaces = surfaces;
+    this->SurfaceStorage.Upload(
+      GL_SHADER_STORAGE_BUFFER, surfaces.data(), surfaces.size() * sizeof(surfaces[0]));
+  }
+  this->Scene.Update();
+}
+
+bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
+{
+  bool changed = false;
+  for (auto& shape : this->Shapes)
+  {
+    shape.second.Used = false;
+  }
+  for (const RayPart& part : parts)
+  {
+    const auto found = this->Shapes.find(part.MeshKey);
+    const bool known = found != this->Shapes.end();
+    Shape& shape = known ? found->second : this->Shapes[part.MeshKey];
+    const bool moved = known && shape.CellTime == part.CellTime && shape.PointTime != part.PointTime;
+    if (!known || shape.CellTime != part.CellTime || moved)
+    {
+      const RayGeometry geometry = part.MakeGeometry();
+      moved ? this->Scene.RefitMesh(part.MeshKey, geometry)
+            : this->Scene.SetMesh(part.MeshKey, geometry);
+      shape.Size = geometry.Size();
+      shape.CellTime = part.CellTime;
+      shape.PointTime = part.PointTime;
+      changed = true;
+    }
+    shape.Used = true;
+  }
+  this->Primitives = 0;
+  for (auto it = this->Shapes.begin(); it != this->Shapes.end();)
+  {
+    this->Primitives += it->second.Used ? it->second.Size : 0;
+    if (it->second.Used)
+    {
+      ++it;
+      continue;
+    }
+    this->Scene.RemoveMesh(it->first);
+    it = this->Shapes.erase(it);
+    changed = true;
+  }
+  return changed;
+}
+
+void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
+{
+  for (auto& block : this->Blocks)
+  {
+    block.second.Used = false;
+  }
+  for (const RayPart& part : parts)
+  {
+    Block& block = this->Blocks[part.AttributeKey];
+    if (block.Time != part.AttributeTime)
+    {
+      const RayAttributes attributes = part.MakeAttributes();
+      if (block.PrimitiveCount != attributes.Primitives.size() ||
+        block.PointCount != attributes.Points.size())
+      {
+        this->Attributes.Free(block.FirstPrimitive, block.PrimitiveCount);
+        this->Points.Free(block.FirstPoint, block.PointCount);
+        block.PrimitiveCount = attributes.Primitives.size();
+        block.PointCount = attributes.Points.size();
+        block.FirstPrimitive =
+          block.PrimitiveCount ? this->Attributes.Allocate(block.PrimitiveCount) : 0;
+        block.FirstPoint = block.PointCount ? this->Points.Allocate(block.PointCount) : 0;
+      }
+      this->Attributes.Write(
+        block.FirstPrimitive, attributes.Primitives.data(), block.PrimitiveCount);
+      this->Points.Write(block.FirstPoint, attributes.Points.data(), block.PointCount);
+      block.Time = part.AttributeTime;
+    }
+    block.Used = true;
+  }
+  for (auto it = this->Blocks.begin(); it != this->Blocks.end();)
+  {
+    if (it->second.Used)
+    {
+      ++it;
+      continue;
+    }
+    this->Attributes.Free(it->second.FirstPrimitive, it->second.PrimitiveCount);
+    this->Points.Free(it->second.FirstPoint, it->second.PointCount);
+    it = this->Blocks.erase(it);
+  }
+}
+
+void RayProps::UpdatePlaces(
+  const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces)
+{
+  for (std::size_t i = parts.size(); i < this->Places.size(); ++i)
+  {
+    this->Scene.RemoveInstance(i);
+  }
+  this->Places.resize(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    Place& place = this->Places[i];
+    const bool same = place.Mesh == parts[i].MeshKey && place.ToWorld == parts[i].ToWorld &&
+      place.Surface == surfaces[i];
+    if (!same)
+    {
+      place = { parts[i].MeshKey, parts[i].ToWorld, surfaces[i] };
+      this->Scene.SetInstance(i, place.Mesh, place.ToWorld, place.Surface);
+    }
+  }
+}
+
+void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
+  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices, bool changed)
+{
+  std::vector<std::size_t> shining;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const shared::RaySurface& surface = surfaces[indices[i]];
+    // The back of a two-coloured surface would need a density of its own.
+    if (Strength(surface) > 0.0 && !parts[i].HasBack)
+    {
+      shining.push_back(i);
+    }
+  }
+  (void)changed;
+  std::vector<shared::RayEmitter> table;
+  std::vector<double> weights;
+  double total = 0.0;
+  for (const std::size_t i : shining)
+  {
+    const RayGeometry geometry = parts[i].MakeGeometry();
+    if (table.size() + geometry.Triangles.size() > MostEmitters)
+    {
+      continue;
+    }
+    glm::dmat4 toScene = parts[i].ToWorld;
+    toScene[3] = toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(this->Scene.Origin(), 0.0);
+    const double strength = Strength(surfaces[indices[i]]);
+    for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
+    {
+      glm::dvec3 corner[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        corner[c] =
+          glm::dvec3(toScene * glm::dvec4(geometry.Points[geometry.Triangles[t][c]], 1.0));
+      }
+      const double area =
+        0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+      if (area > 0.0 && std::isfinite(area))
+      {
+        total += strength * area;
+        weights.push_back(total);
+        table.push_back({ glm::vec4(corner[0], 0.0f),
+          glm::vec4(corner[1], glm::intBitsToFloat(indices[i])),
+          glm::vec4(corner[2], glm::intBitsToFloat(static_cast<int>(t))) });
+      }
+    }
+    surfaces[indices[i]].Emission.w = -1.0f; // in the table
+  }
+  for (shared::RaySurface& surface : surfaces)
+  {
+    surface.Emission.w =
+      surface.Emission.w < 0.0f ? static_cast<float>(Strength(surface) / total) : 0.0f;
+  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    table[i].A.w = static_cast<float>(weights[i] / total);
+  }
+  this->Emitters = table.size();
+  if (table.empty())
+  {
+    table.emplace_back();
+  }
+  this->EmitterStorage.Upload(
+    GL_SHADER_STORAGE_BUFFER, table.data(), table.size() * sizeof(table[0]));
+}
+
+void RayProps::Bind() const
+{
+  this->Scene.Bind();
+  this->Attributes.BindTexture(GI_RAY_ATTRIBUTE_UNIT);
+  this->Points.BindTexture(GI_RAY_POINT_UNIT);
+  this->SurfaceStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_SURFACE_BINDING);
+  this->EmitterStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_EMITTER_BINDING);
+}
+
+Defines RayProps::ShaderDefines() const
+{
+  Defines defines = this->Scene.ShaderDefines();
+  if (this->Partly)
+  {
+    defines["GI_RAY_PARTLY"] = "1";
+  }
+  return defines;
+}
+
+void RayProps::ReleaseGraphicsResources()
+{
+  this->Scene.ReleaseGraphicsResources();
+  this->Scene.Clear();
+  this->Attributes.Release();
+  this->Points.Release();
+  this->SurfaceStorage = Buffer();
+  this->EmitterStorage = Buffer();
+  this->Shapes.clear();
+  this->Blocks.clear();
+  this->Places.clear();
+  this->Surfaces.clear();
+}
+}

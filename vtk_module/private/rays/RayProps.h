@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a renderer shows, ready for rays: its parts in a RayScene, and the materials, attributes and
+ * emitters that a shader looks up where a ray ends (rays/surface.glsl).
+ */
+#pragma once
+
+#include "private/GLObjects.h"
+#include "private/rays/RayPart.h"
+#include "private/rays/RayScene.h"
+
+#include <set>
+
+namespace penumbra
+{
+class RayProps
+{
+public:
+  /// Bring everything up to date with the renderer's visible props; costs what changed. Throws
+  /// std::runtime_error where the scene does not fit into memory. The context must be current.
+  void Update(vtkRenderer* renderer);
+
+  /// Bind for shaders that include rays/surface.glsl.
+  void Bind() const;
+  Defines ShaderDefines() const;
+
+  const glm::dvec3& Origin() const { return this->Scene.Origin(); }
+  std::size_t EmitterCount() const { return this->Emitters; }
+  bool Contains(vtkProp* prop) const { return this->Seen.count(prop) > 0; }
+  /// Visible props with surfaces that rays do not see.
+  std::size_t LeftOut() const { return this->Left; }
+  std::size_t Bytes() const { return this->Scene.Bytes(); }
+  std::size_t Triangles() const { return this->Primitives; }
+
+  void ReleaseGraphicsResources();
+
+private:
+  struct Block
+  {
+    std::size_t FirstPrimitive = 0, PrimitiveCount = 0;
+    std::size_t FirstPoint = 0, PointCount = 0;
+    vtkMTimeType Time = 0;
+    bool Used = false;
+  };
+  struct Shape
+  {
+    vtkMTimeType CellTime = 0;
+    vtkMTimeType PointTime = 0;
+    std::size_t Size = 0;
+    bool Used = false;
+  };
+  struct Place
+  {
+    std::uint64_t Mesh = 0;
+    glm::dmat4 ToWorld{ 0.0 };
+    std::int32_t Surface = -1;
+  };
+
+  bool UpdateMeshes(const std::vector<RayPart>& parts);
+  void UpdateAttributes(const std::vector<RayPart>& parts);
+  void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
+  void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
+    const std::vector<std::int32_t>& indices, bool changed);
+
+  RayScene Scene;
+  RayBuffer Attributes{ "attributes of triangles", 1 };
+  RayBuffer Points{ "attributes of points", 1 };
+  Buffer SurfaceStorage;
+  Buffer EmitterStorage;
+  std::map<std::uint64_t, Shape> Shapes;
+  std::map<std::uint64_t, Block> Blocks;
+  std::vector<Place> Places;
+  std::vector<shared::RaySurface> Surfaces;
+  std::set<vtkProp*> Seen;
+  std::size_t Left = 0;
+  std::size_t Primitives = 0;
+  std::size_t Emitters = 0;
+  std::vector<std::size_t> Shining; ///< parts that emit, in the last table
+  bool Partly = false;
+};
+}
