@@ -139,6 +139,11 @@ bool vtkGIPass::GetRadiance(vtkRenderer* renderer, vtkImageData* image)
   return this->Impl->ReadRadiance(renderer, image);
 }
 
+bool vtkGIPass::GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image)
+{
+  return name && this->Impl->ReadHistory(renderer, name, image);
+}
+
 void vtkGIPass::Render(const vtkRenderState* state)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(state->GetRenderer());

@@ -81,6 +81,14 @@ public:
   bool GetRadiance(vtkRenderer* renderer, vtkImageData* image);
 
   /**
+   * Copy a texture that a technique keeps for a renderer from frame to frame into a float image of
+   * four components and the window's size: the path tracer's sums, "path-tracing.albedo" (rgb, and
+   * the samples that met a surface) and "path-tracing.normal" (in the world, and the distance along
+   * the line of sight). Returns false where there is none of that name.
+   */
+  bool GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image);
+
+  /**
    * Number of still frames averaged in the last picture of a renderer: 1 for a first frame.
    */
   int GetAccumulatedFrames(vtkRenderer* renderer);

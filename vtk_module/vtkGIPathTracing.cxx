@@ -27,24 +27,25 @@ struct PathTracer
 {
   RayProps* Rays;
   LightTable* Lights;
-  int Samples;
   int Bounces;
   int Strategy;
-
-  std::array<Texture*, 4> Sums(FrameContext& context) const
+  /// fresh: they were made just now and hold nothing.
+  static std::array<Texture*, 4> Sums(FrameContext& context, bool* fresh = nullptr)
   {
     const View& view = context.GetView();
     std::array<Texture*, 4> sums = {};
     for (std::size_t i = 0; i < sums.size(); ++i)
     {
-      bool fresh = false;
+      bool made = false;
       sums[i] = &context.History(
-        SumNames[i], { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, fresh);
+        SumNames[i], { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, made);
+      *(fresh ? fresh : &made) |= made;
     }
     return sums;
   }
 
-  void Trace(FrameContext& context) const
+  /// taken: samples in the sums already.
+  void Trace(FrameContext& context, int taken) const
   {
     const View& view = context.GetView();
     const auto sums = this->Sums(context);
@@ -63,7 +64,7 @@ struct PathTracer
     const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - this->Rays->Origin());
     glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
     glUniform3fv(program.Location("eye"), 1, &eye[0]);
-    glUniform1i(program.Location("sampleIndex"), view.StillFrames);
+    glUniform1i(program.Location("sampleIndex"), taken);
     glUniform1i(program.Location("bounces"), this->Bounces);
     glUniform1i(program.Location("strategy"), this->Strategy);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
@@ -77,7 +78,39 @@ struct PathTracer
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
-  void Show(FrameContext& context, const char* target) const
+  /// Relative standard error of the picture's mean luminance values, of this many samples.
+  double EstimateError(FrameContext& context, int samples) const
+  {
+    const auto sums = this->Sums(context);
+    const glm::ivec2 size = context.GetView().WindowSize;
+    std::vector<float> shown(4 * static_cast<std::size_t>(size.x) * size.y);
+    std::vector<float> encoded(shown.size());
+    glBindTexture(GL_TEXTURE_2D, sums[0]->Get());
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, shown.data());
+    glBindTexture(GL_TEXTURE_2D, sums[1]->Get());
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, encoded.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
+    double squares = 0.0;
+    double total = 0.0;
+    const glm::ivec4& area = context.GetView().Viewport;
+    for (int y = area.y; y < area.y + area.w; ++y)
+    {
+      for (int x = area.x; x < area.x + area.z; ++x)
+      {
+        const std::size_t at = 4 * (static_cast<std::size_t>(y) * size.x + x);
+        const double mean = (0.2126 * (shown[at] + encoded[at]) +
+                              0.7152 * (shown[at + 1] + encoded[at + 1]) +
+                              0.0722 * (shown[at + 2] + encoded[at + 2])) /
+          samples;
+        squares += std::max(0.0, encoded[at + 3] / samples - mean * mean) / (samples - 1);
+        total += mean;
+      }
+    }
+    const double pixels = static_cast<double>(area.z) * area.w;
+    return total > 0.0 ? std::sqrt(squares / pixels) / (total / pixels) : 0.0;
+  }
+
+  void Show(FrameContext& context, const char* target, int samples) const
   {
     ScopedState scope(context.State());
     scope.Set(GL_BLEND, false);
@@ -92,41 +125,75 @@ struct PathTracer
     const Program& program = context.Shaders().Fragment("path_tracing/show.frag", defines);
     context.BindTarget({ target });
     context.Use(program, { sums[0], sums[1], context.Input(target) });
-    glUniform1f(program.Location("samples"),
-      static_cast<float>(std::min(context.GetView().StillFrames + 1, this->Samples)));
+    glUniform1f(program.Location("samples"), static_cast<float>(samples));
     context.DrawFullscreen();
   }
 };
 }
 
+int vtkGIPathTracing::GetSamplesTaken(vtkRenderer* renderer)
+{
+  const auto found = this->Renderers.find(renderer);
+  return found == this->Renderers.end() ? 0 : found->second.Samples;
+}
+
+double vtkGIPathTracing::GetRelativeError(vtkRenderer* renderer)
+{
+  const auto found = this->Renderers.find(renderer);
+  return found == this->Renderers.end() ? HUGE_VAL : found->second.Error;
+}
+
+bool vtkGIPathTracing::IsFinished(vtkRenderer* renderer)
+{
+  return this->GetSamplesTaken(renderer) >= this->Samples ||
+    this->GetRelativeError(renderer) <= this->TargetError;
+}
+
 void vtkGIPathTracing::Contribute(FrameBuilder& frame)
 {
   RayProps& rays = frame.Rays();
-  const PathTracer tracer = { &rays, &frame.Lights(), this->Samples, this->Bounces, this->Strategy };
   if (rays.LeftOut() > 0)
   {
     frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
       " props of kinds that cannot be traced yet: they are drawn without global illumination");
   }
+  vtkRenderer* renderer = frame.GetRenderer();
+  Progress& progress = this->Renderers[renderer];
+  if (frame.GetView().StillFrames == 0)
+  {
+    progress = Progress();
+  }
+  const PathTracer tracer = { &rays, &frame.Lights(), this->Bounces, this->Strategy };
   ShiftStillFrame(frame, this->Samples);
   frame.SetAveraged();
   frame.SetDrawnByRays();
-  const bool more = frame.GetView().StillFrames < this->Samples;
   frame.AddPass("path-trace")
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::WindowDepth)
     .Modify(resource::Color, TraceOrder)
     .Write(Traced, { GL_R8, 1, 1, 0 })
-    .Execute([tracer, more](FrameContext& context) {
-      if (more)
+    .Execute([this, renderer, tracer](FrameContext& context) {
+      Progress& now = this->Renderers[renderer];
+      bool fresh = false;
+      PathTracer::Sums(context, &fresh);
+      now = fresh ? Progress() : now;
+      if (!this->IsFinished(renderer))
       {
-        tracer.Trace(context);
+        tracer.Trace(context, now.Samples);
+        ++now.Samples;
+        // Often enough to stop in time, seldom enough to cost little.
+        constexpr int block = 8;
+        const int interval = std::max(block, now.Samples / block / block * block);
+        const bool estimates = now.Samples > block && now.Samples % interval == 0;
+        now.Error = estimates ? tracer.EstimateError(context, now.Samples) : now.Error;
       }
-      tracer.Show(context, resource::Color);
+      tracer.Show(context, resource::Color, now.Samples);
     });
   frame.AddPass("path-trace-radiance")
     .Read(Traced)
     .ModifyIfPresent(resource::Radiance, TraceOrder)
-    .Execute([tracer](FrameContext& context) { tracer.Show(context, resource::Radiance); });
+    .Execute([this, renderer, tracer](FrameContext& context) {
+      tracer.Show(context, resource::Radiance, this->Renderers[renderer].Samples);
+    });
 }

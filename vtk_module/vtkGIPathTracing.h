@@ -13,12 +13,28 @@
 
 #include "vtkGIPathTracingParameters.h"
 
+#include <cmath> // for HUGE_VAL
+#include <map>   // for the progress of each renderer
+
 class VTKRENDERINGGI_EXPORT vtkGIPathTracing : public vtkGIPathTracingParameters
 {
 public:
   static vtkGIPathTracing* New();
   vtkTypeMacro(vtkGIPathTracing, vtkGIPathTracingParameters);
 
+  ///@{
+  /**
+   * Paths traced through every pixel of a renderer since its scene changed, and the standard error
+   * of their mean over the whole picture, relative to its mean luminance; infinite before it is
+   * first estimated. The samples are spread more evenly than chance would, so that the true error is
+   * smaller.
+   */
+  int GetSamplesTaken(vtkRenderer* renderer);
+  double GetRelativeError(vtkRenderer* renderer);
+  ///@}
+
+  int GetRequiredFrames() override { return this->Samples; }
+  bool IsFinished(vtkRenderer* renderer) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
 
 protected:
@@ -26,6 +42,13 @@ protected:
   ~vtkGIPathTracing() override;
 
 private:
+  struct Progress
+  {
+    int Samples = 0;
+    double Error = HUGE_VAL;
+  };
+  std::map<vtkRenderer*, Progress> Renderers;
+
   vtkGIPathTracing(const vtkGIPathTracing&) = delete;
   void operator=(const vtkGIPathTracing&) = delete;
 };

@@ -27,6 +27,7 @@ class FrameBuilder;
 struct ParameterInfo;
 struct PresetValue;
 }
+class vtkRenderer;
 class vtkWindow;
 
 class VTKRENDERINGGI_EXPORT vtkGITechnique : public vtkObject
@@ -106,6 +107,17 @@ public:
    * Add this technique's work to a frame: declare passes with what they read and write.
    */
   virtual void Contribute(penumbra::FrameBuilder& frame) = 0;
+
+  /**
+   * How many frames of a still scene the technique's picture needs; 1 where every frame is complete.
+   */
+  virtual int GetRequiredFrames() { return 1; }
+
+  /**
+   * Whether further frames of a renderer that stands still would change its picture no more, or by
+   * less than was asked for.
+   */
+  virtual bool IsFinished(vtkRenderer*) { return true; }
 
   /**
    * Free what the technique holds on the GPU outside the frame graph's pool.

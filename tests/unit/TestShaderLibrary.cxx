@@ -90,7 +90,19 @@ TEST(ShaderLibrary, NamesWhatIsMissing)
   catch (const std::runtime_error& error)
   {
     EXPECT_NE(std::string(error.what()).find("lib/none.glsl"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find("#include"), std::string::npos);
+  }
+  Folder folder;
+  folder.Write("a.glsl", "#include \"lib/none.glsl\"\n");
+  library.SetOverrideFolder(folder.Path.string());
+  try
+  {
+    library.Source("a.glsl");
+    FAIL() << "included a shader that does not exist";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("'a.glsl' includes"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find(folder.Path.string()), std::string::npos);
   }
 }
 

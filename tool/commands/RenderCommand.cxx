@@ -14,8 +14,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <vtkGIPass.h>
+#include <vtkGITechnique.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
+#include <vtkRendererCollection.h>
 #include <vtkTextureObject.h>
 
 #include <algorithm>
@@ -57,6 +59,37 @@ void RequireDrawableSize(const Scene& scene, vtkRenderWindow* window)
   }
 }
 
+template <typename Visit>
+void ForEachEnabled(vtkGIPass* pass, const Visit& visit)
+{
+  for (int i = 0; i < pass->GetNumberOfTechniques(); ++i)
+  {
+    if (pass->GetTechnique(i)->GetEnabled())
+    {
+      visit(pass->GetTechnique(i));
+    }
+  }
+}
+
+int WantedFrames(const Scene& scene, vtkGIPass* pass)
+{
+  int frames = scene.Frames;
+  ForEachEnabled(pass, [&frames](vtkGITechnique* technique) {
+    const int required = technique->GetRequiredFrames();
+    frames = required > 1 ? required : frames;
+  });
+  return frames;
+}
+
+bool IsFinished(vtkGIPass* pass, vtkRenderer* renderer)
+{
+  bool finished = true;
+  ForEachEnabled(pass, [&](vtkGITechnique* technique) {
+    finished = finished && technique->IsFinished(renderer);
+  });
+  return finished;
+}
+
 class RenderCommand : public Command
 {
 public:
@@ -80,6 +113,7 @@ public:
     if (!this->Options.Stock)
     {
       ApplyTechniques(scene.Techniques, pass);
+      this->CheckTracing(pass);
     }
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
     ConfigureWindow(scene, built, window);
@@ -107,14 +141,27 @@ public:
   }
 
 private:
+  void CheckTracing(vtkGIPass* pass)
+  {
+    if ((this->Options.Samples || this->Options.Error) &&
+      !pass->GetTechnique("path-tracing")->GetEnabled())
+    {
+      FailUsage("{} is for the path tracer, which is off: give --preset reference or "
+                "--on path-tracing",
+        this->Options.Samples ? "--spp" : "--error");
+    }
+  }
+
   /// Renders the still frames; stock VTK's are all alike, so that one is enough.
   void Draw(vtkRenderWindow* window, vtkGIPass* pass, const Scene& scene, Console& console)
   {
     const bool repeat = !this->Options.Stock || this->Options.Frames;
-    const int frames = repeat ? scene.Frames : 1;
+    const int frames = !repeat ? 1 : scene.FramesGiven ? scene.Frames : WantedFrames(scene, pass);
+    vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
     Step step(console, fmt::format("rendering '{}'", this->Options.Output));
     std::vector<double> times;
-    for (int frame = 0; frame < frames; ++frame)
+    for (int frame = 0; frame < frames && (frame < scene.Frames || !IsFinished(pass, renderer));
+         ++frame)
     {
       const auto start = Clock::now();
       window->Render();
@@ -132,7 +179,7 @@ private:
         this->ReportNotes(pass, console);
       }
     }
-    this->Report["frames"] = frames;
+    this->Report["frames"] = times.size();
     this->Report["first-frame-ms"] = times.front();
     std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
     this->Report["median-frame-ms"] = times[times.size() / 2];
@@ -162,6 +209,10 @@ private:
       picture = radiance
         ? CaptureRadiance(pass, renderer, alpha, [&] { this->DrawAgain(window, scene.Frames); })
         : CaptureWindow(window, alpha);
+      if (HoldsRadiance(this->Options.Output) && !this->Options.Stock)
+      {
+        AppendSurfaceLayers(pass, renderer, picture);
+      }
     }
     if (const std::size_t bad = RemoveNonFinite(picture))
     {

@@ -48,6 +48,8 @@ struct RenderOptions
   std::string Background;
   std::string Backend = "auto";
   std::optional<int> Frames;
+  std::optional<int> Samples;
+  std::optional<double> Error;
   long long MaximumTriangles = 10000000;
   bool Statistics = false;
   bool Stock = false;

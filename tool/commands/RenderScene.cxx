@@ -154,6 +154,14 @@ void ApplyTechniqueOptions(const RenderOptions& options, TechniqueSettings& sett
     settings.Parameters.push_back(
       { text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1) });
   }
+  if (options.Samples)
+  {
+    settings.Parameters.push_back({ "path-tracing", "samples", std::to_string(*options.Samples) });
+  }
+  if (options.Error)
+  {
+    settings.Parameters.push_back({ "path-tracing", "target-error", fmt::format("{}", *options.Error) });
+  }
 }
 }
 
@@ -222,6 +230,7 @@ Scene MakeScene(const RenderOptions& options)
   }
   scene.Frames = options.Frames.value_or(scene.Frames);
   ApplyTechniqueOptions(options, scene.Techniques);
+  scene.FramesGiven = options.Frames.has_value();
   return scene;
 }
 }

@@ -87,7 +87,9 @@ Picture ReadPicture(const std::string& path)
   {
     RequireCompleteJpeg(path);
   }
-  Picture picture(spec.width, spec.height, std::min(spec.nchannels, 4));
+  // A fourth channel that is not alpha is a layer of another kind.
+  const bool layers = spec.nchannels > 3 && spec.format == OIIO::TypeDesc::FLOAT && spec.alpha_channel < 0;
+  Picture picture(spec.width, spec.height, layers ? 3 : std::min(spec.nchannels, 4));
   if (!file->read_image(0, 0, 0, picture.Channels, OIIO::TypeDesc::FLOAT, picture.Values.data()))
   {
     Fail("the picture '{}' cannot be read to its end: it is damaged or cut off ({})", path,
@@ -135,6 +137,14 @@ void WritePicture(const std::string& path, const Picture& picture)
   const auto encoder = OIIO::ImageOutput::create(path);
   const OIIO::TypeDesc stored = HoldsRadiance(path) ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
   OIIO::ImageSpec spec(picture.Width, picture.Height, picture.Channels, stored);
+  for (std::size_t i = 0; i < picture.Layers.size(); ++i)
+  {
+    spec.channelnames[spec.nchannels - picture.Layers.size() + i] = picture.Layers[i];
+  }
+  if (spec.nchannels - picture.Layers.size() < 4)
+  {
+    spec.alpha_channel = -1;
+  }
   spec.attribute("Software", "Penumbra");
   if (HoldsRadiance(path))
   {

@@ -18,6 +18,7 @@ struct Picture
   int Height = 0;
   int Channels = 0;
   std::vector<float> Values;
+  std::vector<std::string> Layers; ///< names of the channels after colour and alpha
 
   Picture() = default;
   Picture(int width, int height, int channels)
@@ -43,7 +44,7 @@ struct Picture
   }
 };
 
-/// Reads any file OpenImageIO knows; throws a Failure that names it.
+/// Reads any file OpenImageIO knows, colour and alpha only; throws a Failure that names it.
 Picture ReadPicture(const std::string& path);
 
 /// Throws a Failure unless the name ends in a format we write and its folder is writable.

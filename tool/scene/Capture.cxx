@@ -6,6 +6,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkGIPass.h>
+#include <vtkGIPathTracing.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -15,6 +16,7 @@
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -123,5 +125,35 @@ Picture CaptureRadiance(
     }
   }
   return radiance;
+}
+
+void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture)
+{
+  auto* tracer = vtkGIPathTracing::SafeDownCast(pass->GetTechnique("path-tracing"));
+  vtkNew<vtkImageData> albedoImage;
+  vtkNew<vtkImageData> normalImage;
+  const bool present = tracer && tracer->GetEnabled() &&
+    pass->GetBuffer(renderer, "path-tracing.albedo", albedoImage) &&
+    pass->GetBuffer(renderer, "path-tracing.normal", normalImage);
+  if (!present)
+  {
+    return;
+  }
+  const auto same = [](double value) { return value; };
+  const Picture albedo = FromImage(albedoImage, 4, same);
+  const Picture normal = FromImage(normalImage, 4, same);
+  const std::vector<std::string> names = { "albedo.R", "albedo.G", "albedo.B", "normal.X",
+    "normal.Y", "normal.Z", "Z", "samples" };
+  Picture all(picture.Width, picture.Height, picture.Channels + static_cast<int>(names.size()));
+  all.Layers = names;
+  for (std::size_t i = 0; i < all.PixelCount(); ++i)
+  {
+    float* out = std::copy_n(picture.Pixel(i), picture.Channels, all.Pixel(i));
+    const float met = std::max(1.0f, albedo.Pixel(i)[3]);
+    out = std::transform(albedo.Pixel(i), albedo.Pixel(i) + 3, out, [met](float v) { return v / met; });
+    out = std::transform(normal.Pixel(i), normal.Pixel(i) + 4, out, [met](float v) { return v / met; });
+    *out = static_cast<float>(tracer->GetSamplesTaken(renderer));
+  }
+  picture = std::move(all);
 }
 }

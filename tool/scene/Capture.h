@@ -22,6 +22,10 @@ Picture CaptureWindow(vtkRenderWindow* window, bool alpha);
 /// drawn once more without them, by calling render. Throws a Failure where the pass kept no radiance.
 Picture CaptureRadiance(
   vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render);
+
+/// Appends what the path tracer knows of the surfaces in the picture: their albedo, normal (in the
+/// world), distance along the line of sight, and the number of samples. Nothing without it.
+void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture);
 }
 
 #endif

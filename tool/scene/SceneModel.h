@@ -215,7 +215,8 @@ struct Scene
   TechniqueSettings Techniques;
   int Width = 1280;
   int Height = 720;
-  int Frames = 16; ///< still frames to accumulate
+  int Frames = 16;          ///< still frames to accumulate
+  bool FramesGiven = false; ///< on the command line, which also cuts the path tracer short
   bool DepthPeeling = true;
 };
 }

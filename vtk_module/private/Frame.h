@@ -113,6 +113,7 @@ public:
   }
   PassDeclaration& AddPass(const std::string& name) { return this->Graph.AddPass(name); }
   const View& GetView() const { return this->CurrentView; }
+  vtkOpenGLRenderer* GetRenderer() const { return this->Renderer; }
   LightTable& Lights() { return this->CurrentLights; }
   SceneCapture& Capture() { return this->Scene; }
   /// The scene for rays, brought up to date when first asked for in a frame.

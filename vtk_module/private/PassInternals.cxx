@@ -263,6 +263,24 @@ void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
     });
 }
 
+bool vtkGIPass::Internals::ReadHistory(
+  vtkRenderer* renderer, const std::string& name, vtkImageData* image)
+{
+  const Memory* memory = this->FindMemory(renderer);
+  const Texture* texture = memory ? this->Pool.FindHistory(memory->Name, name) : nullptr;
+  if (!texture || texture->Target() != GL_TEXTURE_2D || !image || !this->Window)
+  {
+    return false;
+  }
+  this->Window->MakeCurrent();
+  image->SetDimensions(texture->Desc().Width, texture->Desc().Height, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  glBindTexture(GL_TEXTURE_2D, texture->Get());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->GetScalarPointer());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return true;
+}
+
 bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* image)
 {
   const Memory* memory = this->FindMemory(renderer);

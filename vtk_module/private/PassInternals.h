@@ -27,6 +27,7 @@ public:
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
   void ReleaseGraphicsResources(vtkWindow* window);
+  bool ReadHistory(vtkRenderer* renderer, const std::string& name, vtkImageData* image);
   bool ReadRadiance(vtkRenderer* renderer, vtkImageData* image);
 
   /// One view is one renderer seen by one eye.

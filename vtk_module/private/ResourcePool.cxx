@@ -57,6 +57,17 @@ Texture& ResourcePool::History(
   return found->second.Storage;
 }
 
+const Texture* ResourcePool::FindHistory(const std::string& view, const std::string& name) const
+{
+  const auto histories = this->Histories.find(view);
+  if (histories == this->Histories.end())
+  {
+    return nullptr;
+  }
+  const auto found = histories->second.find(name);
+  return found == histories->second.end() ? nullptr : &found->second.Storage;
+}
+
 GLuint ResourcePool::Framebuffer(
   const std::vector<Attachment>& colors, const Attachment& depth)
 {

@@ -33,6 +33,9 @@ public:
   Texture& History(
     const std::string& view, const std::string& name, const TextureDesc& desc, bool& fresh);
 
+  /// The same where it is there, else nullptr.
+  const Texture* FindHistory(const std::string& view, const std::string& name) const;
+
   /// A framebuffer of these attachments (colour in order, then depth), made once.
   GLuint Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth);
 

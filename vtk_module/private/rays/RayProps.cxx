@@ -210,30 +210,52 @@ void RayProps::UpdatePlaces(
 void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
   std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices, bool changed)
 {
-  std::vector<std::size_t> shining;
+  std::vector<Shining> shine;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    const shared::RaySurface& surface = surfaces[indices[i]];
+    shared::RaySurface& surface = surfaces[indices[i]];
+    const double strength = Strength(surface);
+    surface.Emission.w = 0.0f;
     // The back of a two-coloured surface would need a density of its own.
-    if (Strength(surface) > 0.0 && !parts[i].HasBack)
+    if (strength > 0.0 && !parts[i].HasBack)
     {
-      shining.push_back(i);
+      shine.push_back({ i, strength, 0.0f });
     }
   }
-  (void)changed;
-  std::vector<shared::RayEmitter> table;
-  std::vector<double> weights;
-  double total = 0.0;
-  for (const std::size_t i : shining)
+  for (std::size_t i = 0; i < shine.size() && !changed; ++i)
   {
-    const RayGeometry geometry = parts[i].MakeGeometry();
+    changed = i >= this->Shine.size() || shine[i].Part != this->Shine[i].Part ||
+      shine[i].Strength != this->Shine[i].Strength;
+  }
+  if (changed || !this->EmittersMade || shine.size() != this->Shine.size())
+  {
+    this->EmittersMade = true;
+    this->Shine = std::move(shine);
+    this->MakeEmitters(parts, indices);
+  }
+  for (const Shining& part : this->Shine)
+  {
+    surfaces[indices[part.Part]].Emission.w = part.Density;
+  }
+}
+
+void RayProps::MakeEmitters(
+  const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices)
+{
+  std::vector<shared::RayEmitter> table;
+  std::vector<double> sums;
+  double total = 0.0;
+  for (Shining& part : this->Shine)
+  {
+    const RayGeometry geometry = parts[part.Part].MakeGeometry();
+    part.Density = 0.0f;
     if (table.size() + geometry.Triangles.size() > MostEmitters)
     {
       continue;
     }
-    glm::dmat4 toScene = parts[i].ToWorld;
+    part.Density = 1.0f;
+    glm::dmat4 toScene = parts[part.Part].ToWorld;
     toScene[3] = toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(this->Scene.Origin(), 0.0);
-    const double strength = Strength(surfaces[indices[i]]);
     for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
     {
       glm::dvec3 corner[3];
@@ -246,23 +268,21 @@ void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
         0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
       if (area > 0.0 && std::isfinite(area))
       {
-        total += strength * area;
-        weights.push_back(total);
+        total += part.Strength * area;
+        sums.push_back(total);
         table.push_back({ glm::vec4(corner[0], 0.0f),
-          glm::vec4(corner[1], glm::intBitsToFloat(indices[i])),
+          glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),
           glm::vec4(corner[2], glm::intBitsToFloat(static_cast<int>(t))) });
       }
     }
-    surfaces[indices[i]].Emission.w = -1.0f; // in the table
   }
-  for (shared::RaySurface& surface : surfaces)
+  for (Shining& part : this->Shine)
   {
-    surface.Emission.w =
-      surface.Emission.w < 0.0f ? static_cast<float>(Strength(surface) / total) : 0.0f;
+    part.Density = total > 0.0 ? static_cast<float>(part.Density * part.Strength / total) : 0.0f;
   }
   for (std::size_t i = 0; i < table.size(); ++i)
   {
-    table[i].A.w = static_cast<float>(weights[i] / total);
+    table[i].A.w = static_cast<float>(sums[i] / total);
   }
   this->Emitters = table.size();
   if (table.empty())
@@ -304,5 +324,7 @@ void RayProps::ReleaseGraphicsResources()
   this->Blocks.clear();
   this->Places.clear();
   this->Surfaces.clear();
+  this->Shine.clear();
+  this->EmittersMade = false;
 }
 }

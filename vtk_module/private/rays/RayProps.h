@@ -62,6 +62,7 @@ private:
   void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
   void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
     const std::vector<std::int32_t>& indices, bool changed);
+  void MakeEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
   RayScene Scene;
   RayBuffer Attributes{ "attributes of triangles", 1 };
@@ -76,7 +77,15 @@ private:
   std::size_t Left = 0;
   std::size_t Primitives = 0;
   std::size_t Emitters = 0;
-  std::vector<std::size_t> Shining; ///< parts that emit, in the last table
+  /// Surfaces that emit, with their strength and their chance per area in the last table.
+  struct Shining
+  {
+    std::size_t Part;
+    double Strength;
+    float Density;
+  };
+  std::vector<Shining> Shine;
+  bool EmittersMade = false;
   bool Partly = false;
 };
 }
