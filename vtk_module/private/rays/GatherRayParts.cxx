@@ -26,8 +26,11 @@ struct Gatherer
   bool Impostors; ///< drawn as surfaces whatever the representation
 };
 // Mappers are told apart by name: VTK's versions derive them from one another differently.
-constexpr std::array<Gatherer, 5> Gatherers = { {
+constexpr std::array<Gatherer, 8> Gatherers = { {
   { "vtkPointGaussianMapper", nullptr, false }, // soft splats have no surface
+  { "vtkMoleculeMapper", GatherMolecule, true },
+  { "vtkOpenGLSphereMapper", GatherSpheres, true },
+  { "vtkOpenGLStickMapper", GatherSticks, true },
   { "vtkCompositePolyDataMapper2", GatherComposite, false },
   { "vtkCompositePolyDataMapper", GatherComposite, false },
   { "vtkDataSetMapper", GatherDataSet, false },
