@@ -26,11 +26,12 @@ struct Gatherer
   bool Impostors; ///< drawn as surfaces whatever the representation
 };
 // Mappers are told apart by name: VTK's versions derive them from one another differently.
-constexpr std::array<Gatherer, 8> Gatherers = { {
+constexpr std::array<Gatherer, 9> Gatherers = { {
   { "vtkPointGaussianMapper", nullptr, false }, // soft splats have no surface
   { "vtkMoleculeMapper", GatherMolecule, true },
   { "vtkOpenGLSphereMapper", GatherSpheres, true },
   { "vtkOpenGLStickMapper", GatherSticks, true },
+  { "vtkGlyph3DMapper", GatherGlyphs, false },
   { "vtkCompositePolyDataMapper2", GatherComposite, false },
   { "vtkCompositePolyDataMapper", GatherComposite, false },
   { "vtkDataSetMapper", GatherDataSet, false },
