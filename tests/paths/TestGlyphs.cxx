@@ -265,3 +265,53 @@ TEST(PathsClipping, glyphs)
   LightFromTheEye(stage);
   ExpectAgreement(stage, "glyphs-clipped");
 }
+
+namespace
+{
+// What rays show in the frame after a change, by what was kept from the frame before.
+void ExpectFollows(Stage& stage, const std::function<void()>& change)
+{
+  auto pass = stage.SetPasses().front();
+  vtkGITechnique* paths = pass->GetTechnique("path-tracing");
+  paths->EnabledOn();
+  paths->SetParameter("bounces", 0);
+  paths->SetParameter("samples", 1);
+  const Picture before = Shoot(stage.Window);
+  change();
+  const Picture after = Shoot(stage.Window);
+  stage.Renderer->SetPass(nullptr);
+  const Picture raster = Shoot(stage.Window);
+  EXPECT_LT(Compare(before, after, 2).Within, 0.995) << "the change shows nothing";
+  EXPECT_GE(Compare(after, raster, 3).Within, 0.999);
+}
+}
+
+TEST(PathsChanges, glyphs_moved_and_a_shape_exchanged)
+{
+  Stage stage;
+  auto mapper = AddGlyphs(stage);
+  mapper->SetOrientationArray("direction");
+  LightFromTheEye(stage);
+  ExpectFollows(stage, [&] {
+    auto* points = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))->GetPoints();
+    points->SetPoint(5, 1.3, 1.4, 0.0);
+    points->Modified();
+  });
+  ExpectFollows(stage, [&] { mapper->SetScaleFactor(0.5); });
+  ExpectFollows(stage, [&] {
+    vtkNew<vtkCubeSource> cube;
+    mapper->SetSourceConnection(cube->GetOutputPort());
+  });
+  ExpectFollows(stage, [&] { mapper->ScalarVisibilityOn(); });
+}
+
+TEST(PathsChanges, a_clipping_plane_moved)
+{
+  Stage stage;
+  AddTorus(stage, 1);
+  LightFromTheEye(stage);
+  vtkActor* actor = stage.Renderer->GetActors()->GetLastActor();
+  ExpectFollows(
+    stage, [&] { actor->GetMapper()->GetClippingPlanes()->GetItem(0)->SetOrigin(0.4, 0.0, 0.0); });
+  ExpectFollows(stage, [&] { actor->GetMapper()->RemoveAllClippingPlanes(); });
+}

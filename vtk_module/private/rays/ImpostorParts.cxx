@@ -16,6 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <cstring>
+
 namespace penumbra
 {
 namespace
@@ -170,28 +172,29 @@ RayAttributes ImpostorAttributes(vtkIdType count, const ScalarColors& colors)
   return attributes;
 }
 
-/// The numbers that the geometry hangs on beside the data's and the mapper's times.
-struct ImpostorState
+/// A number for a place, so that what hangs on it is made anew when it changes.
+std::uint64_t PlaceKey(const glm::dmat4& place)
 {
-  glm::dmat4 Baked{ 0.0 };
-  vtkTimeStamp Changed;
-};
+  std::uint64_t key = 0xcbf29ce484222325ull; // Fowler, Noll, Vo
+  for (int i = 0; i < 16; ++i)
+  {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &place[i / 4][i % 4], sizeof(bits));
+    key = (key ^ bits) * 0x100000001b3ull;
+    key ^= key >> 29;
+  }
+  return key;
+}
 
 RayPart ImpostorPart(const Drawn& drawn, vtkMapper* mapper, const Impostors& impostors)
 {
   vtkPolyData* data = impostors.Input();
   const ScalarColors& colors = MapScalarColors(drawn.Cache, mapper, data);
-  auto& state = drawn.Cache.At<ImpostorState>(mapper, drawn.Actor);
   const bool bakes = !impostors.IsRigid() || impostors.IsClipped();
-  const glm::dmat4 baked = bakes ? impostors.Placement() : glm::dmat4(1.0);
-  if (state.Baked != baked)
-  {
-    state.Baked = baked;
-    state.Changed.Modified();
-  }
   RayPart part;
   part.ToWorld = impostors.IsRigid() ? drawn.ToWorld : glm::dmat4(1.0);
-  part.MeshKey = bakes ? GatherKey(mapper, drawn.Actor) : GatherKey(data, mapper);
+  part.MeshKey =
+    GatherKey(data, mapper) ^ (bakes ? PlaceKey(impostors.Placement()) : std::uint64_t(0));
   vtkMTimeType planes = 0;
   if (vtkPlaneCollection* collection = mapper->GetClippingPlanes())
   {
@@ -201,8 +204,7 @@ RayPart ImpostorPart(const Drawn& drawn, vtkMapper* mapper, const Impostors& imp
     }
     planes = std::max(planes, collection->GetMTime());
   }
-  part.CellTime = std::max(
-    { data->GetMTime(), mapper->GetMTime(), planes, bakes ? state.Changed.GetMTime() : 0 });
+  part.CellTime = std::max({ data->GetMTime(), mapper->GetMTime(), planes });
   part.AttributeKey = GatherKey(data, mapper);
   part.AttributeTime = std::max(data->GetMTime(), colors.Time);
   const vtkIdType count = data->GetNumberOfPoints();
