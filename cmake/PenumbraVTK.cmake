@@ -40,7 +40,9 @@ if(PENUMBRA_WRAP_PYTHON)
     set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The interpreter VTK was wrapped for")
   endif()
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${_vtk_components})
+# Molecules can be traced where VTK was built with them.
+find_package(VTK 9.1 REQUIRED COMPONENTS ${_vtk_components}
+  OPTIONAL_COMPONENTS DomainsChemistryOpenGL2)
 message(STATUS "Penumbra: VTK ${VTK_VERSION} from ${VTK_DIR}")
 
 macro(penumbra_build_module)

@@ -2,7 +2,7 @@
 // One path through every pixel, added to sums. Kajiya 1986, "The Rendering Equation"; next-event
 // estimation and multiple importance sampling after Veach 1997, "Robust Monte Carlo Methods for
 // Light Transport Simulation". Variants: GI_RAY_PARTLY (some surfaces let rays pass), and those of
-// rays/trace.glsl.
+// rays/surface.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
@@ -58,6 +58,9 @@ float randomNumber(inout uint state)
 bool passes(RaySurfacePoint at, int flags, inout uint state)
 {
   bool culled = (flags & (at.front ? GI_SURFACE_CULL_FRONT : GI_SURFACE_CULL_BACK)) != 0;
+#ifdef GI_RAY_CLIPPED
+  culled = culled || rayClipped(raySurfaces[at.surface], at.position);
+#endif
   return culled || (at.color.a < 1.0 && randomNumber(state) >= at.color.a);
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a ray sees where it ends: position, normals and material, as VTK draws them. Needs
-// rays/trace.glsl, shared/material.h, lib/octahedral.glsl.
+// rays/trace.glsl, shared/material.h, lib/octahedral.glsl. Variants: GI_RAY_CLIPPED (some surfaces
+// have clipping planes), and those of rays/trace.glsl.
 #include "shared/ray_surface.h"
 
 struct RaySurfacePoint
@@ -28,11 +29,32 @@ vec3 rayPointNormal(uint bits)
   return giDecodeOctahedral(unpackUnorm2x16(bits));
 }
 
+// The surface in a colour that stands in place of the material's.
+RaySurface rayColored(RaySurface surface, vec4 mapped)
+{
+  bool phong = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  surface.Color = vec4(mapped.rgb * (phong ? surface.Factors.x : 1.0), mapped.a * surface.Color.a);
+  surface.Emission.rgb = phong ? mapped.rgb * surface.Factors.y : surface.Emission.rgb;
+  return surface;
+}
+
+#ifdef GI_RAY_CLIPPED
+// Whether a clipping plane takes this point of a surface away.
+bool rayClipped(RaySurface surface, vec3 position)
+{
+  bool clipped = false;
+  for (int i = 0; i < surface.Clip.y; ++i)
+  {
+    vec4 plane = uintBitsToFloat(texelFetch(rayPoints, surface.Clip.x + i));
+    clipped = clipped || dot(plane.xyz, position) + plane.w < 0.0;
+  }
+  return clipped;
+}
+#endif
+
 // The colours of a surface at a point of one of its primitives.
 void rayColors(RaySurface surface, int primitive, vec2 barycentrics, out vec4 color, out vec3 emission)
 {
-  color = surface.Color;
-  emission = surface.Emission.rgb;
   int flags = surface.Where.z;
   if ((flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0)
   {
@@ -46,11 +68,10 @@ void rayColors(RaySurface surface, int primitive, vec2 barycentrics, out vec4 co
         barycentrics.x * unpackUnorm4x8(texelFetch(rayPoints, corner.y).y) +
         barycentrics.y * unpackUnorm4x8(texelFetch(rayPoints, corner.z).y);
     }
-    bool pbr = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PBR;
-    bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-    color = vec4(mapped.rgb * (phong ? surface.Factors.x : 1.0), mapped.a * surface.Color.a);
-    emission = phong ? mapped.rgb * surface.Factors.y : emission;
+    surface = rayColored(surface, mapped);
   }
+  color = surface.Color;
+  emission = surface.Emission.rgb;
   if ((flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT)
   {
     emission = color.rgb;
@@ -129,6 +150,10 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   {
     result.surface = surface.Where.w;
     surface = raySurfaces[result.surface];
+  }
+  if ((surface.Where.z & GI_SURFACE_PLACE_COLORS) != 0)
+  {
+    surface = rayColored(surface, unpackUnorm4x8(floatBitsToUint(rayInstance(record + 3).w)));
   }
   rayColors(surface, result.primitive, hit.barycentrics, result.color, result.emission);
   return result;

@@ -75,7 +75,7 @@ struct RayInstance
   std::int32_t Root;
   std::int32_t Instance; ///< index that hits report
   std::int32_t User;     ///< the caller's number: a material, a prop
-  std::int32_t Unused;
+  std::uint32_t Color;   ///< of this place, RGBA8
 };
 static_assert(sizeof(RayNode) == GI_RAY_NODE_TEXELS * 16, "texels");
 static_assert(sizeof(RayPrimitive) == GI_RAY_PRIMITIVE_TEXELS * 16, "texels");

@@ -18,7 +18,7 @@ using ivec4 = glm::ivec4;
 #define GI_RAY_EMITTER_BINDING 7
 // Texture units.
 #define GI_RAY_ATTRIBUTE_UNIT 12 // one texel a triangle (or sphere, or cylinder)
-#define GI_RAY_POINT_UNIT 13     // one texel a point
+#define GI_RAY_POINT_UNIT 13     // one texel a point, or a clipping plane
 #define GI_RAY_TEXEL_UNIT 14     // four texels of pictures in one
 
 // How a surface reflects, as GI_MATERIAL_..., in the lowest bits; unlit ones show their colour.
@@ -31,7 +31,8 @@ using ivec4 = glm::ivec4;
 #define GI_SURFACE_CELL_COLORS 16
 #define GI_SURFACE_CULL_BACK 32      // not drawn where seen from behind
 #define GI_SURFACE_CULL_FRONT 64
-#define GI_SURFACE_PARTLY 128        // rays may pass: culled, translucent
+#define GI_SURFACE_PARTLY 128        // rays may pass: culled, translucent, clipped
+#define GI_SURFACE_PLACE_COLORS 256  // each instance has its own, in place of the material's
 
 struct RaySurface
 {
@@ -40,6 +41,7 @@ struct RaySurface
   vec4 Emission; // rgb: radiance; w: chance per area that an emitter sample picks a point here
   vec4 Factors;  // Phong: x, y: colour to reflectance, to emission. PBR: x metallic, y roughness
   ivec4 Where;   // x: first attribute; y: first point; z: flags; w: surface of the back or -1
+  ivec4 Clip;    // x: first clipping plane, a texel of the points; y: how many
 };
 
 // A triangle that emits, in the scene's coordinates.
@@ -64,7 +66,7 @@ struct RayPoint
   float TextureU;
   float TextureV;
 };
-static_assert(sizeof(RaySurface) == 5 * 16, "std430 layout");
+static_assert(sizeof(RaySurface) == 6 * 16, "std430 layout");
 static_assert(sizeof(RayEmitter) == 3 * 16, "std430 layout");
 static_assert(sizeof(RayAttribute) == 16, "texel");
 static_assert(sizeof(RayPoint) == 16, "texel");

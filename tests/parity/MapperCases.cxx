@@ -5,6 +5,7 @@
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
@@ -90,6 +91,22 @@ vtkSmartPointer<vtkCompositePolyDataMapper2> AddBlocks(Stage& stage)
   stage.Add(mapper)->GetProperty()->SetSpecular(0.3);
   Stage::LookAround(stage.Renderer);
   return mapper;
+}
+
+void AddBlocksOneByOne(Stage& stage)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(0.8 * i, 0.2 * i, 0.0);
+    sphere->Update();
+    blocks->SetBlock(i, sphere->GetOutput());
+  }
+  vtkNew<vtkCompositePolyDataMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  stage.Add(mapper)->GetProperty()->SetSpecular(0.3);
+  Stage::LookAround(stage.Renderer);
 }
 
 void AddImpostors(Stage& stage, bool scalars)
@@ -249,6 +266,7 @@ ParityCases MapperCases()
         mapper->SetBlockColor(2, 0.1, 0.2, 0.9);
       } },
     { "composite, hidden block", [](Stage& s) { AddBlocks(s)->SetBlockVisibility(2, false); } },
+    { "composite, a mapper for each block", AddBlocksOneByOne },
     { "sphere impostors", [](Stage& s) { AddImpostors(s, false); } },
     { "sphere impostors coloured", [](Stage& s) { AddImpostors(s, true); } },
     { "sphere impostors, parallel projection",

@@ -23,8 +23,8 @@ namespace penumbra
 namespace
 {
 // Mappers that fill VTK's polydata shader template and call the hooks on every draw.
-constexpr std::array<const char*, 4> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
-  "vtkGlyph3DMapper", "vtkMoleculeMapper" } };
+constexpr std::array<const char*, 5> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
+  "vtkGlyph3DMapper", "vtkMoleculeMapper", "vtkCompositePolyDataMapper" } };
 // Among their subclasses, those that do not: splats have a template of their own, the low-memory
 // mapper never calls SetShaderParameters, and line integral convolution writes outputs of its own.
 constexpr std::array<const char*, 3> Unhooked = { { "vtkPointGaussianMapper",

@@ -2,14 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/SceneSignature.h"
 
+#include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkTexture.h"
 
 namespace penumbra
 {
+namespace
+{
+// A mapper's time counts its list of clipping planes, not the planes.
+vtkMTimeType ClippingTime(vtkProp* prop)
+{
+  vtkMTimeType time = 0;
+  auto* actor = vtkActor::SafeDownCast(prop);
+  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+  vtkPlaneCollection* planes = mapper ? mapper->GetClippingPlanes() : nullptr;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    time = std::max(time, planes->GetItem(i)->GetMTime());
+  }
+  return time;
+}
+}
+
 SceneSignature SceneSignature::Of(
   vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques)
 {
@@ -50,6 +71,7 @@ SceneSignature SceneSignature::Of(
     if (prop->GetVisibility())
     {
       signature.Times.push_back(prop->GetRedrawMTime());
+      signature.Times.push_back(ClippingTime(prop));
     }
   }
   return signature;

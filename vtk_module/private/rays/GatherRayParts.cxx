@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/rays/PolyDataParts.h"
-#include "private/rays/RayPart.h"
+#include "private/rays/Gatherers.h"
 
 #include "private/Matrices.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithm.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
-#include "vtkDataSetMapper.h"
-#include "vtkPolyDataMapper.h"
+#include "vtkMapper.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
@@ -19,60 +18,66 @@ namespace penumbra
 {
 namespace
 {
-struct Drawn
-{
-  vtkActor* Actor;
-  glm::dmat4 ToWorld;
-  std::vector<RayPart>& Parts;
-};
-
-bool GatherPolyData(vtkMapper* mapper, const Drawn& drawn)
-{
-  auto* source = static_cast<vtkPolyDataMapper*>(mapper);
-  if (source->GetNumberOfInputConnections(0) > 0)
-  {
-    source->GetInputAlgorithm()->Update();
-  }
-  if (vtkPolyData* data = source->GetInput())
-  {
-    drawn.Parts.push_back(PolyDataPart(drawn.Actor, mapper, data, drawn.ToWorld));
-  }
-  return true;
-}
-
-bool GatherDataSet(vtkMapper* mapper, const Drawn& drawn)
-{
-  // Drawn by a mapper of polygons that it keeps and sets up as it draws.
-  vtkPolyDataMapper* inner = static_cast<vtkDataSetMapper*>(mapper)->GetPolyDataMapper();
-  return inner && inner->GetNumberOfInputConnections(0) > 0 && GatherPolyData(inner, drawn);
-}
-
 /// How the mappers of a class become parts; derived classes come before their bases.
 struct Gatherer
 {
   const char* Class;
   bool (*Gather)(vtkMapper* mapper, const Drawn& drawn);
+  bool Impostors; ///< drawn as surfaces whatever the representation
 };
-constexpr std::array<Gatherer, 2> Gatherers = { {
-  { "vtkDataSetMapper", GatherDataSet },
-  { "vtkPolyDataMapper", GatherPolyData },
+// Mappers are told apart by name: VTK's versions derive them from one another differently.
+constexpr std::array<Gatherer, 9> Gatherers = { {
+  { "vtkPointGaussianMapper", nullptr, false }, // soft splats have no surface
+  { "vtkMoleculeMapper", GatherMolecule, true },
+  { "vtkOpenGLSphereMapper", GatherSpheres, true },
+  { "vtkOpenGLStickMapper", GatherSticks, true },
+  { "vtkGlyph3DMapper", GatherGlyphs, false },
+  { "vtkCompositePolyDataMapper2", GatherComposite, false },
+  { "vtkCompositePolyDataMapper", GatherComposite, false },
+  { "vtkDataSetMapper", GatherDataSet, false },
+  { "vtkPolyDataMapper", GatherPolyData, false },
 } };
 
-bool Gather(const Drawn& drawn)
+const Gatherer* Find(vtkMapper* mapper)
 {
-  vtkMapper* mapper = drawn.Actor->GetMapper();
-  for (const Gatherer& gatherer : Gatherers)
-  {
-    if (mapper && mapper->IsA(gatherer.Class))
-    {
-      return gatherer.Gather(mapper, drawn);
-    }
-  }
-  return false;
+  const auto found = std::find_if(Gatherers.begin(), Gatherers.end(),
+    [mapper](const Gatherer& gatherer) { return mapper->IsA(gatherer.Class) != 0; });
+  return found == Gatherers.end() ? nullptr : &*found;
 }
 }
 
-std::vector<RayPart> GatherRayParts(vtkRenderer* renderer, std::vector<vtkProp*>& left)
+std::uint64_t GatherKey(const void* a, const void* b)
+{
+  const auto x = reinterpret_cast<std::uintptr_t>(a);
+  const auto y = reinterpret_cast<std::uintptr_t>(b);
+  return x ^ (static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15ull);
+}
+
+void UpdateInput(vtkMapper* mapper)
+{
+  if (!mapper->GetStatic() && mapper->GetNumberOfInputConnections(0) > 0)
+  {
+    mapper->GetInputAlgorithm()->Update();
+  }
+}
+
+std::vector<glm::dvec4> ClippingPlanes(vtkMapper* mapper)
+{
+  std::vector<glm::dvec4> planes;
+  vtkNew<vtkMatrix4x4> world;
+  // VTK draws with as many.
+  const int count = std::min(6, mapper->GetNumberOfClippingPlanes());
+  for (int i = 0; i < count; ++i)
+  {
+    double plane[4];
+    mapper->GetClippingPlaneInDataCoords(world, i, plane);
+    planes.emplace_back(plane[0], plane[1], plane[2], plane[3]);
+  }
+  return planes;
+}
+
+std::vector<RayPart> GatherRayParts(
+  vtkRenderer* renderer, std::vector<vtkProp*>& left, GatherCache& cache)
 {
   std::vector<RayPart> parts;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -88,15 +93,20 @@ std::vector<RayPart> GatherRayParts(vtkRenderer* renderer, std::vector<vtkProp*>
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
       auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
-      if (!actor || !actor->GetVisibility() || !actor->GetMapper() ||
+      if (!actor || !actor->GetVisibility() || !actor->GetMapper())
+      {
+        continue;
+      }
+      const Gatherer* gatherer = Find(actor->GetMapper());
+      if (!(gatherer && gatherer->Impostors) &&
         actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
       {
         continue;
       }
       vtkMatrix4x4* matrix = path->GetLastNode()->GetMatrix();
-      const Drawn drawn = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts };
+      const Drawn drawn = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts, cache };
       const std::size_t before = parts.size();
-      if (!Gather(drawn))
+      if (!gatherer || !gatherer->Gather || !gatherer->Gather(actor->GetMapper(), drawn))
       {
         left.push_back(prop);
       }
@@ -106,6 +116,7 @@ std::vector<RayPart> GatherRayParts(vtkRenderer* renderer, std::vector<vtkProp*>
       }
     }
   }
+  cache.Sweep();
   return parts;
 }
 }

@@ -10,13 +10,11 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkLookupTable.h"
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkUnsignedCharArray.h"
 
 namespace penumbra
 {
@@ -66,53 +64,7 @@ std::uint32_t PackNormal(glm::vec3 n)
   return glm::packUnorm2x16(p * 0.5f + 0.5f);
 }
 
-std::uint32_t PackColor(vtkUnsignedCharArray* colors, vtkIdType i)
-{
-  unsigned char rgba[4] = { 255, 255, 255, 255 };
-  for (int c = 0; c < std::min(4, colors->GetNumberOfComponents()); ++c)
-  {
-    rgba[c] = colors->GetValue(i * colors->GetNumberOfComponents() + c);
-  }
-  return rgba[0] | rgba[1] << 8 | rgba[2] << 16 | static_cast<std::uint32_t>(rgba[3]) << 24;
-}
-
-/// The mapper's colours, and whether they belong to points (0), cells (1) or the whole (2).
-vtkUnsignedCharArray* MapColors(vtkMapper* mapper, vtkPolyData* data, int& association)
-{
-  association = 0;
-  if (!mapper->GetScalarVisibility())
-  {
-    return nullptr;
-  }
-  // Colours looked up per pixel, by a texture, come from the same table at the points.
-  const bool perPixel = mapper->GetInterpolateScalarsBeforeMapping() != 0;
-  if (!perPixel)
-  {
-    return mapper->MapScalars(data, 1.0, association);
-  }
-  vtkAbstractArray* scalars = vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
-    mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
-  return scalars ? mapper->MapScalars(data, 1.0, association) : nullptr;
-}
-
-bool IsPartly(vtkUnsignedCharArray* colors)
-{
-  const int components = colors->GetNumberOfComponents();
-  if (components != 2 && components != 4)
-  {
-    return false;
-  }
-  for (vtkIdType i = components - 1; i < colors->GetNumberOfValues(); i += components)
-  {
-    if (colors->GetValue(i) < 255)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-RayAttributes MakeAttributes(vtkPolyData* data, vtkUnsignedCharArray* colors, int association)
+RayAttributes MakeAttributes(vtkPolyData* data, const ScalarColors& colors)
 {
   RayAttributes attributes;
   ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
@@ -120,14 +72,12 @@ RayAttributes MakeAttributes(vtkPolyData* data, vtkUnsignedCharArray* colors, in
     entry.Points[0] = static_cast<std::uint32_t>(a);
     entry.Points[1] = static_cast<std::uint32_t>(b);
     entry.Points[2] = static_cast<std::uint32_t>(c);
-    const vtkIdType index = association == 1 ? cell : 0;
-    const bool colored = colors && association != 0 && index < colors->GetNumberOfTuples();
-    entry.Color = colored ? PackColor(colors, index) : 0xffffffffu;
+    entry.Color =
+      colors.Association == 0 ? 0xffffffffu : colors.At(colors.Association == 1 ? cell : 0);
     attributes.Primitives.push_back(entry);
   });
   vtkDataArray* normals = data->GetPointData()->GetNormals();
   vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
-  const bool byPoint = colors && association == 0;
   const vtkIdType count = data->GetNumberOfPoints();
   attributes.Points.resize(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
@@ -139,21 +89,13 @@ RayAttributes MakeAttributes(vtkPolyData* data, vtkUnsignedCharArray* colors, in
       normals->GetTuple(i, n);
     }
     point.Normal = PackNormal(glm::vec3(n[0], n[1], n[2]));
-    point.Color =
-      byPoint && i < colors->GetNumberOfTuples() ? PackColor(colors, i) : 0xffffffffu;
+    point.Color = colors.Association == 0 ? colors.At(i) : 0xffffffffu;
     point.TextureU = coordinates ? static_cast<float>(coordinates->GetComponent(i, 0)) : 0.0f;
     point.TextureV = coordinates && coordinates->GetNumberOfComponents() > 1
       ? static_cast<float>(coordinates->GetComponent(i, 1))
       : 0.0f;
   }
   return attributes;
-}
-
-std::uint64_t Key(const void* a, const void* b = nullptr)
-{
-  const auto x = reinterpret_cast<std::uintptr_t>(a);
-  const auto y = reinterpret_cast<std::uintptr_t>(b);
-  return x ^ (static_cast<std::uint64_t>(y) * 0x9e3779b97f4a7c15ull);
 }
 }
 
@@ -173,32 +115,33 @@ RayGeometry PolyDataGeometry(vtkPolyData* data)
   return geometry;
 }
 
-RayPart PolyDataPart(vtkActor* actor, vtkMapper* mapper, vtkPolyData* data, const glm::dmat4& toWorld)
+RayPart PolyDataPart(
+  const Drawn& drawn, vtkMapper* mapper, vtkPolyData* data, const ScalarColors& colors)
 {
   RayPart part;
-  part.Prop = actor;
-  part.ToWorld = toWorld;
-  part.MeshKey = Key(data);
+  part.Prop = drawn.Actor;
+  part.ToWorld = drawn.ToWorld;
+  part.MeshKey = GatherKey(data);
   part.CellTime = std::max(data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime());
   part.PointTime = data->GetPoints() ? data->GetPoints()->GetMTime() : 0;
   part.MakeGeometry = [data] { return PolyDataGeometry(data); };
+  part.AttributeKey = GatherKey(data, mapper);
+  part.AttributeTime = std::max({ data->GetMTime(), colors.Time, part.CellTime });
+  part.MakeAttributes = [data, colors] { return MakeAttributes(data, colors); };
+  part.Clip = ClippingPlanes(mapper);
 
-  int association = 0;
-  vtkUnsignedCharArray* colors = MapColors(mapper, data, association);
-  part.AttributeKey = Key(data, mapper);
-  part.AttributeTime = std::max({ data->GetMTime(), mapper->GetMTime(),
-    colors ? colors->GetMTime() : 0, part.CellTime });
-  part.MakeAttributes = [=] { return MakeAttributes(data, colors, association); };
-
-  vtkProperty* property = actor->GetProperty();
+  vtkProperty* property = drawn.Actor->GetProperty();
   int extra = 0;
   const bool flat = property->GetInterpolation() == VTK_FLAT;
   extra |= !flat && data->GetPointData()->GetNormals() ? GI_SURFACE_SMOOTH : 0;
-  extra |= colors ? (association == 0 ? GI_SURFACE_POINT_COLORS : GI_SURFACE_CELL_COLORS) : 0;
-  extra |= colors && IsPartly(colors) ? GI_SURFACE_PARTLY : 0;
+  if (colors.Array)
+  {
+    extra |= colors.Association == 0 ? GI_SURFACE_POINT_COLORS : GI_SURFACE_CELL_COLORS;
+    extra |= colors.Partly ? GI_SURFACE_PARTLY : 0;
+  }
   part.Surface = MakeRaySurface(property);
   part.Surface.Where.z |= extra;
-  if (vtkProperty* back = actor->GetBackfaceProperty())
+  if (vtkProperty* back = drawn.Actor->GetBackfaceProperty())
   {
     part.HasBack = true;
     part.Back = MakeRaySurface(back);

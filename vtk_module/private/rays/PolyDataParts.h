@@ -5,9 +5,9 @@
  */
 #pragma once
 
-#include "private/rays/RayPart.h"
+#include "private/rays/Gatherers.h"
+#include "private/rays/ScalarColors.h"
 
-class vtkActor;
 class vtkMapper;
 class vtkPolyData;
 
@@ -16,7 +16,8 @@ namespace penumbra
 /// Polygons as fans from their first corner, as VTK's mapper splits them, then strips.
 RayGeometry PolyDataGeometry(vtkPolyData* data);
 
-/// The part of an actor that a mapper draws from this data. The surface takes the mapper's scalar
-/// colours and the data's normals.
-RayPart PolyDataPart(vtkActor* actor, vtkMapper* mapper, vtkPolyData* data, const glm::dmat4& toWorld);
+/// The part of an actor that a mapper draws from this data, with the data's normals and these
+/// colours.
+RayPart PolyDataPart(
+  const Drawn& drawn, vtkMapper* mapper, vtkPolyData* data, const ScalarColors& colors);
 }

@@ -28,6 +28,14 @@ struct RayCylinder
   bool Capped = false;
 };
 
+/// One of many places of a mesh: a point p lies at Turn * p + At.
+struct RayPlace
+{
+  glm::mat3 Turn{ 1.0f };
+  std::uint32_t Color = 0xffffffffu; ///< RGBA8, for surfaces with GI_SURFACE_PLACE_COLORS
+  glm::dvec3 At{ 0.0 };
+};
+
 struct RayGeometry
 {
   /// What all coordinates below are relative to. Near the data, so that floats near it lose

@@ -13,6 +13,7 @@
 #include "vtkType.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 class vtkProp;
@@ -45,8 +46,15 @@ struct RayPart
   shared::RaySurface Surface{};
   shared::RaySurface Back{}; ///< where HasBack
   bool HasBack = false;
+  /// The mesh's places, each before ToWorld; null for the one place that ToWorld is. What they
+  /// point to is never changed: other places are another vector.
+  std::shared_ptr<const std::vector<RayPlace>> Places;
+  std::vector<glm::dvec4> Clip; ///< planes in the world: what is below them is not there
 };
 
+class GatherCache;
+
 /// The parts of all visible props. left: props with surfaces that rays do not see.
-std::vector<RayPart> GatherRayParts(vtkRenderer* renderer, std::vector<vtkProp*>& left);
+std::vector<RayPart> GatherRayParts(
+  vtkRenderer* renderer, std::vector<vtkProp*>& left, GatherCache& cache);
 }

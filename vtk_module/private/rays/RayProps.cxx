@@ -26,8 +26,8 @@ double Strength(const shared::RaySurface& surface)
   const int flags = surface.Where.z;
   const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0;
   const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-  const bool never =
-    (flags & GI_SURFACE_PARTLY) != 0 || (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
+  const bool never = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
+    (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
   return never ? 0.0 : (colored && phong ? 0.5 * surface.Factors.y : Luminance(surface.Emission));
 }
 }
@@ -35,7 +35,7 @@ double Strength(const shared::RaySurface& surface)
 void RayProps::Update(vtkRenderer* renderer)
 {
   std::vector<vtkProp*> left;
-  const std::vector<RayPart> parts = GatherRayParts(renderer, left);
+  const std::vector<RayPart> parts = GatherRayParts(renderer, left, this->Cache);
   this->Left = left.size();
   this->Seen.clear();
   for (const RayPart& part : parts)
@@ -76,6 +76,7 @@ void RayProps::Update(vtkRenderer* renderer)
     {
       surfaces[i].Where.x = static_cast<int>(block.FirstPrimitive);
       surfaces[i].Where.y = static_cast<int>(block.FirstPoint);
+      surfaces[i].Where.z |= part.Clip.empty() ? 0 : GI_SURFACE_PARTLY;
       this->Partly |= (surfaces[i].Where.z & GI_SURFACE_PARTLY) != 0;
     }
   }
@@ -83,8 +84,10 @@ void RayProps::Update(vtkRenderer* renderer)
   for (std::size_t i = 0; i < parts.size() && !changed; ++i)
   {
     const Place& place = this->Places[i];
-    changed = place.Mesh != parts[i].MeshKey || place.ToWorld != parts[i].ToWorld;
+    changed = place.Mesh != parts[i].MeshKey || place.ToWorld != parts[i].ToWorld ||
+      place.Many != parts[i].Places;
   }
+  this->UpdateClipping(parts, surfaces, indices);
   this->UpdatePlaces(parts, indices);
   this->UpdateEmitters(parts, surfaces, indices, changed);
   if (surfaces.empty())
@@ -114,7 +117,8 @@ bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
     const auto found = this->Shapes.find(part.MeshKey);
     const bool known = found != this->Shapes.end();
     Shape& shape = known ? found->second : this->Shapes[part.MeshKey];
-    const bool moved = known && shape.CellTime == part.CellTime && shape.PointTime != part.PointTime;
+    const bool moved =
+      known && shape.CellTime == part.CellTime && shape.PointTime != part.PointTime;
     if (!known || shape.CellTime != part.CellTime || moved)
     {
       const RayGeometry geometry = part.MakeGeometry();
@@ -186,6 +190,41 @@ void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
   }
 }
 
+void RayProps::UpdateClipping(const std::vector<RayPart>& parts,
+  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices)
+{
+  std::vector<glm::vec4> planes;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const glm::ivec4 clip(
+      static_cast<int>(planes.size()), static_cast<int>(parts[i].Clip.size()), 0, 0);
+    for (const glm::dvec4& plane : parts[i].Clip)
+    {
+      const double there = glm::dot(glm::dvec3(plane), this->Scene.Origin()) + plane.w;
+      planes.emplace_back(glm::vec3(plane), static_cast<float>(there));
+    }
+    surfaces[indices[i]].Clip = clip;
+    if (parts[i].HasBack)
+    {
+      surfaces[indices[i] + 1].Clip = clip;
+    }
+  }
+  if (planes != this->Planes)
+  {
+    if (planes.size() != this->Planes.size())
+    {
+      this->Points.Free(this->FirstPlane, this->Planes.size());
+      this->FirstPlane = planes.empty() ? 0 : this->Points.Allocate(planes.size());
+    }
+    this->Planes = planes;
+    this->Points.Write(this->FirstPlane, planes.data(), planes.size());
+  }
+  for (shared::RaySurface& surface : surfaces)
+  {
+    surface.Clip.x += static_cast<int>(this->FirstPlane);
+  }
+}
+
 void RayProps::UpdatePlaces(
   const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces)
 {
@@ -198,11 +237,11 @@ void RayProps::UpdatePlaces(
   {
     Place& place = this->Places[i];
     const bool same = place.Mesh == parts[i].MeshKey && place.ToWorld == parts[i].ToWorld &&
-      place.Surface == surfaces[i];
+      place.Surface == surfaces[i] && place.Many == parts[i].Places;
     if (!same)
     {
-      place = { parts[i].MeshKey, parts[i].ToWorld, surfaces[i] };
-      this->Scene.SetInstance(i, place.Mesh, place.ToWorld, place.Surface);
+      place = { parts[i].MeshKey, parts[i].ToWorld, surfaces[i], parts[i].Places };
+      this->Scene.SetInstances(i, place.Mesh, place.ToWorld, place.Surface, place.Many);
     }
   }
 }
@@ -247,32 +286,47 @@ void RayProps::MakeEmitters(
   double total = 0.0;
   for (Shining& part : this->Shine)
   {
-    const RayGeometry geometry = parts[part.Part].MakeGeometry();
+    const RayPart& source = parts[part.Part];
+    const RayGeometry geometry = source.MakeGeometry();
+    const std::vector<RayPlace> once(1);
+    const std::vector<RayPlace>& places = source.Places ? *source.Places : once;
     part.Density = 0.0f;
-    if (table.size() + geometry.Triangles.size() > MostEmitters)
+    // Points are picked on triangles only.
+    if (geometry.Triangles.size() != geometry.Size() ||
+      table.size() + places.size() * geometry.Triangles.size() > MostEmitters)
     {
       continue;
     }
     part.Density = 1.0f;
-    glm::dmat4 toScene = parts[part.Part].ToWorld;
-    toScene[3] = toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(this->Scene.Origin(), 0.0);
-    for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
+    for (const RayPlace& place : places)
     {
-      glm::dvec3 corner[3];
-      for (int c = 0; c < 3; ++c)
+      glm::dmat4 toScene = source.ToWorld;
+      if (source.Places)
       {
-        corner[c] =
-          glm::dvec3(toScene * glm::dvec4(geometry.Points[geometry.Triangles[t][c]], 1.0));
+        glm::dmat4 placed{ glm::dmat3(place.Turn) };
+        placed[3] = glm::dvec4(place.At, 1.0);
+        toScene = toScene * placed;
       }
-      const double area =
-        0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
-      if (area > 0.0 && std::isfinite(area))
+      toScene[3] =
+        toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(this->Scene.Origin(), 0.0);
+      for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
       {
-        total += part.Strength * area;
-        sums.push_back(total);
-        table.push_back({ glm::vec4(corner[0], 0.0f),
-          glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),
-          glm::vec4(corner[2], glm::intBitsToFloat(static_cast<int>(t))) });
+        glm::dvec3 corner[3];
+        for (int c = 0; c < 3; ++c)
+        {
+          corner[c] =
+            glm::dvec3(toScene * glm::dvec4(geometry.Points[geometry.Triangles[t][c]], 1.0));
+        }
+        const double area =
+          0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+        if (area > 0.0 && std::isfinite(area))
+        {
+          total += part.Strength * area;
+          sums.push_back(total);
+          table.push_back({ glm::vec4(corner[0], 0.0f),
+            glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),
+            glm::vec4(corner[2], glm::intBitsToFloat(static_cast<int>(t))) });
+        }
       }
     }
   }
@@ -309,6 +363,10 @@ Defines RayProps::ShaderDefines() const
   {
     defines["GI_RAY_PARTLY"] = "1";
   }
+  if (!this->Planes.empty())
+  {
+    defines["GI_RAY_CLIPPED"] = "1";
+  }
   return defines;
 }
 
@@ -326,5 +384,6 @@ void RayProps::ReleaseGraphicsResources()
   this->Surfaces.clear();
   this->Shine.clear();
   this->EmittersMade = false;
+  this->Planes.clear();
 }
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "private/GLObjects.h"
+#include "private/rays/GatherCache.h"
 #include "private/rays/RayPart.h"
 #include "private/rays/RayScene.h"
 
@@ -55,15 +56,19 @@ private:
     std::uint64_t Mesh = 0;
     glm::dmat4 ToWorld{ 0.0 };
     std::int32_t Surface = -1;
+    RayScene::Places Many;
   };
 
   bool UpdateMeshes(const std::vector<RayPart>& parts);
   void UpdateAttributes(const std::vector<RayPart>& parts);
+  void UpdateClipping(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
+    const std::vector<std::int32_t>& indices);
   void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
   void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
     const std::vector<std::int32_t>& indices, bool changed);
   void MakeEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
+  GatherCache Cache;
   RayScene Scene;
   RayBuffer Attributes{ "attributes of triangles", 1 };
   RayBuffer Points{ "attributes of points", 1 };
@@ -73,6 +78,8 @@ private:
   std::map<std::uint64_t, Block> Blocks;
   std::vector<Place> Places;
   std::vector<shared::RaySurface> Surfaces;
+  std::vector<glm::vec4> Planes; ///< that clip, among the points from FirstPlane on
+  std::size_t FirstPlane = 0;
   std::set<vtkProp*> Seen;
   std::size_t Left = 0;
   std::size_t Primitives = 0;

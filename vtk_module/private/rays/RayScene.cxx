@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/rays/RayScene.h"
 
+#include "private/rays/Parallel.h"
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace penumbra
@@ -30,6 +33,19 @@ struct RayScene::Instance
   Key Mesh = 0;
   glm::dmat4 MeshToWorld{ 1.0 };
   std::int32_t User = 0;
+  RayScene::Places At; ///< null for the one place that MeshToWorld is
+
+  std::size_t Count() const { return this->At ? this->At->size() : 1; }
+};
+
+/// An instance's records in the arrays that the top level is made of.
+struct RayScene::Placing
+{
+  const Instance* What;
+  const Placed* Mesh;
+  std::size_t First;
+  RayBounds* Bounds;
+  shared::RayInstance* Records;
 };
 
 RayScene::RayScene()
@@ -78,7 +94,13 @@ void RayScene::RemoveMesh(Key mesh)
 
 void RayScene::SetInstance(Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user)
 {
-  this->All[instance] = { mesh, meshToWorld, user };
+  this->SetInstances(instance, mesh, meshToWorld, user, nullptr);
+}
+
+void RayScene::SetInstances(
+  Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user, const Places& places)
+{
+  this->All[instance] = { mesh, meshToWorld, user, places };
   this->TopChanged = true;
 }
 
@@ -182,32 +204,30 @@ RayBounds Placement(const RayBounds& box, const glm::dmat4& meshToScene)
 }
 }
 
-void RayScene::UpdateTop()
+std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t end) const
 {
-  const std::size_t count = this->All.size();
-  std::vector<RayBounds> bounds(count);
-  std::vector<shared::RayInstance> records(count);
-  this->Names.clear();
-  this->Unplaced = 0;
-  for (const auto& item : this->All)
+  const RayMesh& shape = group.Mesh->Mesh;
+  const RayBounds margin = shape.Tree().Bounds.Grown(RayTree::Margin(shape.Tree().Bounds));
+  std::size_t unplaced = 0;
+  for (std::size_t i = begin; i < end; ++i)
   {
-    const std::size_t index = this->Names.size();
-    this->Names.push_back(item.first);
-    const auto mesh = this->Meshes.find(item.second.Mesh);
-    if (mesh == this->Meshes.end() || mesh->second->Mesh.Tree().Root == GI_RAY_DONE)
+    const std::size_t index = group.First + i;
+    glm::dmat4 meshToScene = group.What->MeshToWorld;
+    shared::RayInstance& record = group.Records[index];
+    record.Color = 0xffffffffu;
+    if (group.What->At)
     {
-      continue;
+      const RayPlace& place = (*group.What->At)[i];
+      glm::dmat4 there{ glm::dmat3(place.Turn) };
+      there[3] = glm::dvec4(place.At, 1.0);
+      meshToScene = meshToScene * there;
+      record.Color = place.Color;
     }
-    const RayMesh& shape = mesh->second->Mesh;
-    glm::dmat4 meshToScene = item.second.MeshToWorld;
     meshToScene[3] = meshToScene * glm::dvec4(shape.Origin(), 1.0);
     meshToScene[3] -= glm::dvec4(this->Center, 0.0);
-    const glm::dmat4 sceneToMesh = glm::inverse(meshToScene);
-    const RayBounds margin = shape.Tree().Bounds.Grown(RayTree::Margin(shape.Tree().Bounds));
-    bounds[index] = Placement(margin, meshToScene);
-    const glm::dmat4 rows = glm::transpose(sceneToMesh);
-    shared::RayInstance& record = records[index];
-    bool usable = !bounds[index].IsEmpty();
+    const glm::dmat4 rows = glm::transpose(glm::inverse(meshToScene));
+    group.Bounds[index] = Placement(margin, meshToScene);
+    bool usable = !group.Bounds[index].IsEmpty();
     for (int row = 0; row < 3; ++row)
     {
       record.SceneToMesh[row] = glm::vec4(rows[row]);
@@ -218,13 +238,41 @@ void RayScene::UpdateTop()
     }
     if (!usable)
     {
-      bounds[index] = RayBounds();
-      ++this->Unplaced;
+      group.Bounds[index] = RayBounds();
+      ++unplaced;
     }
-    record.Root = mesh->second->Root();
+    record.Root = group.Mesh->Root();
     record.Instance = static_cast<std::int32_t>(index);
-    record.User = item.second.User;
+    record.User = group.What->User;
   }
+  return unplaced;
+}
+
+void RayScene::UpdateTop()
+{
+  std::size_t count = 0;
+  for (const auto& item : this->All)
+  {
+    count += item.second.Count();
+  }
+  std::vector<RayBounds> bounds(count);
+  std::vector<shared::RayInstance> records(count);
+  this->Names.clear();
+  std::atomic<std::size_t> unplaced{ 0 };
+  for (const auto& item : this->All)
+  {
+    const std::size_t first = this->Names.size();
+    this->Names.resize(first + item.second.Count(), item.first);
+    const auto mesh = this->Meshes.find(item.second.Mesh);
+    if (mesh != this->Meshes.end() && mesh->second->Mesh.Tree().Root != GI_RAY_DONE)
+    {
+      const Placing group = { &item.second, mesh->second.get(), first, bounds.data(),
+        records.data() };
+      ParallelFor(item.second.Count(),
+        [&](std::size_t begin, std::size_t end) { unplaced += this->Place(group, begin, end); });
+    }
+  }
+  this->Unplaced = unplaced;
 
   RayTree top;
   top.Build(bounds, 1, GI_RAY_TOP_DEPTH);

@@ -35,6 +35,11 @@ public:
 
   /// Place a mesh in the world, or move what was placed under this name. Hits report `user`.
   void SetInstance(Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user = 0);
+  /// Place a mesh many times under one name, at places before meshToWorld. The places are kept, not
+  /// copied: for others, give another vector.
+  using Places = std::shared_ptr<const std::vector<RayPlace>>;
+  void SetInstances(
+    Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user, const Places& places);
   void RemoveInstance(Key instance);
   void Clear();
 
@@ -64,10 +69,12 @@ public:
 private:
   struct Placed;
   struct Instance;
+  struct Placing;
 
   void Free(Placed& mesh);
   void Upload(Placed& mesh);
   void UpdateTop();
+  std::size_t Place(const Placing& group, std::size_t begin, std::size_t end) const;
 
   RayBuffer Nodes;
   RayBuffer Primitives;

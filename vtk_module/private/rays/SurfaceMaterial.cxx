@@ -38,6 +38,23 @@ glm::vec3 MeanColor(vtkTexture* texture)
 }
 }
 
+void Recolor(shared::RaySurface& surface, vtkProperty* property, const glm::vec3& color)
+{
+  const bool phong = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  const auto diffuse = static_cast<float>(phong ? property->GetDiffuse() : 1.0);
+  surface.Color = glm::vec4(color * diffuse, surface.Color.a);
+  if (phong)
+  {
+    surface.Emission = glm::vec4(color * static_cast<float>(property->GetAmbient()), 0.0f);
+  }
+}
+
+void Fade(shared::RaySurface& surface, float opacity)
+{
+  surface.Color.a *= opacity;
+  surface.Where.z |= surface.Color.a < 1.0f ? GI_SURFACE_PARTLY : 0;
+}
+
 shared::RaySurface MakeRaySurface(vtkProperty* property)
 {
   shared::RaySurface surface{};
@@ -64,8 +81,8 @@ shared::RaySurface MakeRaySurface(vtkProperty* property)
   else
   {
     surface.Color = glm::vec4(diffuse * static_cast<float>(property->GetDiffuse()), 0.0f);
-    surface.Specular = glm::vec4(ToVec3(property->GetSpecularColor()) * property->GetSpecular(),
-      property->GetSpecularPower());
+    surface.Specular = glm::vec4(
+      ToVec3(property->GetSpecularColor()) * property->GetSpecular(), property->GetSpecularPower());
     surface.Emission =
       glm::vec4(ToVec3(property->GetAmbientColor()) * property->GetAmbient(), 0.0f);
     surface.Factors = glm::vec4(property->GetDiffuse(), property->GetAmbient(), 0.0f, 0.0f);

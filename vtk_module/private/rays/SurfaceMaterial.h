@@ -12,6 +12,13 @@ class vtkProperty;
 
 namespace penumbra
 {
+/// The same surface in another colour, which VTK's shaders put in place of the property's diffuse and
+/// ambient ones.
+void Recolor(shared::RaySurface& surface, vtkProperty* property, const glm::vec3& color);
+
+/// Let through what an opacity below one, after the surface's own, says.
+void Fade(shared::RaySurface& surface, float opacity);
+
 /// The material of a property, without scalar colours. Flags are set but for those that depend on
 /// the mesh (smooth normals, colours).
 shared::RaySurface MakeRaySurface(vtkProperty* property);

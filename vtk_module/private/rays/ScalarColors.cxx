@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/rays/ScalarColors.h"
+
+#include "private/rays/GatherCache.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkLookupTable.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace penumbra
+{
+namespace
+{
+bool IsPartly(vtkUnsignedCharArray* colors)
+{
+  const int components = colors->GetNumberOfComponents();
+  if (components != 2 && components != 4)
+  {
+    return false;
+  }
+  const unsigned char* values = colors->GetPointer(0);
+  for (vtkIdType i = components - 1; i < colors->GetNumberOfValues(); i += components)
+  {
+    if (values[i] < 255)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkMTimeType SourceTime(vtkMapper* mapper, vtkDataSet* data)
+{
+  vtkMTimeType time = std::max(mapper->GetMTime(), data->GetMTime());
+  int association = 0;
+  auto* scalars =
+    vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association));
+  if (scalars && scalars->GetLookupTable())
+  {
+    time = std::max(time, scalars->GetLookupTable()->GetMTime());
+  }
+  return time;
+}
+}
+
+bool ScalarColors::Has(vtkIdType i) const
+{
+  return this->Array && i >= 0 && i < this->Array->GetNumberOfTuples();
+}
+
+std::uint32_t ScalarColors::At(vtkIdType i) const
+{
+  unsigned char rgba[4] = { 255, 255, 255, 255 };
+  if (this->Has(i))
+  {
+    const int components = this->Array->GetNumberOfComponents();
+    const unsigned char* color = this->Array->GetPointer(i * components);
+    if (components < 3)
+    {
+      // Luminance, and alpha.
+      rgba[0] = rgba[1] = rgba[2] = color[0];
+      rgba[3] = components == 2 ? color[1] : 255;
+    }
+    else
+    {
+      std::copy(color, color + std::min(4, components), rgba);
+    }
+  }
+  return rgba[0] | rgba[1] << 8 | rgba[2] << 16 | static_cast<std::uint32_t>(rgba[3]) << 24;
+}
+
+const ScalarColors& MapScalarColors(
+  GatherCache& cache, vtkMapper* mapper, vtkDataSet* data, double alpha)
+{
+  auto& colors = cache.At<ScalarColors>(mapper, data);
+  const vtkMTimeType time = SourceTime(mapper, data);
+  if (colors.SourceTime == time && colors.Alpha == alpha)
+  {
+    return colors;
+  }
+  colors.Alpha = alpha;
+  vtkNew<vtkPolyDataMapper> painter;
+  painter->vtkMapper::ShallowCopy(mapper);
+  // Colours looked up per pixel, by a texture, come from the same table at the points.
+  painter->SetInterpolateScalarsBeforeMapping(false);
+  colors.Array = painter->MapScalars(data, alpha, colors.Association);
+  colors.Partly = colors.Array && IsPartly(colors.Array);
+  vtkTimeStamp now;
+  now.Modified();
+  colors.Time = now;
+  // Mapping may set a table's range, which counts as a change of the mapper.
+  colors.SourceTime = SourceTime(mapper, data);
+  return colors;
+}
+}
