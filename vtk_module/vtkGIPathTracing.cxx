@@ -3,6 +3,8 @@
 #include "vtkGIPathTracing.h"
 
 #include "private/Frame.h"
+#include "private/MaterialTable.h"
+#include "private/SceneCapture.h"
 #include "private/ScopedState.h"
 #include "private/StillFrames.h"
 #include "private/rays/RayProps.h"
@@ -27,6 +29,7 @@ struct PathTracer
 {
   RayProps* Rays;
   LightTable* Lights;
+  MaterialTable* Materials;
   int Bounces;
   int Strategy;
   /// fresh: they were made just now and hold nothing.
@@ -58,7 +61,8 @@ struct PathTracer
     context.Use(program,
       { context.Input(resource::Albedo), context.Input(resource::Normal),
         context.Input(resource::WindowDepth), context.Input(resource::Color) });
-    this->Rays->Bind();
+    this->Rays->Bind(program);
+    this->Materials->Bind(1);
     this->Lights->BindWorld(0, this->Rays->Origin());
     const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
     const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - this->Rays->Origin());
@@ -74,7 +78,8 @@ struct PathTracer
     glUniform1f(program.Location("drawnReach"),
       this->Lights->Lights().empty() ? 1.0f + margin : 1.0f - margin);
     constexpr int group = 8;
-    glDispatchCompute((view.Viewport.z + group - 1) / group, (view.Viewport.w + group - 1) / group, 1);
+    glDispatchCompute(
+      (view.Viewport.z + group - 1) / group, (view.Viewport.w + group - 1) / group, 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
@@ -98,9 +103,9 @@ struct PathTracer
       for (int x = area.x; x < area.x + area.z; ++x)
       {
         const std::size_t at = 4 * (static_cast<std::size_t>(y) * size.x + x);
-        const double mean = (0.2126 * (shown[at] + encoded[at]) +
-                              0.7152 * (shown[at + 1] + encoded[at + 1]) +
-                              0.0722 * (shown[at + 2] + encoded[at + 2])) /
+        const double mean =
+          (0.2126 * (shown[at] + encoded[at]) + 0.7152 * (shown[at + 1] + encoded[at + 1]) +
+            0.0722 * (shown[at + 2] + encoded[at + 2])) /
           samples;
         squares += std::max(0.0, encoded[at + 3] / samples - mean * mean) / (samples - 1);
         total += mean;
@@ -163,7 +168,8 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   {
     progress = Progress();
   }
-  const PathTracer tracer = { &rays, &frame.Lights(), this->Bounces, this->Strategy };
+  const PathTracer tracer = { &rays, &frame.Lights(), &frame.Capture().Materials(), this->Bounces,
+    this->Strategy };
   ShiftStillFrame(frame, this->Samples);
   frame.SetAveraged();
   frame.SetDrawnByRays();

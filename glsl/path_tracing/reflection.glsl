@@ -15,22 +15,25 @@ struct GiReflector
   float roughness;
   vec3 f0;
   vec3 f90;
+  float occlusion;
   float gloss; // chance to sample the highlight
 };
 
-GiReflector giReflector(RaySurface surface, vec4 color, vec3 N, vec3 V)
+GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
 {
   GiReflector r;
+  vec3 N = at.normal;
   r.N = N;
   r.V = V;
-  r.albedo = color.rgb;
-  r.pbr = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PBR;
-  r.specular = r.pbr ? vec3(0.0) : surface.Specular.rgb;
-  r.power = r.pbr ? 1.0 : surface.Specular.w;
-  r.metallic = surface.Factors.x;
-  r.roughness = surface.Factors.y;
-  r.f0 = mix(vec3(surface.Specular.w), color.rgb, r.metallic);
-  r.f90 = mix(vec3(clamp(dot(r.f0, vec3(50.0 * 0.33)), 0.0, 1.0)), surface.Specular.rgb, r.metallic);
+  r.albedo = at.color.rgb;
+  r.pbr = model == GI_SURFACE_PBR;
+  r.specular = r.pbr ? vec3(0.0) : at.specular.rgb;
+  r.power = r.pbr ? 1.0 : at.specular.w;
+  r.metallic = at.metallic;
+  r.roughness = at.roughness;
+  r.occlusion = at.occlusion;
+  r.f0 = mix(vec3(at.specular.w), at.color.rgb, r.metallic);
+  r.f90 = mix(vec3(clamp(dot(r.f0, vec3(50.0 * 0.33)), 0.0, 1.0)), at.specular.rgb, r.metallic);
   float matte = dot(r.albedo, vec3(1.0)) * (r.pbr ? 1.0 - r.metallic : 1.0);
   vec3 fresnel = giFresnelSchlick(r.f0, r.f90, clamp(dot(N, V), 0.0, 1.0));
   float shiny = r.pbr ? dot(fresnel, vec3(1.0)) : 2.0 * dot(r.specular, vec3(1.0)) / (r.power + 1.0);
@@ -48,7 +51,7 @@ vec3 giReflect(GiReflector r, vec3 L)
   }
   if (r.pbr)
   {
-    return giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, r.roughness, r.f0, r.f90);
+    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, r.roughness, r.f0, r.f90);
   }
   return (r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
 }

@@ -1,8 +1,8 @@
 #version 430 core
 // One path through every pixel, added to sums. Kajiya 1986, "The Rendering Equation"; next-event
 // estimation and multiple importance sampling after Veach 1997, "Robust Monte Carlo Methods for
-// Light Transport Simulation". Variants: GI_RAY_PARTLY (some surfaces let rays pass), and those of
-// rays/surface.glsl.
+// Light Transport Simulation". Variants: GI_RAY_PARTLY (some surfaces let rays pass), GI_RAY_SKY (the
+// surroundings shine), GI_RAY_EDGES (some surfaces show the edges of their cells), and those of rays/surface.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
@@ -15,7 +15,13 @@
 #include "lib/pbr.glsl"
 #include "lib/sampling.glsl"
 #include "rays/surface.glsl"
+#ifdef GI_RAY_SKY
+#include "rays/sky.glsl"
+#endif
 #include "path_tracing/reflection.glsl"
+#ifdef GI_RAY_EDGES
+#include "path_tracing/edges.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -41,6 +47,7 @@ uniform int strategy;      // 0 both, 1 light sampling, 2 BSDF sampling
 
 const int PASSES = 64; // through surfaces that let the ray pass
 const float FAR = 1e30;
+const float DEPTH_ERROR = 2.5e-7; // of a depth buffer of 24 bits
 
 uint seed;
 
@@ -64,10 +71,12 @@ bool passes(RaySurfacePoint at, int flags, inout uint state)
   return culled || (at.color.a < 1.0 && randomNumber(state) >= at.color.a);
 }
 
-// Where the ray ends, through what lets it pass. ray.origin moves along.
-RayHit traceThrough(inout Ray ray, out RaySurfacePoint at, inout uint state)
+// Where the ray ends, through what lets it pass. ray.origin moves along. first: how far the first
+// surface is that it meets.
+RayHit traceThrough(inout Ray ray, out RaySurfacePoint at, out float first, inout uint state)
 {
   RayHit hit = traceClosest(ray);
+  first = hit.instance >= 0 ? hit.t : FAR;
   if (hit.instance >= 0)
   {
     at = raySurfaceAt(ray, hit);
@@ -96,7 +105,8 @@ bool blocked(Ray ray, inout uint state)
 {
 #ifdef GI_RAY_PARTLY
   RaySurfacePoint at;
-  return traceThrough(ray, at, state).instance >= 0;
+  float first;
+  return traceThrough(ray, at, first, state).instance >= 0;
 #else
   return traceAny(ray);
 #endif
@@ -148,7 +158,61 @@ int pickEmitter(float u)
   return low;
 }
 
-// What the lamps and one point of the emitters make a surface send to its viewer.
+// Light on its way to a surface: what of it the surface sends to its viewer, and the ray that must
+// be free for that.
+struct Arrival
+{
+  vec3 reflected;
+  vec3 direction;
+  float tMax;
+  bool open; // nothing can be in the way
+};
+
+Arrival fromLamp(LightData lamp, GiReflector r, RaySurfacePoint at, bool seen)
+{
+  bool head = lamp.Kind.z != 0; // shines from the eye: reaches all that the eye sees
+  bool local = head || lamp.Kind.x == GI_LIGHT_POSITIONAL;
+  vec3 target = head ? eye : lamp.Position.xyz;
+  return Arrival(lampReflected(lamp, r, at.position, seen),
+    local ? target - at.position : -lamp.Direction.xyz, local ? 1.0 : FAR, head && seen);
+}
+
+Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
+{
+  int index = pickEmitter(u.x);
+  float before = index > 0 ? rayEmitters[index - 1].A.w : 0.0;
+  RayEmitter emitter = rayEmitters[index];
+  float within = clamp((u.x - before) / max(emitter.A.w - before, 1e-20), 0.0, 1.0);
+  vec2 weights = giSampleTriangle(vec2(within, u.y));
+  vec3 edge1 = emitter.B.xyz - emitter.A.xyz;
+  vec3 edge2 = emitter.C.xyz - emitter.A.xyz;
+  vec3 across = cross(edge1, edge2);
+  vec3 target = emitter.A.xyz + weights.x * edge1 + weights.y * edge2;
+  vec3 path = target - at.position;
+  RaySurface surface = raySurfaces[floatBitsToInt(emitter.B.w)];
+  float occlusion;
+  vec3 emission = rayMaterial(surface, floatBitsToInt(emitter.C.w), weights,
+    dot(across, path) < 0.0, occlusion).Emission.rgb;
+  float density = emitterDensity(surface.Emission.w, at.position, target, normalize(across));
+  vec3 L = normalize(path);
+  float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
+  return Arrival(density > 0.0 ? giReflect(r, L) * emission * weight / density : vec3(0.0), path,
+    1.0 - 1e-4, false);
+}
+
+#ifdef GI_RAY_SKY
+Arrival fromSky(vec2 u, GiReflector r)
+{
+  float density;
+  vec3 L = raySkySample(u, density);
+  float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
+  return Arrival(density > 0.0 ? giReflect(r, L) * raySkyRadiance(L) * weight / density : vec3(0.0),
+    L, FAR, false);
+}
+#endif
+
+// What the lamps, one point of the emitters and one direction of the sky make a surface send to its
+// viewer.
 vec3 directLight(GiReflector r, RaySurfacePoint at, int bounce, inout uint state)
 {
   vec3 sum = vec3(0.0);
@@ -156,52 +220,36 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, int bounce, inout uint state
   bool all = bounce == 0;
   int lamps = all ? lightCount : min(lightCount, 1);
   int emitters = emitterCount > 0 && strategy != 2 ? 1 : 0;
-  for (int i = 0; i < lamps + emitters; ++i)
+#ifdef GI_RAY_SKY
+  int skies = strategy != 2 ? 1 : 0;
+#else
+  const int skies = 0;
+#endif
+  for (int i = 0; i < lamps + emitters + skies; ++i)
   {
-    vec2 u = sample2D(bounce, 0);
-    vec3 reflected;
-    Ray ray = Ray(at.position, 0.0, vec3(0.0), FAR);
-    bool open = false;
+    Arrival arrival;
     if (i < lamps)
     {
       int chosen = all ? i : min(int(randomNumber(state) * float(lightCount)), lightCount - 1);
-      LightData lamp = lights[chosen];
-      reflected = lampReflected(lamp, r, at.position, all) * (all ? 1.0 : float(lightCount));
-      bool head = lamp.Kind.z != 0; // shines from the eye: reaches all that the eye sees
-      open = head && all;
-      vec3 target = head ? eye : lamp.Position.xyz;
-      bool local = head || lamp.Kind.x == GI_LIGHT_POSITIONAL;
-      ray.direction = local ? target - at.position : -lamp.Direction.xyz;
-      ray.tMax = local ? 1.0 : FAR;
+      arrival = fromLamp(lights[chosen], r, at, all);
+      arrival.reflected *= all ? 1.0 : float(lightCount);
     }
+    else if (i < lamps + emitters)
+    {
+      arrival = fromEmitter(sample2D(bounce, 0), r, at);
+    }
+#ifdef GI_RAY_SKY
     else
     {
-      int index = pickEmitter(u.x);
-      float before = index > 0 ? rayEmitters[index - 1].A.w : 0.0;
-      RayEmitter emitter = rayEmitters[index];
-      float within = clamp((u.x - before) / max(emitter.A.w - before, 1e-20), 0.0, 1.0);
-      vec2 weights = giSampleTriangle(vec2(within, u.y));
-      vec3 edge1 = emitter.B.xyz - emitter.A.xyz;
-      vec3 edge2 = emitter.C.xyz - emitter.A.xyz;
-      vec3 target = emitter.A.xyz + weights.x * edge1 + weights.y * edge2;
-      RaySurface surface = raySurfaces[floatBitsToInt(emitter.B.w)];
-      vec4 color;
-      vec3 emission;
-      rayColors(surface, floatBitsToInt(emitter.C.w), weights, color, emission);
-      float density =
-        emitterDensity(surface.Emission.w, at.position, target, normalize(cross(edge1, edge2)));
-      ray.direction = target - at.position;
-      vec3 L = normalize(ray.direction);
-      float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
-      reflected = density > 0.0 ? giReflect(r, L) * emission * weight / density : vec3(0.0);
-      ray.tMax = 1.0 - 1e-4;
+      arrival = fromSky(sample2D(bounce, 2), r);
     }
-    if (dot(reflected, vec3(1.0)) > 0.0)
+#endif
+    if (dot(arrival.reflected, vec3(1.0)) > 0.0)
     {
       // A direction below the surface proper meets it at once: no light leaks through facets.
-      bool inside = dot(at.geometric, ray.direction) <= 0.0;
-      ray.origin = rayLeave(at, at.geometric);
-      sum += open || !(inside || blocked(ray, state)) ? reflected : vec3(0.0);
+      bool inside = dot(at.geometric, arrival.direction) <= 0.0;
+      Ray ray = Ray(rayLeave(at, at.geometric), 0.0, arrival.direction, arrival.tMax);
+      sum += arrival.open || !(inside || blocked(ray, state)) ? arrival.reflected : vec3(0.0);
     }
   }
   return sum;
@@ -214,8 +262,12 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, inout uint state)
   vec3 throughput = vec3(1.0);
   vec3 from = ray.origin;
   float density = 0.0; // of the direction that led here
-  // After the last reflection, one ray more finds emitters.
+  // After the last reflection, one ray more finds emitters and the sky.
+#ifdef GI_RAY_SKY
+  int last = bounces + (strategy != 1 ? 1 : 0);
+#else
   int last = bounces + (emitterCount > 0 && strategy != 1 ? 1 : 0);
+#endif
   for (int bounce = 0; bounce <= last; ++bounce)
   {
     RaySurface surface = raySurfaces[at.surface];
@@ -232,7 +284,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, inout uint state)
     }
     // VTK looks from the camera's place in a parallel projection too.
     vec3 V = bounce == 0 ? normalize(eye - at.position) : -ray.direction;
-    GiReflector r = giReflector(surface, at.color, at.normal, V);
+    GiReflector r = giReflector(at, surface.Where.z & GI_SURFACE_MODEL, V);
     radiance += throughput * directLight(r, at, bounce, state);
     if (bounce == last)
     {
@@ -250,9 +302,15 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, inout uint state)
     throughput /= survive;
     from = at.position;
     ray = Ray(rayLeave(at, L), 0.0, L, FAR);
-    RayHit hit = traceThrough(ray, at, state);
+    float first;
+    RayHit hit = traceThrough(ray, at, first, state);
     if (hit.instance < 0)
     {
+#ifdef GI_RAY_SKY
+      float other = raySkyDensity(L);
+      float share = strategy == 0 ? powerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
+      radiance += throughput * raySkyRadiance(L) * share;
+#endif
       break;
     }
   }
@@ -276,24 +334,31 @@ void main()
   vec3 path = giViewPosition(center, 1.0) - near;
   vec3 direction = normalize(path);
   Ray ray = Ray(eye + viewToScene * near, 0.0, viewToScene * direction, length(path));
-  bool drawn = texelFetch(albedoTexture, window, 0).a > 0.0 &&
-    int(texelFetch(normalTexture, window, 0).z * 65535.0 + 0.5) == GI_MATERIAL_AS_DRAWN;
-  if (drawn)
+  bool captured = texelFetch(albedoTexture, window, 0).a > 0.0;
+  int material = int(texelFetch(normalTexture, window, 0).z * 65535.0 + 0.5);
+  float depth = texelFetch(depthTexture, window, 0).r;
+  if (captured && (material == GI_MATERIAL_AS_DRAWN || materials[material].Model.y != 0))
   {
-    vec3 there = giViewPosition(center, texelFetch(depthTexture, window, 0).r);
-    ray.tMax = length(there - near) * drawnReach;
+    ray.tMax = length(giViewPosition(center, depth) - near) * drawnReach;
   }
 
   RaySurfacePoint at;
   vec3 start = ray.origin;
-  RayHit hit = traceThrough(ray, at, state);
-  bool met = hit.instance >= 0;
+  float first;
+  RayHit hit = traceThrough(ray, at, first, state);
+  // What the rasterizer drew well before the first surface is of a kind that rays do not meet.
+  float farthest = length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - near);
+  bool hidden = captured && drawnReach < 1.0 && first > farthest * (2.0 - drawnReach);
+  bool met = hit.instance >= 0 && !hidden;
   bool encoded = false;
   vec3 value = texelFetch(colorTexture, window, 0).rgb; // lines and points, background
   vec4 albedo = vec4(0.0);
   vec4 normal = vec4(0.0);
   if (met)
   {
+#ifdef GI_RAY_EDGES
+    at = withEdges(at, hit, transpose(viewToScene), eye, center);
+#endif
     albedo = vec4(at.color.rgb, 1.0);
     normal = vec4(at.normal, dot(at.position - start, viewToScene * vec3(0.0, 0.0, -1.0)) - near.z);
     encoded = (raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PBR;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a ray sees where it ends: position, normals and material, as VTK draws them. Needs
 // rays/trace.glsl, shared/material.h, lib/octahedral.glsl. Variants: GI_RAY_CLIPPED (some surfaces
-// have clipping planes), and those of rays/trace.glsl.
+// have clipping planes), GI_RAY_PICTURES (some have pictures), and those of rays/trace.glsl.
 #include "shared/ray_surface.h"
+#ifdef GI_RAY_PICTURES
+#include "rays/pictures.glsl"
+#endif
 
 struct RaySurfacePoint
 {
@@ -14,7 +17,11 @@ struct RaySurfacePoint
   bool front;     // seen from the side from which its corners run counter-clockwise
   vec4 color;     // diffuse reflectance or base colour; a: opacity
   vec3 emission;
-  int surface;    // index of its material
+  vec4 specular;  // as RaySurface's
+  float metallic;
+  float roughness;
+  float occlusion; // share of its light that a PBR surface is drawn with
+  int surface;     // index of its material
   int primitive;
 };
 
@@ -33,7 +40,7 @@ vec3 rayPointNormal(uint bits)
 RaySurface rayColored(RaySurface surface, vec4 mapped)
 {
   bool phong = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-  surface.Color = vec4(mapped.rgb * (phong ? surface.Factors.x : 1.0), mapped.a * surface.Color.a);
+  surface.Color = vec4(mapped.rgb * surface.Factors.x, mapped.a * surface.Color.a);
   surface.Emission.rgb = phong ? mapped.rgb * surface.Factors.y : surface.Emission.rgb;
   return surface;
 }
@@ -52,17 +59,87 @@ bool rayClipped(RaySurface surface, vec3 position)
 }
 #endif
 
-// The colours of a surface at a point of one of its primitives.
-void rayColors(RaySurface surface, int primitive, vec2 barycentrics, out vec4 color, out vec3 emission)
+ivec3 rayCorners(RaySurface surface, int primitive)
+{
+  uvec3 points = texelFetch(rayAttributes, surface.Where.x + primitive).xyz;
+  points.x &= (1u << GI_RAY_EDGE_SHIFT) - 1u;
+  return surface.Where.y + ivec3(points);
+}
+
+vec2 rayTextureCoordinates(ivec3 corner, vec2 barycentrics)
+{
+  vec2 a = uintBitsToFloat(texelFetch(rayPoints, corner.x).zw);
+  vec2 b = uintBitsToFloat(texelFetch(rayPoints, corner.y).zw);
+  vec2 c = uintBitsToFloat(texelFetch(rayPoints, corner.z).zw);
+  return (1.0 - barycentrics.x - barycentrics.y) * a + barycentrics.x * b + barycentrics.y * c;
+}
+
+#ifdef GI_RAY_PICTURES
+// The material where its pictures have these coordinates; occlusion as RaySurfacePoint's.
+RaySurface rayPictured(RaySurface surface, vec2 uv, bool front, out float occlusion)
+{
+  occlusion = 1.0;
+  int model = surface.Where.z & GI_SURFACE_MODEL;
+  int colors = floatBitsToInt(surface.More.x);
+  if (colors >= 0)
+  {
+    surface = rayColored(surface, rayPicture(colors, uv));
+  }
+  if (surface.Pictures.x >= 0 && (front || (surface.Where.z & GI_SURFACE_FRONT_PICTURES) == 0))
+  {
+    vec4 base = rayPicture(surface.Pictures.x, uv);
+    surface.Color *= base;
+    // VTK multiplies what a Phong material sends, by whatever way.
+    surface.Specular.rgb *= model == GI_SURFACE_PBR ? vec3(1.0) : base.rgb;
+    surface.Emission.rgb *= model == GI_SURFACE_PBR ? vec3(1.0) : base.rgb;
+  }
+  if (surface.Pictures.y >= 0)
+  {
+    vec4 material = rayPicture(surface.Pictures.y, uv);
+    surface.Factors.zw *= material.bg;
+    occlusion = mix(1.0, material.r, surface.More.z);
+  }
+  if (surface.Pictures.w >= 0)
+  {
+    surface.Emission.rgb *= rayPicture(surface.Pictures.w, uv).rgb;
+  }
+  return surface;
+}
+
+// The normal as a picture bends it. Tangents follow the picture's first axis, as
+// vtkPolyDataTangents makes them: without a handedness.
+vec3 rayBentNormal(RaySurface surface, ivec3 corner, vec2 uv, vec3 edge1, vec3 edge2, mat3 toScene, vec3 N)
+{
+  vec2 a = uintBitsToFloat(texelFetch(rayPoints, corner.x).zw);
+  vec2 b = uintBitsToFloat(texelFetch(rayPoints, corner.y).zw) - a;
+  vec2 c = uintBitsToFloat(texelFetch(rayPoints, corner.z).zw) - a;
+  float area = b.x * c.y - c.x * b.y;
+  vec3 T = toScene * ((c.y * edge1 - b.y * edge2) * (area < 0.0 ? -1.0 : 1.0));
+  T -= dot(T, N) * N;
+  vec3 bent = rayPicture(surface.Pictures.z, uv).xyz * 2.0 - 1.0;
+  bent.xy *= surface.More.y;
+  if (dot(T, T) <= 0.0 || dot(bent, bent) <= 0.0)
+  {
+    return N;
+  }
+  T = normalize(T);
+  return normalize(mat3(T, cross(N, T), N) * bent);
+}
+#endif
+
+// The material at a point of one of its primitives; occlusion as RaySurfacePoint's.
+RaySurface rayMaterial(
+  RaySurface surface, int primitive, vec2 barycentrics, bool front, out float occlusion)
 {
   int flags = surface.Where.z;
+  occlusion = 1.0;
   if ((flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0)
   {
     uvec4 found = texelFetch(rayAttributes, surface.Where.x + primitive);
     vec4 mapped = unpackUnorm4x8(found.w);
     if ((flags & GI_SURFACE_POINT_COLORS) != 0)
     {
-      ivec3 corner = surface.Where.y + ivec3(found.xyz);
+      ivec3 corner = rayCorners(surface, primitive);
       mapped = (1.0 - barycentrics.x - barycentrics.y) *
           unpackUnorm4x8(texelFetch(rayPoints, corner.x).y) +
         barycentrics.x * unpackUnorm4x8(texelFetch(rayPoints, corner.y).y) +
@@ -70,13 +147,19 @@ void rayColors(RaySurface surface, int primitive, vec2 barycentrics, out vec4 co
     }
     surface = rayColored(surface, mapped);
   }
-  color = surface.Color;
-  emission = surface.Emission.rgb;
+#ifdef GI_RAY_PICTURES
+  if (any(greaterThanEqual(surface.Pictures, ivec4(0))) || floatBitsToInt(surface.More.x) >= 0)
+  {
+    vec2 uv = rayTextureCoordinates(rayCorners(surface, primitive), barycentrics);
+    surface = rayPictured(surface, uv, front, occlusion);
+  }
+#endif
   if ((flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT)
   {
-    emission = color.rgb;
-    color.rgb = vec3(0.0);
+    surface.Emission.rgb = surface.Color.rgb;
+    surface.Color.rgb = vec3(0.0);
   }
+  return surface;
 }
 
 RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
@@ -98,8 +181,10 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
     dot(z.xyz, position) + z.w);
   vec3 mesh;         // the normal in the mesh
   float above = 0.0; // by how much the point is off the surface there
+  bool triangle = true;
 #if defined(GI_RAY_SPHERES) || defined(GI_RAY_CYLINDERS)
   int kind = floatBitsToInt(b.w);
+  triangle = kind != GI_RAY_SPHERE && kind < GI_RAY_CYLINDER;
   if (kind == GI_RAY_SPHERE)
   {
     above = length(there - a.xyz) - c.w;
@@ -127,7 +212,12 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   float scale = length(outward);
   result.position = position - outward * (above / (scale * scale));
   outward /= scale;
-  vec3 size = max(abs(result.position), abs(there) / scale);
+  // Off by what the coordinates of the point are rounded by, and those of the primitive.
+  vec3 extent = max(max(abs(a.xyz), abs(b.xyz)), abs(c.xyz));
+#if defined(GI_RAY_SPHERES) || defined(GI_RAY_CYLINDERS)
+  extent = triangle ? extent : abs(a.xyz) + c.w;
+#endif
+  vec3 size = max(abs(result.position), max(abs(there), extent) / scale);
   result.error = 1e-6 * max(size.x, max(size.y, size.z));
   // A mirroring transformation turns the corners' order round, and their cross product with it.
   float mirrored = dot(cross(x.xyz, y.xyz), z.xyz) < 0.0 ? -1.0 : 1.0;
@@ -137,7 +227,7 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   result.normal = result.geometric;
   if ((surface.Where.z & GI_SURFACE_SMOOTH) != 0)
   {
-    ivec3 corner = surface.Where.y + ivec3(texelFetch(rayAttributes, surface.Where.x + result.primitive).xyz);
+    ivec3 corner = rayCorners(surface, result.primitive);
     vec3 smooth_ = (1.0 - hit.barycentrics.x - hit.barycentrics.y) *
         rayPointNormal(texelFetch(rayPoints, corner.x).x) +
       hit.barycentrics.x * rayPointNormal(texelFetch(rayPoints, corner.y).x) +
@@ -155,7 +245,21 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   {
     surface = rayColored(surface, unpackUnorm4x8(floatBitsToUint(rayInstance(record + 3).w)));
   }
-  rayColors(surface, result.primitive, hit.barycentrics, result.color, result.emission);
+#ifdef GI_RAY_PICTURES
+  if (triangle && surface.Pictures.z >= 0)
+  {
+    ivec3 corner = rayCorners(surface, result.primitive);
+    result.normal = rayBentNormal(surface, corner, rayTextureCoordinates(corner, hit.barycentrics),
+      b.xyz - a.xyz, c.xyz - a.xyz, transpose(mat3(x.xyz, y.xyz, z.xyz)), result.normal);
+  }
+#endif
+  surface = rayMaterial(
+    surface, result.primitive, hit.barycentrics, result.front, result.occlusion);
+  result.color = surface.Color;
+  result.emission = surface.Emission.rgb;
+  result.specular = surface.Specular;
+  result.metallic = surface.Factors.z;
+  result.roughness = surface.Factors.w;
   return result;
 }
 

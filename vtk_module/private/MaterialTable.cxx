@@ -22,9 +22,10 @@ int MaterialTable::Find(vtkProperty* property)
   const double scale = pbr ? 1.0 : property->GetSpecular();
   const double last = pbr ? vtkProperty::ComputeReflectanceFromIOR(property->GetBaseIOR(), 1.0)
                           : property->GetSpecularPower();
-  const std::array<float, 5> key = { { static_cast<float>(color[0] * scale),
+  const bool thin = property->GetRepresentation() != VTK_SURFACE;
+  const std::array<float, 6> key = { { static_cast<float>(color[0] * scale),
     static_cast<float>(color[1] * scale), static_cast<float>(color[2] * scale),
-    static_cast<float>(last), pbr ? 1.0f : 0.0f } };
+    static_cast<float>(last), pbr ? 1.0f : 0.0f, thin ? 1.0f : 0.0f } };
   const auto found = this->Index.find(key);
   if (found != this->Index.end())
   {
@@ -38,7 +39,7 @@ int MaterialTable::Find(vtkProperty* property)
     return static_cast<int>(limit) - 1;
   }
   this->Entries.push_back({ glm::vec4(key[0], key[1], key[2], key[3]),
-    glm::ivec4(pbr ? GI_MATERIAL_PBR : GI_MATERIAL_PHONG, 0, 0, 0) });
+    glm::ivec4(pbr ? GI_MATERIAL_PBR : GI_MATERIAL_PHONG, thin ? 1 : 0, 0, 0) });
   return this->Index[key] = static_cast<int>(this->Entries.size()) - 1;
 }
 

@@ -41,7 +41,7 @@ public:
 
 private:
   std::vector<shared::MaterialData> Entries;
-  std::map<std::array<float, 5>, int> Index;
+  std::map<std::array<float, 6>, int> Index;
   bool PBR = false;
   bool Specular = false;
   bool PartCover = false;

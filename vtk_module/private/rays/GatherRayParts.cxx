@@ -93,7 +93,8 @@ std::vector<RayPart> GatherRayParts(
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
       auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
-      if (!actor || !actor->GetVisibility() || !actor->GetMapper())
+      // A sky is behind everything; its light is the environment's.
+      if (!actor || !actor->GetVisibility() || !actor->GetMapper() || actor->IsA("vtkSkybox"))
       {
         continue;
       }

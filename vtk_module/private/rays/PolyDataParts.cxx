@@ -10,6 +10,8 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -20,7 +22,8 @@ namespace penumbra
 {
 namespace
 {
-/// Calls add(a, b, c, cell) for each triangle, cells counted as cell data is.
+/// Calls add(a, b, c, cell, hidden) for each triangle, cells counted as cell data is. hidden: a bit
+/// for each of its edges that runs through its cell.
 template <typename Add>
 void ForEachTriangle(vtkPolyData* data, const Add& add)
 {
@@ -42,9 +45,10 @@ void ForEachTriangle(vtkPolyData* data, const Add& add)
         const vtkIdType a = strips ? ids[i - 1] : ids[0];
         const vtkIdType b = strips && i % 2 == 0 ? ids[i + 1] : ids[i];
         const vtkIdType c = strips && i % 2 == 0 ? ids[i] : ids[i + 1];
+        const std::uint32_t hidden = strips ? 0u : (i > 1 ? 1u : 0u) | (i + 2 < size ? 4u : 0u);
         if (inside(a) && inside(b) && inside(c))
         {
-          add(a, b, c, cell);
+          add(a, b, c, cell, hidden);
         }
       }
       ++cell;
@@ -64,20 +68,43 @@ std::uint32_t PackNormal(glm::vec3 n)
   return glm::packUnorm2x16(p * 0.5f + 0.5f);
 }
 
-RayAttributes MakeAttributes(vtkPolyData* data, const ScalarColors& colors)
+/// What an actor's keys do to texture coordinates; the identity where there is no such key.
+glm::dmat4 TextureTransform(vtkActor* actor)
+{
+  glm::dmat4 transform(1.0);
+  vtkInformation* keys = actor->GetPropertyKeys();
+  if (keys && keys->Has(vtkProp::GeneralTextureTransform()))
+  {
+    const double* values = keys->Get(vtkProp::GeneralTextureTransform());
+    for (int i = 0; i < 16; ++i)
+    {
+      transform[i % 4][i / 4] = values[i];
+    }
+  }
+  return transform;
+}
+
+RayAttributes MakeAttributes(
+  vtkPolyData* data, const ScalarColors& colors, const glm::dmat4& textureTransform)
 {
   RayAttributes attributes;
-  ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell) {
-    shared::RayAttribute entry;
-    entry.Points[0] = static_cast<std::uint32_t>(a);
-    entry.Points[1] = static_cast<std::uint32_t>(b);
-    entry.Points[2] = static_cast<std::uint32_t>(c);
-    entry.Color =
-      colors.Association == 0 ? 0xffffffffu : colors.At(colors.Association == 1 ? cell : 0);
-    attributes.Primitives.push_back(entry);
-  });
+  vtkDataArray* flags = data->GetPointData()->GetAttribute(vtkDataSetAttributes::EDGEFLAG);
+  const auto flagged = [flags](
+                         vtkIdType id) { return !flags || flags->GetComponent(id, 0) != 0.0; };
+  ForEachTriangle(
+    data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell, std::uint32_t hidden) {
+      hidden |= (flagged(a) ? 0u : 1u) | (flagged(b) ? 0u : 2u) | (flagged(c) ? 0u : 4u);
+      shared::RayAttribute entry;
+      entry.Points[0] = static_cast<std::uint32_t>(a) | hidden << GI_RAY_EDGE_SHIFT;
+      entry.Points[1] = static_cast<std::uint32_t>(b);
+      entry.Points[2] = static_cast<std::uint32_t>(c);
+      entry.Color =
+        colors.Association == 0 ? 0xffffffffu : colors.At(colors.Association == 1 ? cell : 0);
+      attributes.Primitives.push_back(entry);
+    });
   vtkDataArray* normals = data->GetPointData()->GetNormals();
-  vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
+  vtkDataArray* coordinates = colors.Places.Get();
+  coordinates = coordinates ? coordinates : data->GetPointData()->GetTCoords();
   const vtkIdType count = data->GetNumberOfPoints();
   attributes.Points.resize(static_cast<std::size_t>(count));
   for (vtkIdType i = 0; i < count; ++i)
@@ -90,10 +117,15 @@ RayAttributes MakeAttributes(vtkPolyData* data, const ScalarColors& colors)
     }
     point.Normal = PackNormal(glm::vec3(n[0], n[1], n[2]));
     point.Color = colors.Association == 0 ? colors.At(i) : 0xffffffffu;
-    point.TextureU = coordinates ? static_cast<float>(coordinates->GetComponent(i, 0)) : 0.0f;
-    point.TextureV = coordinates && coordinates->GetNumberOfComponents() > 1
-      ? static_cast<float>(coordinates->GetComponent(i, 1))
-      : 0.0f;
+    if (coordinates && i < coordinates->GetNumberOfTuples())
+    {
+      const bool line = coordinates->GetNumberOfComponents() < 2;
+      const glm::dvec4 there = textureTransform *
+        glm::dvec4(
+          coordinates->GetComponent(i, 0), line ? 0.0 : coordinates->GetComponent(i, 1), 0.0, 1.0);
+      point.TextureU = static_cast<float>(there.x / there.w);
+      point.TextureV = line ? 0.0f : static_cast<float>(there.y / there.w);
+    }
   }
   return attributes;
 }
@@ -109,7 +141,7 @@ RayGeometry PolyDataGeometry(vtkPolyData* data)
     coordinates->GetTuple(static_cast<vtkIdType>(i), &points[i][0]);
   }
   geometry.SetPoints(points);
-  ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType) {
+  ForEachTriangle(data, [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType, std::uint32_t) {
     geometry.Triangles.emplace_back(a, b, c);
   });
   return geometry;
@@ -127,14 +159,28 @@ RayPart PolyDataPart(
   part.MakeGeometry = [data] { return PolyDataGeometry(data); };
   part.AttributeKey = GatherKey(data, mapper);
   part.AttributeTime = std::max({ data->GetMTime(), colors.Time, part.CellTime });
-  part.MakeAttributes = [data, colors] { return MakeAttributes(data, colors); };
+  const glm::dmat4 textureTransform = TextureTransform(drawn.Actor);
+  if (textureTransform != glm::dmat4(1.0))
+  {
+    part.AttributeKey ^= GatherKey(nullptr, drawn.Actor);
+    part.AttributeTime = std::max(part.AttributeTime, drawn.Actor->GetPropertyKeys()->GetMTime());
+  }
+  part.MakeAttributes = [data, colors, textureTransform] {
+    return MakeAttributes(data, colors, textureTransform);
+  };
   part.Clip = ClippingPlanes(mapper);
 
   vtkProperty* property = drawn.Actor->GetProperty();
+  if (colors.Places || data->GetPointData()->GetTCoords())
+  {
+    part.Pictures = PropertyPictures(drawn.Actor);
+    part.Pictures[ColorPicture] = colors.Table;
+  }
   int extra = 0;
   const bool flat = property->GetInterpolation() == VTK_FLAT;
   extra |= !flat && data->GetPointData()->GetNormals() ? GI_SURFACE_SMOOTH : 0;
-  if (colors.Array)
+  extra |= data->GetPointData()->GetTangents() ? GI_SURFACE_TANGENTS : 0;
+  if (colors.Array && !colors.Table)
   {
     extra |= colors.Association == 0 ? GI_SURFACE_POINT_COLORS : GI_SURFACE_CELL_COLORS;
     extra |= colors.Partly ? GI_SURFACE_PARTLY : 0;

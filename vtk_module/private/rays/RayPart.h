@@ -12,12 +12,14 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
 
 class vtkProp;
 class vtkRenderer;
+class vtkTexture;
 
 namespace penumbra
 {
@@ -26,6 +28,17 @@ struct RayAttributes
 {
   std::vector<shared::RayAttribute> Primitives; ///< as many as the geometry's
   std::vector<shared::RayPoint> Points;
+};
+
+/// What pictures on a surface are for: RaySurface::Pictures in their order, then its colour.
+enum PictureSlot
+{
+  BasePicture,
+  MaterialPicture,
+  NormalPicture,
+  EmissionPicture,
+  ColorPicture,
+  PictureSlots
 };
 
 struct RayPart
@@ -49,6 +62,7 @@ struct RayPart
   /// The mesh's places, each before ToWorld; null for the one place that ToWorld is. What they
   /// point to is never changed: other places are another vector.
   std::shared_ptr<const std::vector<RayPlace>> Places;
+  std::array<vtkTexture*, PictureSlots> Pictures{}; ///< null where there are none
   std::vector<glm::dvec4> Clip; ///< planes in the world: what is below them is not there
 };
 

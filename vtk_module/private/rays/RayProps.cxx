@@ -21,14 +21,17 @@ double Luminance(const glm::vec3& color)
 }
 
 /// What a part emits, roughly: how often its points are picked hangs on it, not what they emit.
-double Strength(const shared::RaySurface& surface)
+double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
 {
   const int flags = surface.Where.z;
-  const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0;
+  const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0 ||
+    glm::floatBitsToInt(surface.More.x) >= 0;
   const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
   const bool never = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
     (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
-  return never ? 0.0 : (colored && phong ? 0.5 * surface.Factors.y : Luminance(surface.Emission));
+  return never ? 0.0
+               : (colored && phong ? 0.5 * surface.Factors.y
+                                   : Luminance(glm::vec3(surface.Emission) * picture));
 }
 }
 
@@ -61,7 +64,9 @@ void RayProps::Update(vtkRenderer* renderer)
 
   std::vector<shared::RaySurface> surfaces;
   std::vector<std::int32_t> indices;
+  std::vector<glm::vec3> glows;
   this->Partly = false;
+  this->Edges = false;
   for (const RayPart& part : parts)
   {
     const Block& block = this->Blocks[part.AttributeKey];
@@ -72,14 +77,19 @@ void RayProps::Update(vtkRenderer* renderer)
       surfaces.back().Where.w = indices.back() + 1;
       surfaces.push_back(part.Back);
     }
-    for (std::size_t i = static_cast<std::size_t>(indices.back()); i < surfaces.size(); ++i)
+    const auto first = static_cast<std::size_t>(indices.back());
+    glows.push_back(this->UpdatePictures(part, &surfaces[first], surfaces.size() - first));
+    for (std::size_t i = first; i < surfaces.size(); ++i)
     {
       surfaces[i].Where.x = static_cast<int>(block.FirstPrimitive);
       surfaces[i].Where.y = static_cast<int>(block.FirstPoint);
       surfaces[i].Where.z |= part.Clip.empty() ? 0 : GI_SURFACE_PARTLY;
       this->Partly |= (surfaces[i].Where.z & GI_SURFACE_PARTLY) != 0;
+      this->Edges |= surfaces[i].Edge.a > 0.0f;
     }
   }
+  this->Pictures.Sweep();
+  this->Sky.Update(renderer);
   changed |= this->Places.size() != parts.size();
   for (std::size_t i = 0; i < parts.size() && !changed; ++i)
   {
@@ -89,7 +99,7 @@ void RayProps::Update(vtkRenderer* renderer)
   }
   this->UpdateClipping(parts, surfaces, indices);
   this->UpdatePlaces(parts, indices);
-  this->UpdateEmitters(parts, surfaces, indices, changed);
+  this->UpdateEmitters(parts, surfaces, indices, glows, changed);
   if (surfaces.empty())
   {
     surfaces.emplace_back(); // an empty buffer may not be bound
@@ -190,6 +200,31 @@ void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
   }
 }
 
+glm::vec3 RayProps::UpdatePictures(
+  const RayPart& part, shared::RaySurface* surfaces, std::size_t count)
+{
+  std::array<RayPictures::Picture, PictureSlots> shown;
+  for (std::size_t slot = 0; slot < shown.size(); ++slot)
+  {
+    if (part.Pictures[slot])
+    {
+      shown[slot] = this->Pictures.Use(part.Pictures[slot]);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    shared::RaySurface& surface = surfaces[i];
+    surface.Pictures = glm::ivec4(shown[BasePicture].First, shown[MaterialPicture].First,
+      (surface.Where.z & GI_SURFACE_TANGENTS) ? shown[NormalPicture].First : -1,
+      shown[EmissionPicture].First);
+    surface.More.x = glm::intBitsToFloat(shown[ColorPicture].First);
+    surface.Where.z |=
+      shown[BasePicture].Partly || shown[ColorPicture].Partly ? GI_SURFACE_PARTLY : 0;
+  }
+  const bool phong = (surfaces->Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  return phong ? shown[BasePicture].Mean : shown[EmissionPicture].Mean;
+}
+
 void RayProps::UpdateClipping(const std::vector<RayPart>& parts,
   std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices)
 {
@@ -247,13 +282,14 @@ void RayProps::UpdatePlaces(
 }
 
 void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
-  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices, bool changed)
+  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices,
+  const std::vector<glm::vec3>& glows, bool changed)
 {
   std::vector<Shining> shine;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     shared::RaySurface& surface = surfaces[indices[i]];
-    const double strength = Strength(surface);
+    const double strength = Strength(surface, glows[i]);
     surface.Emission.w = 0.0f;
     // The back of a two-coloured surface would need a density of its own.
     if (strength > 0.0 && !parts[i].HasBack)
@@ -347,11 +383,19 @@ void RayProps::MakeEmitters(
     GL_SHADER_STORAGE_BUFFER, table.data(), table.size() * sizeof(table[0]));
 }
 
-void RayProps::Bind() const
+void RayProps::Bind(const Program& program) const
 {
   this->Scene.Bind();
   this->Attributes.BindTexture(GI_RAY_ATTRIBUTE_UNIT);
   this->Points.BindTexture(GI_RAY_POINT_UNIT);
+  if (!this->Pictures.IsEmpty())
+  {
+    this->Pictures.Bind();
+  }
+  if (this->Sky.Shines())
+  {
+    this->Sky.Bind(program);
+  }
   this->SurfaceStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_SURFACE_BINDING);
   this->EmitterStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_EMITTER_BINDING);
 }
@@ -359,9 +403,21 @@ void RayProps::Bind() const
 Defines RayProps::ShaderDefines() const
 {
   Defines defines = this->Scene.ShaderDefines();
+  if (this->Edges)
+  {
+    defines["GI_RAY_EDGES"] = "1";
+  }
   if (this->Partly)
   {
     defines["GI_RAY_PARTLY"] = "1";
+  }
+  if (!this->Pictures.IsEmpty())
+  {
+    defines["GI_RAY_PICTURES"] = "1";
+  }
+  if (this->Sky.Shines())
+  {
+    defines["GI_RAY_SKY"] = "1";
   }
   if (!this->Planes.empty())
   {
@@ -376,6 +432,8 @@ void RayProps::ReleaseGraphicsResources()
   this->Scene.Clear();
   this->Attributes.Release();
   this->Points.Release();
+  this->Pictures.Release();
+  this->Sky.Release();
   this->SurfaceStorage = Buffer();
   this->EmitterStorage = Buffer();
   this->Shapes.clear();

@@ -9,7 +9,9 @@
 #include "private/GLObjects.h"
 #include "private/rays/GatherCache.h"
 #include "private/rays/RayPart.h"
+#include "private/rays/RayPictures.h"
 #include "private/rays/RayScene.h"
+#include "private/rays/RaySky.h"
 
 #include <set>
 
@@ -22,8 +24,8 @@ public:
   /// std::runtime_error where the scene does not fit into memory. The context must be current.
   void Update(vtkRenderer* renderer);
 
-  /// Bind for shaders that include rays/surface.glsl.
-  void Bind() const;
+  /// Bind for a shader in use that includes rays/surface.glsl, and rays/sky.glsl.
+  void Bind(const Program& program) const;
   Defines ShaderDefines() const;
 
   const glm::dvec3& Origin() const { return this->Scene.Origin(); }
@@ -61,16 +63,20 @@ private:
 
   bool UpdateMeshes(const std::vector<RayPart>& parts);
   void UpdateAttributes(const std::vector<RayPart>& parts);
+  /// The part's surfaces get their pictures, and what they emit on the average is returned.
+  glm::vec3 UpdatePictures(const RayPart& part, shared::RaySurface* surfaces, std::size_t count);
   void UpdateClipping(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
     const std::vector<std::int32_t>& indices);
   void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
   void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
-    const std::vector<std::int32_t>& indices, bool changed);
+    const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& glows, bool changed);
   void MakeEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
   GatherCache Cache;
   RayScene Scene;
   RayBuffer Attributes{ "attributes of triangles", 1 };
+  RayPictures Pictures;
+  RaySky Sky;
   RayBuffer Points{ "attributes of points", 1 };
   Buffer SurfaceStorage;
   Buffer EmitterStorage;
@@ -94,5 +100,6 @@ private:
   std::vector<Shining> Shine;
   bool EmittersMade = false;
   bool Partly = false;
+  bool Edges = false;
 };
 }

@@ -6,6 +6,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkLookupTable.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkScalarsToColors.h"
@@ -15,6 +17,18 @@ namespace penumbra
 {
 namespace
 {
+/// A mapper of the same settings, with what mapping left in it.
+class Painter : public vtkPolyDataMapper
+{
+public:
+  static Painter* New() { return new Painter; }
+  vtkImageData* Table() { return this->ColorTextureMap; }
+  vtkFloatArray* Places() { return this->ColorCoordinates; }
+
+protected:
+  Painter() = default;
+};
+
 bool IsPartly(vtkUnsignedCharArray* colors)
 {
   const int components = colors->GetNumberOfComponents();
@@ -84,12 +98,19 @@ const ScalarColors& MapScalarColors(
     return colors;
   }
   colors.Alpha = alpha;
-  vtkNew<vtkPolyDataMapper> painter;
+  vtkNew<Painter> painter;
   painter->vtkMapper::ShallowCopy(mapper);
-  // Colours looked up per pixel, by a texture, come from the same table at the points.
-  painter->SetInterpolateScalarsBeforeMapping(false);
   colors.Array = painter->MapScalars(data, alpha, colors.Association);
   colors.Partly = colors.Array && IsPartly(colors.Array);
+  colors.Table = nullptr;
+  colors.Places = nullptr;
+  if (painter->Table() && painter->Places())
+  {
+    colors.Table = vtkSmartPointer<vtkTexture>::New();
+    colors.Table->SetInputData(painter->Table());
+    colors.Table->RepeatOff();
+    colors.Places = painter->Places();
+  }
   vtkTimeStamp now;
   now.Modified();
   colors.Time = now;

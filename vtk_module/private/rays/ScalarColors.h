@@ -5,7 +5,9 @@
  */
 #pragma once
 
+#include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 #include "vtkType.h"
 
 #include <cstdint>
@@ -24,6 +26,9 @@ struct ScalarColors
   int Association = 0;   ///< 0: the colours of points; 1: of cells; 2: one, of all
   bool Partly = false;   ///< some are translucent
   vtkMTimeType Time = 0; ///< when they were mapped
+  /// Where colours are looked up per pixel: the table, and where in it each point is.
+  vtkSmartPointer<vtkTexture> Table;
+  vtkSmartPointer<vtkDataArray> Places;
 
   bool Has(vtkIdType i) const;
   /// RGBA8, white beyond the colours there are.

@@ -4,45 +4,19 @@
 
 #include "private/Matrices.h"
 
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
-#include "vtkPointData.h"
+#include "vtkActor.h"
 #include "vtkProperty.h"
 #include "vtkTexture.h"
 
+#include <set>
+#include <string>
+
 namespace penumbra
 {
-namespace
-{
-/// The mean colour of a picture, linear; white where there is none.
-glm::vec3 MeanColor(vtkTexture* texture)
-{
-  vtkImageData* image = texture ? texture->GetInput() : nullptr;
-  vtkDataArray* values = image ? image->GetPointData()->GetScalars() : nullptr;
-  if (!values || values->GetNumberOfTuples() == 0)
-  {
-    return glm::vec3(1.0f);
-  }
-  const bool bytes = values->GetDataType() == VTK_UNSIGNED_CHAR;
-  glm::dvec3 sum(0.0);
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    for (int channel = 0; channel < 3; ++channel)
-    {
-      const int component = std::min(channel, values->GetNumberOfComponents() - 1);
-      const double value = values->GetComponent(i, component) / (bytes ? 255.0 : 1.0);
-      sum[channel] += texture->GetUseSRGBColorSpace() ? std::pow(value, 2.2) : value;
-    }
-  }
-  return glm::vec3(sum / static_cast<double>(values->GetNumberOfTuples()));
-}
-}
-
 void Recolor(shared::RaySurface& surface, vtkProperty* property, const glm::vec3& color)
 {
   const bool phong = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-  const auto diffuse = static_cast<float>(phong ? property->GetDiffuse() : 1.0);
-  surface.Color = glm::vec4(color * diffuse, surface.Color.a);
+  surface.Color = glm::vec4(color * surface.Factors.x, surface.Color.a);
   if (phong)
   {
     surface.Emission = glm::vec4(color * static_cast<float>(property->GetAmbient()), 0.0f);
@@ -55,43 +29,104 @@ void Fade(shared::RaySurface& surface, float opacity)
   surface.Where.z |= surface.Color.a < 1.0f ? GI_SURFACE_PARTLY : 0;
 }
 
+namespace
+{
+// VTK 9.4 and later give edges a width and an opacity of their own.
+template <typename Property>
+auto EdgeWidth(Property* property, int) -> decltype(property->GetEdgeWidth())
+{
+  return property->GetUseLineWidthForEdgeThickness() ? property->GetLineWidth()
+                                                     : property->GetEdgeWidth();
+}
+template <typename Property>
+float EdgeWidth(Property* property, long)
+{
+  return property->GetLineWidth();
+}
+template <typename Property>
+auto EdgeOpacity(Property* property, int) -> decltype(property->GetEdgeOpacity())
+{
+  return property->GetEdgeOpacity();
+}
+template <typename Property>
+double EdgeOpacity(Property*, long)
+{
+  return 1.0;
+}
+}
+
 shared::RaySurface MakeRaySurface(vtkProperty* property)
 {
   shared::RaySurface surface{};
   int flags = GI_SURFACE_PHONG;
-  const glm::vec3 diffuse(ToVec3(property->GetDiffuseColor()));
+  const glm::vec3 color(ToVec3(property->GetDiffuseColor()));
+  surface.Factors = glm::vec4(property->GetDiffuse(), property->GetAmbient(), 0.0f, 0.0f);
   if (!property->GetLighting())
   {
     flags = GI_SURFACE_UNLIT;
-    surface.Color = glm::vec4(diffuse, 0.0f);
+    surface.Factors = glm::vec4(1.0f, 0.0f, 0.0f, 0.0f);
   }
   else if (property->GetInterpolation() == VTK_PBR)
   {
     flags = GI_SURFACE_PBR;
-    surface.Color = glm::vec4(diffuse, 0.0f);
     surface.Specular = glm::vec4(ToVec3(property->GetEdgeTint()),
       vtkProperty::ComputeReflectanceFromIOR(property->GetBaseIOR(), 1.0));
-    surface.Factors = glm::vec4(property->GetMetallic(), property->GetRoughness(), 0.0f, 0.0f);
-    if (vtkTexture* emission = property->GetTexture("emissiveTex"))
+    surface.Factors =
+      glm::vec4(property->GetDiffuse(), 0.0f, property->GetMetallic(), property->GetRoughness());
+    surface.More.y = static_cast<float>(property->GetNormalScale());
+    surface.More.z = static_cast<float>(property->GetOcclusionStrength());
+    if (property->GetTexture("emissiveTex"))
     {
-      surface.Emission =
-        glm::vec4(glm::vec3(ToVec3(property->GetEmissiveFactor())) * MeanColor(emission), 0.0f);
+      surface.Emission = glm::vec4(ToVec3(property->GetEmissiveFactor()), 0.0f);
     }
   }
   else
   {
-    surface.Color = glm::vec4(diffuse * static_cast<float>(property->GetDiffuse()), 0.0f);
     surface.Specular = glm::vec4(
       ToVec3(property->GetSpecularColor()) * property->GetSpecular(), property->GetSpecularPower());
     surface.Emission =
       glm::vec4(ToVec3(property->GetAmbientColor()) * property->GetAmbient(), 0.0f);
-    surface.Factors = glm::vec4(property->GetDiffuse(), property->GetAmbient(), 0.0f, 0.0f);
   }
+  surface.Color = glm::vec4(color * surface.Factors.x, 0.0f);
   surface.Color.a = static_cast<float>(property->GetOpacity());
   flags |= property->GetBackfaceCulling() ? GI_SURFACE_CULL_BACK | GI_SURFACE_PARTLY : 0;
   flags |= property->GetFrontfaceCulling() ? GI_SURFACE_CULL_FRONT | GI_SURFACE_PARTLY : 0;
   flags |= property->GetOpacity() < 1.0 ? GI_SURFACE_PARTLY : 0;
+  flags |= property->GetShowTexturesOnBackface() ? 0 : GI_SURFACE_FRONT_PICTURES;
   surface.Where = glm::ivec4(0, 0, flags, -1);
+  surface.Pictures = glm::ivec4(-1);
+  surface.More.x = glm::intBitsToFloat(-1);
+  surface.More.w = static_cast<float>(EdgeOpacity(property, 0));
+  if (property->GetEdgeVisibility())
+  {
+    constexpr float thinnest = 1.1f; // that VTK draws
+    surface.Edge = glm::vec4(ToVec3(property->GetEdgeColor()),
+      std::max(thinnest, static_cast<float>(EdgeWidth(property, 0))));
+  }
   return surface;
+}
+
+std::array<vtkTexture*, PictureSlots> PropertyPictures(vtkActor* actor)
+{
+  std::array<vtkTexture*, PictureSlots> pictures{};
+  vtkProperty* property = actor->GetProperty();
+  if (property->GetLighting() && property->GetInterpolation() == VTK_PBR)
+  {
+    pictures[BasePicture] = property->GetTexture("albedoTex");
+    pictures[MaterialPicture] = property->GetTexture("materialTex");
+    pictures[NormalPicture] = property->GetTexture("normalTex");
+    pictures[EmissionPicture] = property->GetTexture("emissiveTex");
+    return pictures;
+  }
+  pictures[BasePicture] = actor->GetTexture();
+  // The names that belong to PBR show nothing elsewhere; of others, VTK's first is the one shown.
+  const std::set<std::string> special = { "albedoTex", "materialTex", "normalTex", "emissiveTex",
+    "brdfTex", "anisotropyTex", "coatNormalTex" };
+  for (const auto& named : property->GetAllTextures())
+  {
+    const bool shown = !pictures[BasePicture] && special.count(named.first) == 0;
+    pictures[BasePicture] = shown ? named.second : pictures[BasePicture];
+  }
+  return pictures;
 }
 }

@@ -5,7 +5,7 @@
  */
 #pragma once
 
-#include "ray_surface.h"
+#include "private/rays/RayPart.h"
 
 class vtkActor;
 class vtkProperty;
@@ -22,4 +22,7 @@ void Fade(shared::RaySurface& surface, float opacity);
 /// The material of a property, without scalar colours. Flags are set but for those that depend on
 /// the mesh (smooth normals, colours).
 shared::RaySurface MakeRaySurface(vtkProperty* property);
+
+/// The pictures that VTK shows on an actor's surface, where it has texture coordinates.
+std::array<vtkTexture*, PictureSlots> PropertyPictures(vtkActor* actor);
 }

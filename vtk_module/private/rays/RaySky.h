@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The light that a renderer's environment texture sends from all directions, and a table to pick
+ * directions from in proportion to it (rays/sky.glsl).
+ */
+#pragma once
+
+#include "private/GLObjects.h"
+#include "private/ShaderLibrary.h"
+
+#include <glm/glm.hpp>
+
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+class vtkRenderer;
+class vtkTexture;
+
+namespace penumbra
+{
+class RaySky
+{
+public:
+  /// Follow the renderer: its texture where it lights with images, else no light at all.
+  void Update(vtkRenderer* renderer);
+  bool Shines() const { return this->Radiance != nullptr; }
+
+  void Bind(const Program& program) const;
+  void Release();
+
+private:
+  std::unique_ptr<Texture> Radiance;
+  std::unique_ptr<Texture> Table;
+  glm::ivec2 Cells{ 0 };
+  glm::mat3 ToSky{ 1.0f };
+  vtkTexture* Source = nullptr;
+  vtkMTimeType Time = 0;
+};
+
+/// A table of chances for a picture of the whole sphere (longitude, latitude): a row of cumulative
+/// chances for each band of latitude, and one more for the bands. Each row begins with 0 and ends
+/// with 1; a tenth of all directions is picked evenly. Pharr, Jakob and Humphreys 2016, Physically
+/// Based Rendering, section 14.2.4. columns, rows: of the table's cells.
+std::vector<float> MakeSkyTable(
+  const std::vector<glm::vec4>& pixels, int width, int height, int columns, int rows);
+}
