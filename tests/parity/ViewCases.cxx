@@ -96,10 +96,9 @@ void AddFarData(Stage& stage, double size, double offset)
 
 void AddCoincident(Stage& stage)
 {
-  vtkActor* surface = stage.Add(Ball(12));
-  vtkActor* wires = stage.Add(static_cast<vtkMapper*>(surface->GetMapper()->NewInstance()));
-  wires->GetMapper()->UnRegister(nullptr);
-  wires->GetMapper()->ShallowCopy(surface->GetMapper());
+  vtkSmartPointer<vtkPolyData> ball = Ball(12);
+  stage.Add(ball);
+  vtkActor* wires = stage.Add(ball);
   wires->GetProperty()->SetRepresentationToWireframe();
   wires->GetProperty()->SetColor(0.0, 0.0, 0.3);
   wires->GetMapper()->SetResolveCoincidentTopologyToPolygonOffset();

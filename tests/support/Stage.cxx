@@ -8,6 +8,18 @@
 
 namespace penumbra_test
 {
+namespace
+{
+// VTK 9.1 leaves what a renderer remembers of its last aspect uninitialised: at a deleted one's
+// address it can find its own size there, and keep an aspect of one. Another aspect overwrites it.
+void ForgetAspect(vtkRenderer* renderer)
+{
+  renderer->SetPixelAspect(2.0, 1.0);
+  renderer->ComputeAspect();
+  renderer->SetPixelAspect(1.0, 1.0);
+}
+}
+
 Stage::Stage(int backend)
   : Window(vtkSmartPointer<vtkHeadlessRenderWindow>::New())
   , Renderer(vtkSmartPointer<vtkRenderer>::New())
@@ -17,6 +29,7 @@ Stage::Stage(int backend)
   this->Window->SetMultiSamples(0);
   this->Renderer->SetBackground(0.2, 0.3, 0.4);
   this->Window->AddRenderer(this->Renderer);
+  ForgetAspect(this->Renderer);
 }
 
 Stage::~Stage() = default;
@@ -26,6 +39,7 @@ vtkRenderer* Stage::AddRenderer()
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.4, 0.3, 0.2);
   this->Window->AddRenderer(renderer);
+  ForgetAspect(renderer);
   return renderer;
 }
 
