@@ -246,10 +246,12 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, int bounce, inout uint state
 #endif
     if (dot(arrival.reflected, vec3(1.0)) > 0.0)
     {
-      // A direction below the surface proper meets it at once: no light leaks through facets.
-      bool inside = dot(at.geometric, arrival.direction) <= 0.0;
-      Ray ray = Ray(rayLeave(at, at.geometric), 0.0, arrival.direction, arrival.tMax);
-      sum += arrival.open || !(inside || blocked(ray, state)) ? arrival.reflected : vec3(0.0);
+      bool closed;
+      vec3 origin = rayArrive(at, normalize(arrival.direction), closed);
+      // To the point that the light comes from, from where it arrives.
+      vec3 path = arrival.tMax <= 1.0 ? arrival.direction + (at.position - origin) : arrival.direction;
+      Ray ray = Ray(origin, 0.0, path, arrival.tMax);
+      sum += arrival.open || !(closed || blocked(ray, state)) ? arrival.reflected : vec3(0.0);
     }
   }
   return sum;
@@ -294,14 +296,15 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, inout uint state)
     density = giReflectionDensity(r, L);
     throughput *= density > 0.0 ? giReflect(r, L) / density : vec3(0.0);
     float survive = bounce < 3 ? 1.0 : min(0.95, max(throughput.r, max(throughput.g, throughput.b)));
-    if (dot(at.geometric, L) <= 0.0 || dot(throughput, vec3(1.0)) <= 0.0 ||
-      randomNumber(state) >= survive)
+    bool closed;
+    vec3 origin = rayArrive(at, L, closed);
+    if (closed || dot(throughput, vec3(1.0)) <= 0.0 || randomNumber(state) >= survive)
     {
       break;
     }
     throughput /= survive;
     from = at.position;
-    ray = Ray(rayLeave(at, L), 0.0, L, FAR);
+    ray = Ray(origin, 0.0, L, FAR);
     float first;
     RayHit hit = traceThrough(ray, at, first, state);
     if (hit.instance < 0)
