@@ -52,7 +52,10 @@ void Average(FrameContext& context, const char* resource, int maximum)
   const bool frozen = !first && view.StillFrames >= maximum;
   const Program& program = context.Shaders().Fragment("anti_aliasing/accumulate.frag",
     { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } });
-  glProgramUniform1f(program.Get(), program.Location("frames"), frozen ? maximum : first ? 1.0f : view.StillFrames + 1.0f);
+  glProgramUniform1f(program.Get(), program.Location("frames"),
+    frozen    ? maximum
+      : first ? 1.0f
+              : view.StillFrames + 1.0f);
   glBindImageTexture(0, sum.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   DrawFilter(context, program, resource);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
@@ -72,7 +75,8 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   if (mode == Accumulate)
   {
     const int maximum = this->MaximumFrames;
-    ShiftStillFrame(frame, maximum);
+    const int still = frame.GetView().StillFrames;
+    ShiftStillFrame(frame, still < maximum ? still : 0);
     frame.AddPass("accumulate")
       .Modify(resource::Color, AccumulateOrder)
       .Execute([maximum](FrameContext& context) { Average(context, resource::Color, maximum); });
@@ -86,8 +90,8 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
     frame.AddPass("edge-filter")
       .Modify(resource::Color, EdgeFilterOrder)
       .Execute([](FrameContext& context) {
-        DrawFilter(context, context.Shaders().Fragment("anti_aliasing/edge_filter.frag"),
-          resource::Color);
+        DrawFilter(
+          context, context.Shaders().Fragment("anti_aliasing/edge_filter.frag"), resource::Color);
       });
   }
 }

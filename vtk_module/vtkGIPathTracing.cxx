@@ -9,6 +9,14 @@
 #include "private/StillFrames.h"
 #include "private/rays/RayProps.h"
 
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkGIPass.h"
+#include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+
 vtkStandardNewMacro(vtkGIPathTracing);
 
 using namespace penumbra;
@@ -45,6 +53,26 @@ struct PathTracer
       *(fresh ? fresh : &made) |= made;
     }
     return sums;
+  }
+
+  /// False where the image has another size.
+  bool Restore(FrameContext& context, vtkImageData* image) const
+  {
+    const auto sums = this->Sums(context);
+    int size[3];
+    image->GetDimensions(size);
+    if (size[0] != sums[0]->Desc().Width || size[1] != sums[0]->Desc().Height)
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      glBindTexture(GL_TEXTURE_2D, sums[i]->Get());
+      glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size[0], size[1], GL_RGBA, GL_FLOAT,
+        image->GetPointData()->GetArray(SumNames[i])->GetVoidPointer(0));
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return true;
   }
 
   /// taken: samples in the sums already.
@@ -148,6 +176,50 @@ double vtkGIPathTracing::GetRelativeError(vtkRenderer* renderer)
   return found == this->Renderers.end() ? HUGE_VAL : found->second.Error;
 }
 
+bool vtkGIPathTracing::GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkImageData* image)
+{
+  const int samples = this->GetSamplesTaken(renderer);
+  if (!pass || !image || samples == 0)
+  {
+    return false;
+  }
+  image->Initialize();
+  for (const char* name : SumNames)
+  {
+    vtkNew<vtkImageData> sum;
+    if (!pass->GetBuffer(renderer, name, sum))
+    {
+      return false;
+    }
+    sum->GetPointData()->GetScalars()->SetName(name);
+    image->SetDimensions(sum->GetDimensions());
+    image->GetPointData()->AddArray(sum->GetPointData()->GetScalars());
+  }
+  vtkNew<vtkIntArray> count;
+  count->SetName("samples");
+  count->InsertNextValue(samples);
+  image->GetFieldData()->AddArray(count);
+  return true;
+}
+
+bool vtkGIPathTracing::SetProgress(vtkRenderer* renderer, vtkImageData* image)
+{
+  vtkDataArray* count = image ? image->GetFieldData()->GetArray("samples") : nullptr;
+  bool whole =
+    renderer && count && count->GetNumberOfValues() == 1 && count->GetComponent(0, 0) >= 1.0;
+  for (std::size_t i = 0; whole && i < SumNames.size(); ++i)
+  {
+    auto* sum = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(SumNames[i]));
+    whole = sum && sum->GetNumberOfComponents() == 4 &&
+      sum->GetNumberOfTuples() == image->GetNumberOfPoints();
+  }
+  if (whole)
+  {
+    this->Renderers[renderer].Taken = image;
+  }
+  return whole;
+}
+
 bool vtkGIPathTracing::IsFinished(vtkRenderer* renderer)
 {
   return this->GetSamplesTaken(renderer) >= this->Samples ||
@@ -164,13 +236,19 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   }
   vtkRenderer* renderer = frame.GetRenderer();
   Progress& progress = this->Renderers[renderer];
-  if (frame.GetView().StillFrames == 0)
+  const vtkSmartPointer<vtkImageData> taken = progress.Taken;
+  if (frame.GetView().StillFrames == 0 || taken)
   {
     progress = Progress();
   }
+  if (taken)
+  {
+    progress.Samples =
+      static_cast<int>(taken->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
+  }
   const PathTracer tracer = { &rays, &frame.Lights(), &frame.Capture().Materials(), this->Bounces,
     this->Strategy };
-  ShiftStillFrame(frame, this->Samples);
+  ShiftStillFrame(frame, this->IsFinished(renderer) ? 0 : progress.Samples);
   frame.SetAveraged();
   frame.SetDrawnByRays();
   frame.AddPass("path-trace")
@@ -179,11 +257,14 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     .Read(resource::WindowDepth)
     .Modify(resource::Color, TraceOrder)
     .Write(Traced, { GL_R8, 1, 1, 0 })
-    .Execute([this, renderer, tracer](FrameContext& context) {
+    .Execute([this, renderer, tracer, taken](FrameContext& context) {
       Progress& now = this->Renderers[renderer];
       bool fresh = false;
       PathTracer::Sums(context, &fresh);
-      now = fresh ? Progress() : now;
+      if (taken ? !tracer.Restore(context, taken) : fresh)
+      {
+        now = Progress();
+      }
       if (!this->IsFinished(renderer))
       {
         tracer.Trace(context, now.Samples);

@@ -12,9 +12,13 @@
 #define vtkGIPathTracing_h
 
 #include "vtkGIPathTracingParameters.h"
+#include "vtkSmartPointer.h" // for what is to be gone on from
 
 #include <cmath> // for HUGE_VAL
 #include <map>   // for the progress of each renderer
+
+class vtkGIPass;
+class vtkImageData;
 
 class VTKRENDERINGGI_EXPORT vtkGIPathTracing : public vtkGIPathTracingParameters
 {
@@ -33,6 +37,19 @@ public:
   double GetRelativeError(vtkRenderer* renderer);
   ///@}
 
+  ///@{
+  /**
+   * What was traced of a renderer so far, to be gone on from later, in another program if need be: an
+   * image of the window's size with the arrays of four floats that GetBuffer() of the pass returns
+   * under the names path-tracing.shown, .encoded, .albedo and .normal, and the field array "samples".
+   * GetProgress() returns false where nothing was traced. SetProgress() takes effect with the next
+   * frame, which goes on as if it had traced those samples itself; the scene, the view and the
+   * parameters must be the same. It returns false, leaving all as it is, where arrays are missing.
+   */
+  bool GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkImageData* image);
+  bool SetProgress(vtkRenderer* renderer, vtkImageData* image);
+  ///@}
+
   int GetRequiredFrames() override { return this->Samples; }
   bool IsFinished(vtkRenderer* renderer) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
@@ -46,6 +63,7 @@ private:
   {
     int Samples = 0;
     double Error = HUGE_VAL;
+    vtkSmartPointer<vtkImageData> Taken; ///< to go on from, with the next frame
   };
   std::map<vtkRenderer*, Progress> Renderers;
 

@@ -96,6 +96,41 @@ class Rendered(command.CommandTest):
         self.compare("egl.png", "osmesa.png", "--tolerance", 1, "--fail-over", 0)
 
 
+class Traced(command.CommandTest):
+    def trace(self, output, spp, *arguments):
+        scene = {key: value for key, value in SCENE.items() if key != "frames"}
+        return json.loads(self.succeeds("render", self.scene(scene), "-o", output, "--preset", "reference",
+                                        "--spp", spp, "--stats", *arguments).stdout)
+
+    def test_samples(self):
+        self.assertEqual(self.trace("four.exr", 4)["frames"], 4)
+
+    def test_ends_at_an_error(self):
+        stats = self.trace("rough.exr", 1000, "--error", 0.2)
+        self.assertLess(stats["frames"], 1000)
+        self.assertGreaterEqual(stats["frames"], 8)
+
+    def test_goes_on_from_a_checkpoint(self):
+        self.trace("whole.exr", 8)
+        self.assertEqual(self.trace("part.exr", 3, "--checkpoint", "kept.vti")["frames"], 3)
+        self.assertEqual(self.trace("rest.exr", 8, "--checkpoint", "kept.vti")["frames"], 5)
+        self.assertEqual(self.trace("again.exr", 8, "--checkpoint", "kept.vti")["frames"], 1)
+        for resumed in ("rest.exr", "again.exr"):
+            ended = self.succeeds("compare", "whole.exr", resumed, "--json")
+            self.assertEqual(json.loads(ended.stdout)["maximum"], 0)
+
+    def test_refuses_other_checkpoints(self):
+        self.trace("part.exr", 1, "--checkpoint", "mine.vti")
+        scene = self.scene({**SCENE, "size": [48, 48]})
+        again = ("render", scene, "-o", "out.png", "--preset", "reference", "--spp", 1, "--checkpoint")
+        self.refused(*again, "mine.vti", says="is of another picture", status=1)
+        (self.folder / "text.vti").write_text("no checkpoint")
+        self.refused(*again, "text.vti", says="is not a checkpoint", status=1)
+        self.refused(*again, "none/new.vti", says="cannot be written", status=1)
+        self.refused("render", scene, "-o", "out.png", "--checkpoint", "new.vti",
+                     says="--checkpoint is for the path tracer", status=2)
+
+
 class Info(command.CommandTest):
     def test_every_technique_is_in_every_table(self):
         info = json.loads(self.succeeds("info", "--json").stdout)

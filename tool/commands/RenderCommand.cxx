@@ -5,6 +5,7 @@
 
 #include "../image/Picture.h"
 #include "../scene/Capture.h"
+#include "../scene/Checkpoint.h"
 #include "../scene/Failure.h"
 #include "../scene/SceneBuilder.h"
 #include "../scene/Techniques.h"
@@ -13,8 +14,10 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <vtkCamera.h>
 #include <vtkGIPass.h>
 #include <vtkGITechnique.h>
+#include <vtkLightCollection.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkRendererCollection.h>
@@ -23,6 +26,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include <unistd.h>
@@ -84,9 +88,8 @@ int WantedFrames(const Scene& scene, vtkGIPass* pass)
 bool IsFinished(vtkGIPass* pass, vtkRenderer* renderer)
 {
   bool finished = true;
-  ForEachEnabled(pass, [&](vtkGITechnique* technique) {
-    finished = finished && technique->IsFinished(renderer);
-  });
+  ForEachEnabled(pass,
+    [&](vtkGITechnique* technique) { finished = finished && technique->IsFinished(renderer); });
   return finished;
 }
 
@@ -129,7 +132,7 @@ public:
       pass->SetCollectStatistics(this->Options.Statistics);
       built.Renderer->SetPass(pass);
     }
-    this->Draw(window, pass, scene, console);
+    this->Draw(window, built, pass, scene, console);
     this->Write(built.Renderer, pass, scene, console);
     this->ReportScene(scene, built, pass);
     if (this->Options.Statistics)
@@ -143,21 +146,32 @@ public:
 private:
   void CheckTracing(vtkGIPass* pass)
   {
-    if ((this->Options.Samples || this->Options.Error) &&
-      !pass->GetTechnique("path-tracing")->GetEnabled())
+    const char* option = this->Options.Samples ? "--spp"
+      : this->Options.Error                    ? "--error"
+      : !this->Options.Checkpoint.empty()      ? "--checkpoint"
+                                               : nullptr;
+    if (option && !pass->GetTechnique("path-tracing")->GetEnabled())
     {
       FailUsage("{} is for the path tracer, which is off: give --preset reference or "
                 "--on path-tracing",
-        this->Options.Samples ? "--spp" : "--error");
+        option);
     }
   }
 
   /// Renders the still frames; stock VTK's are all alike, so that one is enough.
-  void Draw(vtkRenderWindow* window, vtkGIPass* pass, const Scene& scene, Console& console)
+  void Draw(vtkRenderWindow* window, const BuiltScene& built, vtkGIPass* pass, const Scene& scene,
+    Console& console)
   {
     const bool repeat = !this->Options.Stock || this->Options.Frames;
-    const int frames = !repeat ? 1 : scene.FramesGiven ? scene.Frames : WantedFrames(scene, pass);
+    int frames = !repeat ? 1 : scene.FramesGiven ? scene.Frames : WantedFrames(scene, pass);
     vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
+    std::optional<Checkpoint> checkpoint;
+    if (!this->Options.Checkpoint.empty())
+    {
+      checkpoint.emplace(
+        this->Options.Checkpoint, this->Identity(scene, built, pass), pass, renderer);
+      frames = std::max(1, frames - checkpoint->Resume());
+    }
     Step step(console, fmt::format("rendering '{}'", this->Options.Output));
     std::vector<double> times;
     for (int frame = 0; frame < frames && (frame < scene.Frames || !IsFinished(pass, renderer));
@@ -178,11 +192,35 @@ private:
       {
         this->ReportNotes(pass, console);
       }
+      if (checkpoint)
+      {
+        checkpoint->Save(false);
+      }
+    }
+    if (checkpoint)
+    {
+      checkpoint->Save(true);
     }
     this->Report["frames"] = times.size();
     this->Report["first-frame-ms"] = times.front();
     std::nth_element(times.begin(), times.begin() + times.size() / 2, times.end());
     this->Report["median-frame-ms"] = times[times.size() / 2];
+  }
+
+  /// What is in a checkpoint's picture.
+  std::string Identity(const Scene& scene, const BuiltScene& built, vtkGIPass* pass) const
+  {
+    vtkCamera* camera = built.Renderer->GetActiveCamera();
+    const auto list = [](const double* v) {
+      return fmt::format("{:.6g} {:.6g} {:.6g}", v[0], v[1], v[2]);
+    };
+    vtkGITechnique* tracer = pass->GetTechnique("path-tracing");
+    return fmt::format(
+      "{}x{} pixels, {} triangles and {} balls in {}, {} lights, seen from {} to {} "
+      "at {:.6g} degrees, {} bounces",
+      scene.Width, scene.Height, built.Triangles, built.Balls, fmt::join(this->Options.Files, " "),
+      built.Renderer->GetLights()->GetNumberOfItems(), list(camera->GetPosition()),
+      list(camera->GetFocalPoint()), camera->GetViewAngle(), tracer->GetParameter("bounces"));
   }
 
   /// What the techniques have to say of the scene; once, as every frame says the same.

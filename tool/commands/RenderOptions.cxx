@@ -95,7 +95,9 @@ void DeclareLook(CLI::App& command, RenderOptions& options)
 void DeclareTechniques(CLI::App& command, RenderOptions& options)
 {
   const char* group = "Global illumination";
-  command.add_option("--preset", options.Preset, "off, fast, balanced (default), high or reference (path tracing)")
+  command
+    .add_option(
+      "--preset", options.Preset, "off, fast, balanced (default), high or reference (path tracing)")
     ->group(group);
   command.add_option("--on", options.On, "switch a technique on; may be repeated")
     ->allow_extra_args(false)
@@ -121,11 +123,16 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
     ->group(group);
   command.add_option("--frames", options.Frames, "still frames to accumulate [16]")->group(group);
   command
-    .add_option("--spp", options.Samples, "paths traced through each pixel, with --preset reference")
+    .add_option(
+      "--spp", options.Samples, "paths traced through each pixel, with --preset reference")
     ->group(group);
   command
     .add_option("--error", options.Error,
       "stop tracing at this standard error of the picture, relative to its mean luminance")
+    ->group(group);
+  command
+    .add_option("--checkpoint", options.Checkpoint,
+      "file (.vti) that keeps what was traced: where it exists tracing goes on from it")
     ->group(group);
   command.add_option("--backend", options.Backend, "egl, osmesa, x11 or auto")
     ->capture_default_str()

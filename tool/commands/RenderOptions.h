@@ -50,6 +50,7 @@ struct RenderOptions
   std::optional<int> Frames;
   std::optional<int> Samples;
   std::optional<double> Error;
+  std::string Checkpoint;
   long long MaximumTriangles = 10000000;
   bool Statistics = false;
   bool Stock = false;

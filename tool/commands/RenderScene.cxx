@@ -160,7 +160,8 @@ void ApplyTechniqueOptions(const RenderOptions& options, TechniqueSettings& sett
   }
   if (options.Error)
   {
-    settings.Parameters.push_back({ "path-tracing", "target-error", fmt::format("{}", *options.Error) });
+    settings.Parameters.push_back(
+      { "path-tracing", "target-error", fmt::format("{}", *options.Error) });
   }
 }
 }

@@ -33,10 +33,8 @@ void SteadyDepth(FrameContext& context)
 }
 }
 
-void ShiftStillFrame(FrameBuilder& frame, int maximum)
+void ShiftStillFrame(FrameBuilder& frame, int index)
 {
-  const View& view = frame.GetView();
-  const int index = view.StillFrames < maximum ? view.StillFrames : 0;
   if (index > 0)
   {
     frame.SetJitter({ Halton(index, 2) - 0.5, Halton(index, 3) - 0.5 });

@@ -9,7 +9,7 @@ namespace penumbra
 {
 class FrameBuilder;
 
-/// Shift this frame, if the scene stood still before it, and give what VTK draws next the depth of
-/// the frame that was not shifted. After `maximum` frames the shifts begin anew. Call once a frame.
-void ShiftStillFrame(FrameBuilder& frame, int maximum);
+/// Shift this frame, and give what VTK draws next the depth of the first one since the scene changed.
+/// index: of the frame among those that are averaged; the first is not shifted. Call once a frame.
+void ShiftStillFrame(FrameBuilder& frame, int index);
 }
