@@ -83,8 +83,9 @@ public:
   /**
    * Copy a texture that a technique keeps for a renderer from frame to frame into a float image of
    * four components and the window's size: the path tracer's sums, "path-tracing.albedo" (rgb, and
-   * the samples that met a surface) and "path-tracing.normal" (in the world, and the distance along
-   * the line of sight). Returns false where there is none of that name.
+   * the samples that met a surface), "path-tracing.normal" (in the world, and the distance along
+   * the line of sight) and "path-tracing.encoded" (its fourth component: the samples' squared
+   * luminance). Returns false where there is none of that name.
    */
   bool GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image);
 

@@ -222,8 +222,9 @@ bool vtkGIPathTracing::SetProgress(vtkRenderer* renderer, vtkImageData* image)
 
 bool vtkGIPathTracing::IsFinished(vtkRenderer* renderer)
 {
+  // A target of 0 spends all samples, even where those so far are all alike.
   return this->GetSamplesTaken(renderer) >= this->Samples ||
-    this->GetRelativeError(renderer) <= this->TargetError;
+    (this->TargetError > 0.0 && this->GetRelativeError(renderer) <= this->TargetError);
 }
 
 void vtkGIPathTracing::Contribute(FrameBuilder& frame)

@@ -184,6 +184,7 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   vec3 mesh;         // the normal in the mesh
   float above = 0.0; // by how much the point is off the surface there
   bool triangle = true;
+  vec3 extent = abs(a.xyz - there);
 #if defined(GI_RAY_SPHERES) || defined(GI_RAY_CYLINDERS)
   int kind = floatBitsToInt(b.w);
   triangle = kind != GI_RAY_SPHERE && kind < GI_RAY_CYLINDER;
@@ -207,6 +208,7 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
     vec3 edge2 = c.xyz - a.xyz;
     mesh = normalize(cross(edge1, edge2));
     above = dot(there - a.xyz, mesh);
+    extent = max(extent, max(abs(b.xyz - there), abs(c.xyz - there)));
   }
   // The distance along the ray has the error of the ray's length; one step of Newton's method brings
   // the point to the surface, so that what leaves there need not be moved far.
@@ -214,13 +216,11 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   float scale = length(outward);
   result.position = position - outward * (above / (scale * scale));
   outward /= scale;
-  // Off by what the coordinates of the point are rounded by, and those of the primitive.
-  vec3 extent = max(max(abs(a.xyz), abs(b.xyz)), abs(c.xyz));
-#if defined(GI_RAY_SPHERES) || defined(GI_RAY_CYLINDERS)
-  extent = triangle ? extent : abs(a.xyz) + c.w;
-#endif
-  vec3 size = max(abs(result.position), max(abs(there), extent) / scale);
-  result.error = 1e-6 * max(size.x, max(size.y, size.z));
+  vec3 size = max(abs(result.position), abs(there) / scale);
+  // A large triangle is met imprecisely even by a ray that starts close to the coordinates' origin: on
+  // squares seen there, 6e-8 of their size was too little and 1e-7 enough.
+  result.error = 1e-6 * max(size.x, max(size.y, size.z)) +
+    3e-7 / scale * max(extent.x, max(extent.y, extent.z));
   // A mirroring transformation turns the corners' order round, and their cross product with it.
   float mirrored = dot(cross(x.xyz, y.xyz), z.xyz) < 0.0 ? -1.0 : 1.0;
   result.front = dot(outward, ray.direction) * mirrored < 0.0;

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// In place of glsl/lib/sequence.glsl: numbers that know nothing of each other.
+
+// Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (JCGT 9:3): PCG.
+uint giHash(uint v)
+{
+  uint state = v * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+  return (word >> 22u) ^ word;
+}
+
+vec2 giSample2D(uint index, uint seed)
+{
+  uint x = giHash(giHash(index) ^ giHash(seed));
+  uint y = giHash(x ^ 0xa511e9b3u);
+  return vec2(uvec2(x, y) >> 8) / 16777216.0;
+}
