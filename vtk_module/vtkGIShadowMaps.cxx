@@ -28,23 +28,6 @@ struct Plan
   std::vector<double> Signature; ///< of what the maps show
 };
 
-// Strongest first: their missing shadows would be seen most.
-std::vector<std::size_t> RankCasters(const std::vector<Light>& lights)
-{
-  std::vector<std::size_t> ranked;
-  for (std::size_t i = 0; i < lights.size(); ++i)
-  {
-    if (!lights[i].Headlight && glm::length(lights[i].Color) > 0.0)
-    {
-      ranked.push_back(i);
-    }
-  }
-  std::stable_sort(ranked.begin(), ranked.end(), [&lights](std::size_t a, std::size_t b) {
-    return glm::length(lights[a].Color) > glm::length(lights[b].Color);
-  });
-  return ranked;
-}
-
 // Clip space [-1, 1] to a map's [0, 1].
 glm::dmat4 ToUnitCube()
 {
@@ -108,16 +91,12 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
     return;
   }
   auto plan = std::make_shared<Plan>();
-  std::vector<Light>& lights = frame.Lights().Lights();
-  for (std::size_t index : RankCasters(lights))
+  const LightTable::Shadowed shadowed = frame.Lights().AssignMask(this->MaximumLights);
+  this->ShadowedLights = static_cast<int>(shadowed.With.size());
+  this->UnshadowedLights = shadowed.Without;
+  for (const std::size_t index : shadowed.With)
   {
-    if (this->ShadowedLights == this->MaximumLights)
-    {
-      ++this->UnshadowedLights;
-      continue;
-    }
-    lights[index].MaskChannel = this->ShadowedLights++;
-    AddLight(*plan, lights[index], view, this->Resolution, this->FilterRadius);
+    AddLight(*plan, frame.Lights().Lights()[index], view, this->Resolution, this->FilterRadius);
   }
   if (this->UnshadowedLights > 0)
   {

@@ -10,6 +10,13 @@ mat3 giBasis(vec3 n)
   return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
+// Evenly over the unit disc.
+vec2 giSampleDisc(vec2 u)
+{
+  float phi = 6.28318530717959 * u.y;
+  return sqrt(u.x) * vec2(cos(phi), sin(phi));
+}
+
 // By the cosine to z; density cos / pi (Malley's method: Pharr, Jakob, Humphreys 2016, PBRT, 13.6.3).
 vec3 giSampleCosine(vec2 u)
 {

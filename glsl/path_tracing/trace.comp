@@ -1,8 +1,8 @@
 #version 430 core
 // One path through every pixel, added to sums. Kajiya 1986, "The Rendering Equation"; next-event
 // estimation and multiple importance sampling after Veach 1997, "Robust Monte Carlo Methods for
-// Light Transport Simulation". Variants: GI_RAY_PARTLY (some surfaces let rays pass), GI_RAY_SKY (the
-// surroundings shine), GI_RAY_EDGES (some surfaces show the edges of their cells), and those of rays/surface.glsl.
+// Light Transport Simulation". Variants: GI_RAY_SKY (the surroundings shine), GI_RAY_EDGES
+// (some surfaces show the edges of their cells), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
@@ -15,6 +15,7 @@
 #include "lib/pbr.glsl"
 #include "lib/sampling.glsl"
 #include "rays/surface.glsl"
+#include "rays/passage.glsl"
 #ifdef GI_RAY_SKY
 #include "rays/sky.glsl"
 #endif
@@ -45,8 +46,6 @@ uniform int emitterCount;
 uniform float drawnReach;  // surfaces this much farther than a line or point hide it
 uniform int strategy;      // 0 both, 1 light sampling, 2 BSDF sampling
 
-const int PASSES = 64; // through surfaces that let the ray pass
-const float FAR = 1e30;
 const float DEPTH_ERROR = 2.5e-7; // of a depth buffer of 24 bits
 
 uint seed;
@@ -54,62 +53,6 @@ uint seed;
 vec2 sample2D(int bounce, int purpose)
 {
   return giSample2D(uint(sampleIndex), seed + uint(bounce * 4 + purpose) * 0x9e3779b9u);
-}
-
-float randomNumber(inout uint state)
-{
-  state = giHash(state);
-  return float(state >> 8) / 16777216.0;
-}
-
-bool passes(RaySurfacePoint at, int flags, inout uint state)
-{
-  bool culled = (flags & (at.front ? GI_SURFACE_CULL_FRONT : GI_SURFACE_CULL_BACK)) != 0;
-#ifdef GI_RAY_CLIPPED
-  culled = culled || rayClipped(raySurfaces[at.surface], at.position);
-#endif
-  return culled || (at.color.a < 1.0 && randomNumber(state) >= at.color.a);
-}
-
-// Where the ray ends, through what lets it pass. ray.origin moves along. first: how far the first
-// surface is that it meets.
-RayHit traceThrough(inout Ray ray, out RaySurfacePoint at, out float first, inout uint state)
-{
-  RayHit hit = traceClosest(ray);
-  first = hit.instance >= 0 ? hit.t : FAR;
-  if (hit.instance >= 0)
-  {
-    at = raySurfaceAt(ray, hit);
-  }
-#ifdef GI_RAY_PARTLY
-  for (int i = 0; i < PASSES && hit.instance >= 0; ++i)
-  {
-    int flags = raySurfaces[at.surface].Where.z;
-    if ((flags & GI_SURFACE_PARTLY) == 0 || !passes(at, flags, state))
-    {
-      break;
-    }
-    ray.tMax -= hit.t;
-    ray.origin = rayLeave(at, ray.direction);
-    hit = traceClosest(ray);
-    if (hit.instance >= 0)
-    {
-      at = raySurfaceAt(ray, hit);
-    }
-  }
-#endif
-  return hit;
-}
-
-bool blocked(Ray ray, inout uint state)
-{
-#ifdef GI_RAY_PARTLY
-  RaySurfacePoint at;
-  float first;
-  return traceThrough(ray, at, first, state).instance >= 0;
-#else
-  return traceAny(ray);
-#endif
 }
 
 // What a lamp makes a surface send to V, were there nothing between them. VTK's lamps stand for an
@@ -174,7 +117,7 @@ Arrival fromLamp(LightData lamp, GiReflector r, RaySurfacePoint at, bool seen)
   bool local = head || lamp.Kind.x == GI_LIGHT_POSITIONAL;
   vec3 target = head ? eye : lamp.Position.xyz;
   return Arrival(lampReflected(lamp, r, at.position, seen),
-    local ? target - at.position : -lamp.Direction.xyz, local ? 1.0 : FAR, head && seen);
+    local ? target - at.position : -lamp.Direction.xyz, local ? 1.0 : RAY_FAR, head && seen);
 }
 
 Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
@@ -207,7 +150,7 @@ Arrival fromSky(vec2 u, GiReflector r)
   vec3 L = raySkySample(u, density);
   float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
   return Arrival(density > 0.0 ? giReflect(r, L) * raySkyRadiance(L) * weight / density : vec3(0.0),
-    L, FAR, false);
+    L, RAY_FAR, false);
 }
 #endif
 
@@ -230,7 +173,7 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, int bounce, inout uint state
     Arrival arrival;
     if (i < lamps)
     {
-      int chosen = all ? i : min(int(randomNumber(state) * float(lightCount)), lightCount - 1);
+      int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
       arrival = fromLamp(lights[chosen], r, at, all);
       arrival.reflected *= all ? 1.0 : float(lightCount);
     }
@@ -292,19 +235,19 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, inout uint state)
     {
       break;
     }
-    vec3 L = giSampleReflection(r, randomNumber(state), sample2D(bounce, 1));
+    vec3 L = giSampleReflection(r, giRandom(state), sample2D(bounce, 1));
     density = giReflectionDensity(r, L);
     throughput *= density > 0.0 ? giReflect(r, L) / density : vec3(0.0);
     float survive = bounce < 3 ? 1.0 : min(0.95, max(throughput.r, max(throughput.g, throughput.b)));
     bool closed;
     vec3 origin = rayArrive(at, L, closed);
-    if (closed || dot(throughput, vec3(1.0)) <= 0.0 || randomNumber(state) >= survive)
+    if (closed || dot(throughput, vec3(1.0)) <= 0.0 || giRandom(state) >= survive)
     {
       break;
     }
     throughput /= survive;
     from = at.position;
-    ray = Ray(origin, 0.0, L, FAR);
+    ray = Ray(origin, 0.0, L, RAY_FAR);
     float first;
     RayHit hit = traceThrough(ray, at, first, state);
     if (hit.instance < 0)

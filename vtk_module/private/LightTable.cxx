@@ -62,6 +62,35 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
   this->SingleHeadlight = this->All.size() == 1 && renderer->GetLightingComplexity() == 1;
 }
 
+LightTable::Shadowed LightTable::AssignMask(int maximum)
+{
+  Shadowed shadowed;
+  for (std::size_t i = 0; i < this->All.size(); ++i)
+  {
+    if (this->All[i].MaskChannel >= 0)
+    {
+      return {};
+    }
+    if (!this->All[i].Headlight && glm::length(this->All[i].Color) > 0.0)
+    {
+      shadowed.With.push_back(i);
+    }
+  }
+  // Strongest first: their missing shadows would be seen most.
+  std::stable_sort(
+    shadowed.With.begin(), shadowed.With.end(), [this](std::size_t a, std::size_t b) {
+      return glm::length(this->All[a].Color) > glm::length(this->All[b].Color);
+    });
+  const std::size_t most = std::min(shadowed.With.size(), static_cast<std::size_t>(maximum));
+  shadowed.Without = static_cast<int>(shadowed.With.size() - most);
+  shadowed.With.resize(most);
+  for (std::size_t channel = 0; channel < most; ++channel)
+  {
+    this->All[shadowed.With[channel]].MaskChannel = static_cast<int>(channel);
+  }
+  return shadowed;
+}
+
 glm::dvec3 LightTable::TotalColor() const
 {
   glm::dvec3 total(0.0);

@@ -48,6 +48,16 @@ public:
   bool IsSingleHeadlight() const { return this->SingleHeadlight; }
   bool HasPositional() const { return this->Positional; }
 
+  /// Lights that cast shadows, in the order of their channels of the direct visibility mask.
+  struct Shadowed
+  {
+    std::vector<std::size_t> With;
+    int Without = 0; ///< how many would but exceed the maximum
+  };
+  /// Give every light that casts shadows a channel of the mask, the strongest first, unless another
+  /// technique did so before: then there are none. Headlights cast no shadow that their eye sees.
+  Shadowed AssignMask(int maximum);
+
   /// The colours of all lights added up.
   glm::dvec3 TotalColor() const;
 

@@ -1,0 +1,113 @@
+#version 430 core
+// The share of each light that reaches a pixel, by rays to points of the light. Variants: those of
+// rays/passage.glsl.
+#include "shared/view.h"
+#include "shared/light.h"
+#include "rays/trace.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/sampling.glsl"
+#include "rays/surface.glsl"
+#include "rays/passage.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba8, binding = 0) uniform writeonly image2DArray visibility; // four lights a layer
+
+layout(binding = 0) uniform sampler2D albedoTexture;
+layout(binding = 1) uniform sampler2D normalTexture;
+layout(binding = 2) uniform sampler2D depthTexture;
+
+uniform mat3 viewToScene;
+uniform vec3 eye;      // relative to the scene's origin
+uniform int lightCount;
+uniform int layerCount;
+uniform int samples;
+uniform vec2 size;     // tangent of half a directional light's angle; radius of a lamp
+
+const float DEPTH_ERROR = 2.5e-7; // of a depth buffer of 24 bits
+const float REACH = 1e-3;         // of the distance: where the surface is looked for
+
+// The surface that the rasterizer drew at a pixel: a ray that starts just before it finds it exactly.
+RaySurfacePoint surfaceAt(ivec2 window)
+{
+  vec2 center = vec2(window) + 0.5;
+  float depth = texelFetch(depthTexture, window, 0).r;
+  vec3 there = giViewPosition(center, depth);
+  vec3 from = giViewPosition(center, 0.0);
+  float distance = length(there - from);
+  float reach = REACH * distance +
+    length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - there);
+  vec3 direction = viewToScene * normalize(there - from);
+  vec3 position = eye + viewToScene * there;
+  vec3 N = viewToScene * giDecodeOctahedral(texelFetch(normalTexture, window, 0).xy);
+  Ray ray = Ray(position - reach * direction, 0.0, direction, 2.0 * reach);
+  RayHit hit = traceClosest(ray);
+  RaySurfacePoint at;
+  if (hit.instance >= 0)
+  {
+    at = raySurfaceAt(ray, hit);
+  }
+  else
+  {
+    // What rays do not see receives shadows all the same.
+    at.position = position;
+    at.error = reach;
+    at.geometric = N;
+    at.bulge = vec3(0.0);
+    at.bend = 0.0;
+  }
+  at.normal = N;
+  return at;
+}
+
+float reaching(LightData lamp, RaySurfacePoint at, uint seed, inout uint state)
+{
+  bool local = lamp.Kind.x == GI_LIGHT_POSITIONAL;
+  vec3 toward = local ? lamp.Position.xyz - at.position : -lamp.Direction.xyz;
+  mat3 across = giBasis(normalize(toward));
+  float radius = local ? size.y : size.x;
+  int count = radius > 0.0 ? samples : 1;
+  float open = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    vec2 disc = radius * giSampleDisc(giSample2D(uint(view.Frame.x * count + i), seed));
+    vec3 direction = toward + across * vec3(disc, 0.0);
+    if (dot(at.normal, direction) <= 0.0)
+    {
+      continue;
+    }
+    bool closed;
+    vec3 origin = rayArrive(at, normalize(direction), closed);
+    vec3 path = local ? direction + (at.position - origin) : direction;
+    Ray ray = Ray(origin, 0.0, path, local ? 1.0 : RAY_FAR);
+    open += closed || blocked(ray, state) ? 0.0 : 1.0;
+  }
+  return open / float(count);
+}
+
+void main()
+{
+  ivec2 window = ivec2(gl_GlobalInvocationID.xy) + ivec2(view.Viewport.xy);
+  if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), ivec2(view.Viewport.zw))) ||
+    texelFetch(albedoTexture, window, 0).a == 0.0)
+  {
+    return;
+  }
+  RaySurfacePoint at = surfaceAt(window);
+  uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
+  uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
+  for (int layer = 0; layer < layerCount; ++layer)
+  {
+    vec4 open = vec4(1.0);
+    for (int i = 0; i < lightCount; ++i)
+    {
+      LightData lamp = lights[i];
+      if (lamp.Kind.y >= 0 && lamp.Kind.y / 4 == layer)
+      {
+        open[lamp.Kind.y & 3] = reaching(lamp, at, seed + uint(i) * 0x9e3779b9u, state);
+      }
+    }
+    imageStore(visibility, ivec3(window, layer), open);
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays through what lets them pass: culled sides, clipped parts, and surfaces that are not opaque, by
+// chance. Needs rays/surface.glsl, lib/sampling.glsl. Variants: GI_RAY_PARTLY (some surfaces let rays
+// pass), and those of rays/surface.glsl.
+const int RAY_PASSES = 64; // through so many
+const float RAY_FAR = 1e30;
+
+bool rayPasses(RaySurfacePoint at, int flags, inout uint state)
+{
+  bool culled = (flags & (at.front ? GI_SURFACE_CULL_FRONT : GI_SURFACE_CULL_BACK)) != 0;
+#ifdef GI_RAY_CLIPPED
+  culled = culled || rayClipped(raySurfaces[at.surface], at.position);
+#endif
+  return culled || (at.color.a < 1.0 && giRandom(state) >= at.color.a);
+}
+
+// Where the ray ends, through what lets it pass. ray.origin moves along. first: how far the first
+// surface is that it meets.
+RayHit traceThrough(inout Ray ray, out RaySurfacePoint at, out float first, inout uint state)
+{
+  RayHit hit = traceClosest(ray);
+  first = hit.instance >= 0 ? hit.t : RAY_FAR;
+  if (hit.instance >= 0)
+  {
+    at = raySurfaceAt(ray, hit);
+  }
+#ifdef GI_RAY_PARTLY
+  for (int i = 0; i < RAY_PASSES && hit.instance >= 0; ++i)
+  {
+    int flags = raySurfaces[at.surface].Where.z;
+    if ((flags & GI_SURFACE_PARTLY) == 0 || !rayPasses(at, flags, state))
+    {
+      break;
+    }
+    ray.tMax -= hit.t;
+    ray.origin = rayLeave(at, ray.direction);
+    hit = traceClosest(ray);
+    if (hit.instance >= 0)
+    {
+      at = raySurfaceAt(ray, hit);
+    }
+  }
+#endif
+  return hit;
+}
+
+bool blocked(Ray ray, inout uint state)
+{
+#ifdef GI_RAY_PARTLY
+  RaySurfacePoint at;
+  float first;
+  return traceThrough(ray, at, first, state).instance >= 0;
+#else
+  return traceAny(ray);
+#endif
+}
