@@ -123,9 +123,9 @@ std::vector<Case> ConvergenceCases()
       "path tracer's own numbers are spread evenly over those of a pixel (Owen-scrambled Sobol "
       "points), and their errors fall faster; for the first row one shader is replaced "
       "(`tests/validate/independent/`)." },
-    { group, "the path tracer's own, evenly spread: −0.45 or steeper", -0.45, { Rule::AtMost, 0.0 },
-      4096, 0, slope(""), "", {}, {} },
-    { "Cornell box", "red over green, left rim of the floor over right: more than 1", 1.0,
+    { group, "the path tracer's own, evenly spread", -0.45, { Rule::AtMost, 0.0 }, 4096, 0,
+      slope(""), "", {}, {} },
+    { "Cornell box", "red over green, the floor's left rim over its right one", 1.0,
       { Rule::AtLeast, 0.0 }, 256, 0, Bleeding, "cornell", { { 0.0, -3.9, 0.0 } }, {} },
   };
 }
