@@ -104,6 +104,9 @@ class Traced(command.CommandTest):
 
     def test_samples(self):
         self.assertEqual(self.trace("four.exr", 4)["frames"], 4)
+        header = (self.folder / "four.exr").read_bytes()[:2000]
+        for layer in (b"albedo.R", b"normal.X", b"Z", b"samples", b"error"):
+            self.assertIn(layer + b"\0", header)
 
     def test_ends_at_an_error(self):
         stats = self.trace("rough.exr", 1000, "--error", 0.2)

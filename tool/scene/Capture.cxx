@@ -127,14 +127,31 @@ Picture CaptureRadiance(
   return radiance;
 }
 
+namespace
+{
+/// Of the mean of a pixel's luminance, from the sums that the tracer keeps.
+float StandardError(const float* shown, const float* encoded, float samples)
+{
+  const float mean = (0.2126f * (shown[0] + encoded[0]) + 0.7152f * (shown[1] + encoded[1]) +
+                       0.0722f * (shown[2] + encoded[2])) /
+    samples;
+  const float variance = std::max(0.0f, encoded[3] / samples - mean * mean);
+  return samples > 1.0f ? std::sqrt(variance / (samples - 1.0f)) : 0.0f;
+}
+}
+
 void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture)
 {
   auto* tracer = vtkGIPathTracing::SafeDownCast(pass->GetTechnique("path-tracing"));
   vtkNew<vtkImageData> albedoImage;
   vtkNew<vtkImageData> normalImage;
+  vtkNew<vtkImageData> shownImage;
+  vtkNew<vtkImageData> encodedImage;
   const bool present = tracer && tracer->GetEnabled() &&
     pass->GetBuffer(renderer, "path-tracing.albedo", albedoImage) &&
-    pass->GetBuffer(renderer, "path-tracing.normal", normalImage);
+    pass->GetBuffer(renderer, "path-tracing.normal", normalImage) &&
+    pass->GetBuffer(renderer, "path-tracing.shown", shownImage) &&
+    pass->GetBuffer(renderer, "path-tracing.encoded", encodedImage);
   if (!present)
   {
     return;
@@ -142,8 +159,11 @@ void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& pictur
   const auto same = [](double value) { return value; };
   const Picture albedo = FromImage(albedoImage, 4, same);
   const Picture normal = FromImage(normalImage, 4, same);
+  const Picture shown = FromImage(shownImage, 4, same);
+  const Picture encoded = FromImage(encodedImage, 4, same);
+  const auto samples = static_cast<float>(tracer->GetSamplesTaken(renderer));
   const std::vector<std::string> names = { "albedo.R", "albedo.G", "albedo.B", "normal.X",
-    "normal.Y", "normal.Z", "Z", "samples" };
+    "normal.Y", "normal.Z", "Z", "samples", "error" };
   Picture all(picture.Width, picture.Height, picture.Channels + static_cast<int>(names.size()));
   all.Layers = names;
   for (std::size_t i = 0; i < all.PixelCount(); ++i)
@@ -152,7 +172,8 @@ void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& pictur
     const float met = std::max(1.0f, albedo.Pixel(i)[3]);
     out = std::transform(albedo.Pixel(i), albedo.Pixel(i) + 3, out, [met](float v) { return v / met; });
     out = std::transform(normal.Pixel(i), normal.Pixel(i) + 4, out, [met](float v) { return v / met; });
-    *out = static_cast<float>(tracer->GetSamplesTaken(renderer));
+    *out++ = samples;
+    *out = StandardError(shown.Pixel(i), encoded.Pixel(i), samples);
   }
   picture = std::move(all);
 }

@@ -24,7 +24,8 @@ Picture CaptureRadiance(
   vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render);
 
 /// Appends what the path tracer knows of the surfaces in the picture: their albedo, normal (in the
-/// world), distance along the line of sight, and the number of samples. Nothing without it.
+/// world), distance along the line of sight, the number of samples, and the standard error of each
+/// pixel's luminance. Nothing without it.
 void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture);
 }
 
