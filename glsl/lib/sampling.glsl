@@ -1,6 +1,13 @@
 // Directions and points made of evenly spread numbers.
 #include "lib/sequence.glsl"
 
+// A number in [0, 1) by chance, and the state from which the next one follows.
+float giRandom(inout uint state)
+{
+  state = giHash(state);
+  return float(state >> 8) / 16777216.0;
+}
+
 // Duff et al. 2017, "Building an Orthonormal Basis, Revisited" (JCGT 6:1): z is n.
 mat3 giBasis(vec3 n)
 {

@@ -40,10 +40,3 @@ vec2 giSample2D(uint index, uint seed)
   p.y = giOwenScramble(p.y, giHash(seed ^ 0x63d83595u));
   return vec2(p >> 8) / 16777216.0;
 }
-
-// A number in [0, 1) by chance, and the state from which the next one follows.
-float giRandom(inout uint state)
-{
-  state = giHash(state);
-  return float(state >> 8) / 16777216.0;
-}

@@ -29,10 +29,24 @@ Outcome ClosedBox(Studio& studio, int samples, double reflectance)
   return MeanOfEqual(studio.Trace(samples), emission);
 }
 
-Outcome Furnace(Studio& studio, int samples, const Shape& object, double reflectance, double half)
+enum class Surroundings
+{
+  Walls,  ///< that shine, far away
+  Picture ///< an environment texture
+};
+
+Outcome Furnace(Studio& studio, int samples, const Shape& object, double reflectance, double half,
+  Surroundings surroundings)
 {
   studio.Clear(Pixels, Pixels);
-  studio.AddEnvironment(1.0, Far);
+  if (surroundings == Surroundings::Walls)
+  {
+    studio.AddEnvironment(1.0, Far);
+  }
+  else
+  {
+    studio.SetEnvironmentTexture(1.0);
+  }
   studio.Add(object, Matte(reflectance));
   studio.SetBounces(Endless);
   studio.LookParallel(
@@ -48,11 +62,13 @@ Case Enclosed(double reflectance, const std::string& name, int samples, int quic
 }
 
 Case Furnaced(const std::string& name, const std::function<Shape()>& make, double reflectance,
-  double half, int samples, int quick)
+  double half, int samples, int quick, Surroundings surroundings = Surroundings::Walls)
 {
   return { "furnace: a diffuse object in surroundings of radiance 1", name,
     reflectance < 1.0 ? reflectance : 1.0, { Rule::Relative, 0.002 }, samples, quick,
-    [=](Studio& studio, int n) { return Furnace(studio, n, make(), reflectance, half); } };
+    [=](Studio& studio, int n) {
+      return Furnace(studio, n, make(), reflectance, half, surroundings);
+    } };
 }
 }
 
@@ -67,6 +83,10 @@ std::vector<Case> EnergyCases()
     Furnaced("sphere, ρ = 0.5, its disc alone", ball, 0.5, 0.65, 64, 8),
     Furnaced("sphere, ρ = 1: cannot be seen", ball, 1.0, 1.3, 64, 8),
     Furnaced("torus (concave), ρ = 1: cannot be seen", ring, 1.0, 1.6, 64, 8),
+    Furnaced("sphere, ρ = 1, in an environment texture", ball, 1.0, 1.3, 64, 8,
+      Surroundings::Picture),
+    Furnaced("torus (concave), ρ = 1, in an environment texture", ring, 1.0, 1.6, 64, 8,
+      Surroundings::Picture),
   };
   cases[2].Picture = "closed-box";
   cases[2].Eye = { { -0.7, -0.6, 0.2 } };

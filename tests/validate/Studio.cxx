@@ -13,11 +13,17 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkPBRIrradianceTexture.h>
+#include <vtkPBRLUTTexture.h>
+#include <vtkPBRPrefilterTexture.h>
+#include <vtkPointData.h>
 #include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkTexture.h>
 
 #include <algorithm>
 #include <chrono>
@@ -84,6 +90,9 @@ void Studio::Clear(int width, int height)
 {
   this->Renderer->RemoveAllViewProps();
   this->Renderer->RemoveAllLights();
+  this->Renderer->SetEnvironmentTexture(nullptr);
+  this->Renderer->UseImageBasedLightingOff();
+  this->Renderer->SetBackground(0.0, 0.0, 0.0);
   this->Window->SetSize(width, height);
   // Without any lamp VTK draws surfaces in flat colours; this one sheds no light.
   vtkNew<vtkLight> dark;
@@ -127,6 +136,30 @@ void Studio::AddEnvironment(double radiance, double halfSize)
   sky.Model = Material::Unlit;
   const double h = halfSize;
   this->Add(Box({ { -h, -h, -h } }, { { h, h, h } }), sky);
+}
+
+void Studio::SetEnvironmentTexture(double radiance)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 2, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  image->GetPointData()->GetScalars()->Fill(radiance);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn(); // VTK insists
+  this->Renderer->SetEnvironmentTexture(texture);
+  this->Renderer->UseImageBasedLightingOn();
+  this->Renderer->SetBackground(radiance, radiance, radiance);
+  // Small: VTK's filtering for its own shaders takes longer than the rays otherwise.
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
+  renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
+  renderer->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
+  renderer->GetEnvMapIrradiance()->SetIrradianceSize(8);
+  renderer->GetEnvMapIrradiance()->SetIrradianceStep(0.3f);
+  renderer->GetEnvMapLookupTable()->SetLUTSize(8);
+  renderer->GetEnvMapLookupTable()->SetLUTSamples(8);
 }
 
 void Studio::LookParallel(

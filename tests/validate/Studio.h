@@ -71,6 +71,8 @@ public:
   void Add(vtkPolyData* shape, const Material& material, bool culled = false);
   /// Uniform light from everywhere: a cube that shows its colour, the scene in its middle.
   void AddEnvironment(double radiance, double halfSize);
+  /// The same by an environment texture, before a background of that value.
+  void SetEnvironmentTexture(double radiance);
 
   /// Parallel rays from `eye` on, a square picture of the given half width. What lies nearer to the
   /// eye than `nearest` is not seen, though it casts shadows and shines.
