@@ -19,8 +19,9 @@ void ParallelFor(std::size_t count, const Body& body)
 {
   // Starting a thread costs as much as some ten thousand simple steps.
   constexpr std::size_t grain = 65536;
-  const std::size_t threads = std::min<std::size_t>(
-    std::max(1u, std::thread::hardware_concurrency()), (count + grain - 1) / grain);
+  // Asking the system how many processors there are takes longer than small counts do.
+  static const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t threads = std::min(processors, (count + grain - 1) / grain);
   if (threads <= 1)
   {
     body(std::size_t(0), count);
