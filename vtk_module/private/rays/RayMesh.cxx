@@ -3,6 +3,7 @@
 #include "private/rays/RayMesh.h"
 
 #include "private/rays/Parallel.h"
+#include "private/rays/RaySplits.h"
 
 #include <algorithm>
 #include <atomic>
@@ -150,8 +151,16 @@ RayMesh::RayMesh(const RayGeometry& geometry)
       " primitives is too large to trace rays against; the limit is 268 million: split or decimate "
       "it.");
   }
-  const std::vector<RayBounds> bounds = this->ItemBounds(geometry);
-  this->Bvh.Build(bounds, GI_RAY_LEAF_SIZE, GI_RAY_MESH_DEPTH);
+  std::vector<RayBounds> bounds = this->ItemBounds(geometry);
+  const std::vector<std::uint32_t> pieces = SplitLongTriangles(geometry, bounds);
+  this->Split = !pieces.empty();
+  // Where most is in pieces, those of a leaf have little in common: one by one they are met less.
+  const int leafSize = pieces.size() > geometry.Size() / 2 ? 1 : GI_RAY_LEAF_SIZE;
+  this->Bvh.Build(bounds, leafSize, GI_RAY_MESH_DEPTH);
+  for (std::uint32_t& item : this->Bvh.Order)
+  {
+    item = item < geometry.Size() ? item : pieces[item - geometry.Size()];
+  }
   this->WriteRecords(geometry, bounds);
 }
 
@@ -161,6 +170,12 @@ bool RayMesh::Refit(const RayGeometry& geometry)
     geometry.Cylinders.size() != this->Cylinders)
   {
     return false;
+  }
+  if (this->Split)
+  {
+    // Where pieces end depends on the points.
+    *this = RayMesh(geometry);
+    return true;
   }
   const std::vector<RayBounds> bounds = this->ItemBounds(geometry);
   // A primitive that became finite again has no place in the tree.

@@ -41,5 +41,6 @@ private:
   std::size_t Spheres = 0;
   std::size_t Cylinders = 0;
   std::size_t NotFinite = 0;
+  bool Split = false; ///< some triangles are in the tree in pieces
 };
 }

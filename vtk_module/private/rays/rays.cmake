@@ -1,7 +1,7 @@
 # The sources of the ray core and the builder they link: include() this, add penumbra_ray_sources to
 # a target and link penumbra_ray_libraries to it.
 set(penumbra_ray_sources)
-foreach(_name RayBuffer RayMesh RayScene RayTree RayTreeBuilder)
+foreach(_name RayBuffer RayMesh RayScene RaySplits RayTree RayTreeBuilder)
   list(APPEND penumbra_ray_sources "${CMAKE_CURRENT_LIST_DIR}/${_name}.cxx")
 endforeach()
 
