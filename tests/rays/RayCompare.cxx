@@ -21,6 +21,19 @@ struct Meeting
   bool Inside = false;       ///< the ray passes through it
   double Slope = 0.0;        ///< cosine between the ray and the normal
   double Scale = 0.0;        ///< of the coordinates that floats round
+  double Needle = 0.0;       ///< how far it reaches along the ray, in its heights
+
+  /// Some units in the last place of a float, of the largest coordinate that takes part.
+  double Rounding() const { return 4e-7 * this->Scale; }
+
+  /// Whether rounding moves the distance by more than that share of it: where the ray lies nearly in
+  /// the plane, or on a triangle so thin that rounding moves the hit along it.
+  bool IsUncertain(double tolerance) const
+  {
+    const double room = tolerance * this->Distance;
+    return this->Slope * room <= 4.0 * this->Rounding() ||
+      room <= 4.0 * this->Rounding() * this->Needle;
+  }
 };
 
 /// The distance between a ray's line and a segment.
@@ -66,6 +79,16 @@ Meeting Meet(const RayWorld& world, const shared::RayQuery& ray, const glm::ivec
       std::min(result.Outline, LineToSegment(origin, direction, c[i], c[(i + 1) % 3]));
   }
   result.Inside = std::abs(sides) == 3;
+  double longest = 0.0;
+  double nearest = HUGE_VAL;
+  double farthest = -HUGE_VAL;
+  for (int i = 0; i < 3; ++i)
+  {
+    longest = std::max(longest, glm::length(c[(i + 1) % 3] - c[i]));
+    nearest = std::min(nearest, glm::dot(c[i] - origin, direction));
+    farthest = std::max(farthest, glm::dot(c[i] - origin, direction));
+  }
+  result.Needle = (farthest - nearest) * longest / glm::length(normal);
   return result;
 }
 
@@ -83,6 +106,12 @@ bool ShareVertex(const Meeting& a, const Meeting& b)
   }
   return false;
 }
+}
+
+bool IsDistanceUncertain(const RayWorld& world, const shared::RayQuery& ray,
+  const shared::RayAnswer& answer, double tolerance)
+{
+  return answer.Hit.x >= 0 && Meet(world, ray, answer.Hit).IsUncertain(tolerance);
 }
 
 Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& reference,
@@ -112,10 +141,8 @@ Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& refer
       if (hits[side])
       {
         meetings[side] = Meet(world, rays[i], side == 0 ? expected.Hit : got.Hit);
-        // Some units in the last place of a float, of the largest coordinate that takes part.
-        const double rounding = 4e-7 * meetings[side].Scale;
-        edge |= meetings[side].Outline <= 4.0 * rounding;
-        grazing |= meetings[side].Slope * tolerance * meetings[side].Distance <= 4.0 * rounding;
+        edge |= meetings[side].Outline <= 4.0 * meetings[side].Rounding();
+        grazing |= meetings[side].IsUncertain(tolerance);
       }
     }
     if (sameDistance && hits[0] && ShareVertex(meetings[0], meetings[1]) && edge)

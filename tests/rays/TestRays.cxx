@@ -77,7 +77,9 @@ TEST_F(RayTest, AnyHitIsWhetherThereIsAClosest)
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       const bool expected = closest[i].Hit.x >= 0 && closest[i].Distance < rays[i].Direction.w;
-      wrong += expected != (any[i].Hit.x >= 0) ? 1 : 0;
+      // A limit within what rounding does to a needle's distance decides nothing.
+      const bool differs = expected != (any[i].Hit.x >= 0);
+      wrong += differs && !IsDistanceUncertain(world, rays[i], closest[i], 1e-4) ? 1 : 0;
     }
     EXPECT_EQ(wrong, 0u) << world.Name;
   }
