@@ -36,6 +36,7 @@ void ApplyShading(const Material& material, vtkProperty* property)
     case Shading::Pbr:
       property->SetInterpolationToPBR();
       property->SetMetallic(material.Metallic);
+      property->SetBaseIOR(material.RefractiveIndex);
       property->SetRoughness(material.Roughness);
       break;
   }

@@ -27,6 +27,7 @@ Material ReadMaterial(const json& value, const std::string& where)
   object.Read("specular-power", material.SpecularPower, Bounds{ 0, 128 });
   object.ReadColor("specular-color", material.SpecularColor);
   object.Read("metallic", material.Metallic, UnitInterval);
+  object.Read("ior", material.RefractiveIndex, Bounds{ 1, 10 });
   object.Read("roughness", material.Roughness, UnitInterval);
   object.ReadColor("emission", material.Emission);
   object.Read("opacity", material.Opacity, UnitInterval);

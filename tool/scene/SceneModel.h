@@ -48,6 +48,7 @@ struct Material
   double SpecularPower = 1;
   std::optional<Vec3> SpecularColor; ///< white unless given
   double Metallic = 0;               ///< with Shading::Pbr, as roughness
+  double RefractiveIndex = 1.5;      ///< with Shading::Pbr: 1 has no highlight
   double Roughness = 0.5;
   Vec3 Emission = { 0, 0, 0 }; ///< radiance
   double Opacity = 1;
