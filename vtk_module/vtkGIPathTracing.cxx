@@ -9,6 +9,7 @@
 #include "private/StillFrames.h"
 #include "private/rays/RayProps.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -164,16 +165,22 @@ struct PathTracer
 };
 }
 
+const vtkGIPathTracing::Progress* vtkGIPathTracing::Find(vtkRenderer* renderer) const
+{
+  const auto found = this->Eyes.lower_bound({ renderer, 0 });
+  return found != this->Eyes.end() && found->first.first == renderer ? &found->second : nullptr;
+}
+
 int vtkGIPathTracing::GetSamplesTaken(vtkRenderer* renderer)
 {
-  const auto found = this->Renderers.find(renderer);
-  return found == this->Renderers.end() ? 0 : found->second.Samples;
+  const Progress* progress = this->Find(renderer);
+  return progress ? progress->Samples : 0;
 }
 
 double vtkGIPathTracing::GetRelativeError(vtkRenderer* renderer)
 {
-  const auto found = this->Renderers.find(renderer);
-  return found == this->Renderers.end() ? HUGE_VAL : found->second.Error;
+  const Progress* progress = this->Find(renderer);
+  return progress ? progress->Error : HUGE_VAL;
 }
 
 bool vtkGIPathTracing::GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkImageData* image)
@@ -183,7 +190,7 @@ bool vtkGIPathTracing::GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkIm
   {
     return false;
   }
-  image->Initialize();
+  vtkNew<vtkImageData> sums;
   for (const char* name : SumNames)
   {
     vtkNew<vtkImageData> sum;
@@ -192,13 +199,14 @@ bool vtkGIPathTracing::GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkIm
       return false;
     }
     sum->GetPointData()->GetScalars()->SetName(name);
-    image->SetDimensions(sum->GetDimensions());
-    image->GetPointData()->AddArray(sum->GetPointData()->GetScalars());
+    sums->SetDimensions(sum->GetDimensions());
+    sums->GetPointData()->AddArray(sum->GetPointData()->GetScalars());
   }
   vtkNew<vtkIntArray> count;
   count->SetName("samples");
   count->InsertNextValue(samples);
-  image->GetFieldData()->AddArray(count);
+  sums->GetFieldData()->AddArray(count);
+  image->ShallowCopy(sums);
   return true;
 }
 
@@ -215,16 +223,25 @@ bool vtkGIPathTracing::SetProgress(vtkRenderer* renderer, vtkImageData* image)
   }
   if (whole)
   {
-    this->Renderers[renderer].Taken = image;
+    // The arrays, not the image, which may come to hold something else.
+    auto taken = vtkSmartPointer<vtkImageData>::New();
+    taken->ShallowCopy(image);
+    this->Eyes[{ renderer, 1 }].Taken = taken;
   }
   return whole;
 }
 
-bool vtkGIPathTracing::IsFinished(vtkRenderer* renderer)
+bool vtkGIPathTracing::IsFinished(const Progress& progress) const
 {
   // A target of 0 spends all samples, even where those so far are all alike.
-  return this->GetSamplesTaken(renderer) >= this->Samples ||
-    (this->TargetError > 0.0 && this->GetRelativeError(renderer) <= this->TargetError);
+  return progress.Samples >= this->Samples ||
+    (this->TargetError > 0.0 && progress.Error <= this->TargetError);
+}
+
+bool vtkGIPathTracing::IsFinished(vtkRenderer* renderer)
+{
+  const Progress* progress = this->Find(renderer);
+  return progress && this->IsFinished(*progress);
 }
 
 void vtkGIPathTracing::Contribute(FrameBuilder& frame)
@@ -235,8 +252,8 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
       " props of kinds that cannot be traced yet: they are drawn without global illumination");
   }
-  vtkRenderer* renderer = frame.GetRenderer();
-  Progress& progress = this->Renderers[renderer];
+  const Eye eye = { frame.GetRenderer(), frame.GetRenderer()->GetActiveCamera()->GetLeftEye() };
+  Progress& progress = this->Eyes[eye];
   const vtkSmartPointer<vtkImageData> taken = progress.Taken;
   if (frame.GetView().StillFrames == 0 || taken)
   {
@@ -249,7 +266,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   }
   const PathTracer tracer = { &rays, &frame.Lights(), &frame.Capture().Materials(), this->Bounces,
     this->Strategy };
-  ShiftStillFrame(frame, this->IsFinished(renderer) ? 0 : progress.Samples);
+  ShiftStillFrame(frame, this->IsFinished(progress) ? 0 : progress.Samples);
   frame.SetAveraged();
   frame.SetDrawnByRays();
   frame.AddPass("path-trace")
@@ -258,15 +275,15 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     .Read(resource::WindowDepth)
     .Modify(resource::Color, TraceOrder)
     .Write(Traced, { GL_R8, 1, 1, 0 })
-    .Execute([this, renderer, tracer, taken](FrameContext& context) {
-      Progress& now = this->Renderers[renderer];
+    .Execute([this, eye, tracer, taken](FrameContext& context) {
+      Progress& now = this->Eyes[eye];
       bool fresh = false;
       PathTracer::Sums(context, &fresh);
       if (taken ? !tracer.Restore(context, taken) : fresh)
       {
         now = Progress();
       }
-      if (!this->IsFinished(renderer))
+      if (!this->IsFinished(now))
       {
         tracer.Trace(context, now.Samples);
         ++now.Samples;
@@ -281,7 +298,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   frame.AddPass("path-trace-radiance")
     .Read(Traced)
     .ModifyIfPresent(resource::Radiance, TraceOrder)
-    .Execute([this, renderer, tracer](FrameContext& context) {
-      tracer.Show(context, resource::Radiance, this->Renderers[renderer].Samples);
+    .Execute([this, eye, tracer](FrameContext& context) {
+      tracer.Show(context, resource::Radiance, this->Eyes[eye].Samples);
     });
 }

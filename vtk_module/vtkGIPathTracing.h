@@ -5,7 +5,7 @@
  * @brief   the ground truth: every term of the rendering equation, one path a pixel and frame
  *
  * While nothing changes each frame adds a path through every pixel, and the window shows the mean.
- * Surfaces are traced against (GetLeftOut() of the notes tells which are not); lines, points, text
+ * Surfaces are traced against (the notes of vtkGIPass count those that are not); lines, points, text
  * and volumes are drawn by VTK. Translucent surfaces let rays pass by chance, as their opacity says.
  */
 #ifndef vtkGIPathTracing_h
@@ -14,8 +14,9 @@
 #include "vtkGIPathTracingParameters.h"
 #include "vtkSmartPointer.h" // for what is to be gone on from
 
-#include <cmath> // for HUGE_VAL
-#include <map>   // for the progress of each renderer
+#include <cmath>   // for HUGE_VAL
+#include <map>     // for the progress of each renderer
+#include <utility> // for a renderer and an eye
 
 class vtkGIPass;
 class vtkImageData;
@@ -65,7 +66,10 @@ private:
     double Error = HUGE_VAL;
     vtkSmartPointer<vtkImageData> Taken; ///< to go on from, with the next frame
   };
-  std::map<vtkRenderer*, Progress> Renderers;
+  using Eye = std::pair<vtkRenderer*, int>; ///< 1: the left one, and the only one without stereo
+  std::map<Eye, Progress> Eyes;
+  const Progress* Find(vtkRenderer* renderer) const;
+  bool IsFinished(const Progress& progress) const;
 
   vtkGIPathTracing(const vtkGIPathTracing&) = delete;
   void operator=(const vtkGIPathTracing&) = delete;

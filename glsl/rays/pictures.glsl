@@ -49,7 +49,7 @@ vec4 rayPicture(int head, vec2 coordinates)
   int first = head + 2;
   // Beyond this floats no longer tell pixels apart; and what is not a number shows the first.
   vec2 place = clamp(coordinates, vec2(-1e6), vec2(1e6)) * vec2(size);
-  place = mix(place, vec2(0.0), vec2(isnan(coordinates)));
+  place = mix(place, vec2(0.0), isnan(coordinates));
   bool nearest = (shape.z & GI_PICTURE_NEAREST) != 0u;
   vec2 corner = nearest ? floor(place) : floor(place - 0.5);
   vec2 weight = nearest ? vec2(0.0) : place - 0.5 - corner;

@@ -5,7 +5,7 @@
 
 #include "private/rays/RaySky.h"
 
-#include "vtkGITechnique.h"
+#include "vtkGIPathTracing.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPBRIrradianceTexture.h"
 #include "vtkPBRLUTTexture.h"
@@ -236,4 +236,32 @@ TEST(Sky, TableOfChances)
   EXPECT_NEAR(inBand, 0.9 * rows[1] / sum + 0.1 * band, 1e-5);
   EXPECT_NEAR(
     (table[9 + 4] - table[9 + 3]) * inBand, 0.45 * rows[1] / sum + 0.1 * band / 8.0, 1e-5);
+}
+
+// A picture that changes its pixels tells nobody: the mean starts anew all the same, with them.
+TEST(Sky, ChangedPicturesShow)
+{
+  Stage stage;
+  stage.Window->SetSize(Side, Side);
+  vtkNew<vtkPlaneSource> plane;
+  vtkActor* actor = stage.Add(plane);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(200.0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  actor->SetTexture(texture);
+  auto pass = stage.SetPasses().front();
+  auto* paths = vtkGIPathTracing::SafeDownCast(pass->GetTechnique("path-tracing"));
+  paths->EnabledOn();
+  Shoot(stage.Window);
+  EXPECT_EQ(Shoot(stage.Window).At(Side / 2, Side / 2)[1], 200);
+  EXPECT_EQ(paths->GetSamplesTaken(stage.Renderer), 2);
+  image->GetPointData()->GetScalars()->Fill(90.0);
+  image->Modified();
+  EXPECT_EQ(Shoot(stage.Window).At(Side / 2, Side / 2)[1], 90);
+  EXPECT_EQ(paths->GetSamplesTaken(stage.Renderer), 1);
 }

@@ -108,6 +108,11 @@ class Traced(command.CommandTest):
         for layer in (b"albedo.R", b"normal.X", b"Z", b"samples", b"error"):
             self.assertIn(layer + b"\0", header)
 
+    def test_formats_without_layers(self):
+        self.trace("plain.hdr", 4)
+        self.trace("layers.exr", 4)
+        self.succeeds("compare", "plain.hdr", "layers.exr", "--tolerance", 2, "--fail-over", 0.01)
+
     def test_ends_at_an_error(self):
         stats = self.trace("rough.exr", 1000, "--error", 0.2)
         self.assertLess(stats["frames"], 1000)
@@ -127,6 +132,11 @@ class Traced(command.CommandTest):
         scene = self.scene({**SCENE, "size": [48, 48]})
         again = ("render", scene, "-o", "out.png", "--preset", "reference", "--spp", 1, "--checkpoint")
         self.refused(*again, "mine.vti", says="is of another picture", status=1)
+        # As large, seen from the same place, and in another colour.
+        repainted = {**SCENE, "background": [0.4, 0.1, 0.1]}
+        del repainted["frames"]
+        self.refused("render", self.scene(repainted), *again[2:], "mine.vti", says="is of another picture",
+                     status=1)
         (self.folder / "text.vti").write_text("no checkpoint")
         self.refused(*again, "text.vti", says="is not a checkpoint", status=1)
         self.refused(*again, "none/new.vti", says="cannot be written", status=1)

@@ -27,6 +27,7 @@
 #include <chrono>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include <unistd.h>
@@ -101,6 +102,7 @@ public:
     CLI::App* command =
       app.add_subcommand("render", "render data files or a scene file to a picture");
     DeclareRenderOptions(*command, this->Options);
+    this->Declared = command;
     return command;
   }
 
@@ -116,8 +118,8 @@ public:
     if (!this->Options.Stock)
     {
       ApplyTechniques(scene.Techniques, pass);
-      this->CheckTracing(pass);
     }
+    this->CheckTracing(pass);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
     ConfigureWindow(scene, built, window);
     this->Report["scene-ms"] = MillisecondsSince(start);
@@ -150,7 +152,7 @@ private:
       : this->Options.Error                    ? "--error"
       : !this->Options.Checkpoint.empty()      ? "--checkpoint"
                                                : nullptr;
-    if (option && !pass->GetTechnique("path-tracing")->GetEnabled())
+    if (option && (this->Options.Stock || !pass->GetTechnique("path-tracing")->GetEnabled()))
     {
       FailUsage("{} is for the path tracer, which is off: give --preset reference or "
                 "--on path-tracing",
@@ -207,6 +209,24 @@ private:
     this->Report["median-frame-ms"] = times[times.size() / 2];
   }
 
+  /// Of the options that change the picture, and of what is in the files.
+  std::string InputFingerprint() const
+  {
+    std::string text;
+    const std::set<std::string> others = { "--output", "--spp", "--error", "--checkpoint",
+      "--frames", "--stats", "--quiet", "--verbose", "--backend", "--help" };
+    for (const CLI::Option* option : this->Declared->get_options())
+    {
+      if (option->count() > 0 && others.count(option->get_name()) == 0)
+      {
+        text += fmt::format("{}={};", option->get_name(), fmt::join(option->results(), " "));
+      }
+    }
+    std::vector<std::string> files = this->Options.Files;
+    files.push_back(this->Options.Environment);
+    return Fingerprint(text, files);
+  }
+
   /// What is in a checkpoint's picture.
   std::string Identity(const Scene& scene, const BuiltScene& built, vtkGIPass* pass) const
   {
@@ -217,10 +237,11 @@ private:
     vtkGITechnique* tracer = pass->GetTechnique("path-tracing");
     return fmt::format(
       "{}x{} pixels, {} triangles and {} balls in {}, {} lights, seen from {} to {} "
-      "at {:.6g} degrees, {} bounces",
+      "at {:.6g} degrees, {} bounces (options and files {})",
       scene.Width, scene.Height, built.Triangles, built.Balls, fmt::join(this->Options.Files, " "),
       built.Renderer->GetLights()->GetNumberOfItems(), list(camera->GetPosition()),
-      list(camera->GetFocalPoint()), camera->GetViewAngle(), tracer->GetParameter("bounces"));
+      list(camera->GetFocalPoint()), camera->GetViewAngle(), tracer->GetParameter("bounces"),
+      this->InputFingerprint());
   }
 
   /// What the techniques have to say of the scene; once, as every frame says the same.
@@ -247,7 +268,7 @@ private:
       picture = radiance
         ? CaptureRadiance(pass, renderer, alpha, [&] { this->DrawAgain(window, scene.Frames); })
         : CaptureWindow(window, alpha);
-      if (HoldsRadiance(this->Options.Output) && !this->Options.Stock)
+      if (radiance && HoldsLayers(this->Options.Output))
       {
         AppendSurfaceLayers(pass, renderer, picture);
       }
@@ -289,6 +310,7 @@ private:
   }
 
   RenderOptions Options;
+  CLI::App* Declared = nullptr;
   nlohmann::ordered_json Report;
 };
 }

@@ -130,6 +130,11 @@ bool HoldsRadiance(const std::string& path)
   return end == ".exr" || end == ".hdr";
 }
 
+bool HoldsLayers(const std::string& path)
+{
+  return Extension(path) == ".exr";
+}
+
 void WritePicture(const std::string& path, const Picture& picture)
 {
   // Encoded in memory first: some of the encoders do not notice that a disk is full, one never ends.

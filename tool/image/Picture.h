@@ -52,6 +52,8 @@ void RequireWritablePicture(const std::string& path);
 
 /// True for formats that hold linear radiance (.exr, .hdr).
 bool HoldsRadiance(const std::string& path);
+/// Whether it can hold more than a picture: layers.
+bool HoldsLayers(const std::string& path);
 
 /// Writes the picture: floats (half in EXR would lose precision) for radiance formats, else 8 bits.
 void WritePicture(const std::string& path, const Picture& picture);

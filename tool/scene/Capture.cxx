@@ -103,6 +103,12 @@ Picture CaptureRadiance(
     Fail("the pass kept no radiance of the last frame, so that no linear picture can be written");
   }
   Picture radiance = FromImage(image, alpha ? 4 : 3, [](double value) { return value; });
+  // Rays draw translucent props themselves; and another scene would be traced from its beginning.
+  vtkGITechnique* tracer = pass->GetTechnique("path-tracing");
+  if (tracer && tracer->GetEnabled())
+  {
+    return radiance;
+  }
   const HiddenOverlays hidden(renderer);
   if (hidden.None())
   {

@@ -19,7 +19,8 @@ Picture CaptureWindow(vtkRenderWindow* window, bool alpha);
 
 /// The pass's linear radiance of opaque surfaces and background. Where translucent props, volumes or
 /// annotations change the picture, what the window shows replaces it; to find these pixels the scene is
-/// drawn once more without them, by calling render. Throws a Failure where the pass kept no radiance.
+/// drawn once more without them, by calling render. A traced picture stays as it is: translucent props
+/// are in it, volumes and annotations are not. Throws a Failure where the pass kept no radiance.
 Picture CaptureRadiance(
   vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render);
 

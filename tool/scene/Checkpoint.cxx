@@ -6,6 +6,8 @@
 #include "Failure.h"
 #include "VtkMessages.h"
 
+#include <OpenImageIO/hash.h>
+
 #include <vtkFieldData.h>
 #include <vtkGIPass.h>
 #include <vtkGIPathTracing.h>
@@ -16,6 +18,7 @@
 #include <vtkXMLImageDataWriter.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include <unistd.h>
 
@@ -26,6 +29,23 @@ namespace
 namespace fs = std::filesystem;
 constexpr const char* IdentityArray = "picture";
 constexpr std::chrono::seconds Interval(30);
+}
+
+std::string Fingerprint(const std::string& text, const std::vector<std::string>& files)
+{
+  OIIO::SHA1 print(text.data(), text.size());
+  std::vector<char> piece(1 << 20);
+  for (const std::string& path : files)
+  {
+    print.append(path.data(), path.size());
+    std::ifstream file(path, std::ios::binary);
+    while (file)
+    {
+      file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      print.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+    }
+  }
+  return print.digest().substr(0, 16);
 }
 
 Checkpoint::Checkpoint(

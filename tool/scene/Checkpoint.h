@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 class vtkGIPass;
 class vtkGIPathTracing;
@@ -13,6 +14,10 @@ class vtkRenderer;
 
 namespace penumbra::tool
 {
+/// Tells inputs apart: a text (such as options) and what is in files. Names of files that cannot be read
+/// (an empty name too) count as nothing in them.
+std::string Fingerprint(const std::string& text, const std::vector<std::string>& files);
+
 class Checkpoint
 {
 public:

@@ -268,7 +268,8 @@ bool vtkGIPass::Internals::ReadHistory(
 {
   const Memory* memory = this->FindMemory(renderer);
   const Texture* texture = memory ? this->Pool.FindHistory(memory->Name, name) : nullptr;
-  if (!texture || texture->Target() != GL_TEXTURE_2D || !image || !this->Window)
+  if (!texture || texture->Target() != GL_TEXTURE_2D || texture->Desc().Format != GL_RGBA32F ||
+    !image || !this->Window)
   {
     return false;
   }

@@ -43,17 +43,17 @@ const RayPictures::Picture& RayPictures::Use(vtkTexture* texture)
   if (entry.Time != time)
   {
     this->Forget(entry);
-    entry.Time = time;
     const TexturePixels pixels = ReadTexturePixels(texture);
     if (pixels.Width > 0 && !texture->GetCubeMap())
     {
       const std::vector<glm::uvec4> texels = Encode(texture, pixels);
+      const std::size_t first = this->Texels.Allocate(texels.size()); // may throw
+      this->Texels.Write(first, texels.data(), texels.size());
       entry.Texels = texels.size();
-      const std::size_t first = this->Texels.Allocate(entry.Texels);
-      this->Texels.Write(first, texels.data(), entry.Texels);
       entry.Shown.First = static_cast<int>(first);
       this->Measure(pixels, entry.Shown);
     }
+    entry.Time = time;
   }
   return entry.Shown;
 }
@@ -80,6 +80,7 @@ void RayPictures::Forget(Entry& entry)
     this->Texels.Free(static_cast<std::size_t>(entry.Shown.First), entry.Texels);
   }
   entry.Texels = 0;
+  entry.Time = 0;
   entry.Shown = Picture();
 }
 

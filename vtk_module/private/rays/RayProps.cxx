@@ -95,7 +95,7 @@ void RayProps::Update(vtkRenderer* renderer)
   {
     const Place& place = this->Places[i];
     changed = place.Mesh != parts[i].MeshKey || place.ToWorld != parts[i].ToWorld ||
-      place.Many != parts[i].Places;
+      place.Surface != indices[i] || place.Many != parts[i].Places;
   }
   this->UpdateClipping(parts, surfaces, indices);
   this->UpdatePlaces(parts, indices);
@@ -174,11 +174,14 @@ void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
       {
         this->Attributes.Free(block.FirstPrimitive, block.PrimitiveCount);
         this->Points.Free(block.FirstPoint, block.PointCount);
-        block.PrimitiveCount = attributes.Primitives.size();
-        block.PointCount = attributes.Points.size();
-        block.FirstPrimitive =
-          block.PrimitiveCount ? this->Attributes.Allocate(block.PrimitiveCount) : 0;
-        block.FirstPoint = block.PointCount ? this->Points.Allocate(block.PointCount) : 0;
+        block = Block();
+        // Allocating may throw: what is not there yet counts for nothing.
+        const std::size_t primitives = attributes.Primitives.size();
+        const std::size_t points = attributes.Points.size();
+        block.FirstPrimitive = primitives ? this->Attributes.Allocate(primitives) : 0;
+        block.PrimitiveCount = primitives;
+        block.FirstPoint = points ? this->Points.Allocate(points) : 0;
+        block.PointCount = points;
       }
       this->Attributes.Write(
         block.FirstPrimitive, attributes.Primitives.data(), block.PrimitiveCount);
@@ -249,6 +252,7 @@ void RayProps::UpdateClipping(const std::vector<RayPart>& parts,
     if (planes.size() != this->Planes.size())
     {
       this->Points.Free(this->FirstPlane, this->Planes.size());
+      this->Planes.clear();
       this->FirstPlane = planes.empty() ? 0 : this->Points.Allocate(planes.size());
     }
     this->Planes = planes;

@@ -23,6 +23,8 @@ namespace
 // Finer tables cost memory and find hardly more.
 constexpr int MostColumns = 1024;
 constexpr int MostRows = 512;
+// Finer pictures are averaged: two gigabytes of sky would light no differently.
+constexpr int MostWidth = 8192;
 
 struct Sphere
 {
@@ -33,13 +35,19 @@ struct Sphere
 
 Sphere Unfold(const TexturePixels& pixels)
 {
-  Sphere sphere{ pixels.Width, pixels.Height, {} };
-  sphere.Pixels.reserve(static_cast<std::size_t>(pixels.Width) * pixels.Height);
-  for (int y = 0; y < pixels.Height; ++y)
+  const int step = (std::max(pixels.Width, pixels.Height) + MostWidth - 1) / MostWidth;
+  Sphere sphere{ pixels.Width / std::max(1, step), pixels.Height / std::max(1, step), {} };
+  sphere.Pixels.reserve(static_cast<std::size_t>(sphere.Width) * sphere.Height);
+  for (int y = 0; y < sphere.Height; ++y)
   {
-    for (int x = 0; x < pixels.Width; ++x)
+    for (int x = 0; x < sphere.Width; ++x)
     {
-      sphere.Pixels.push_back(glm::max(pixels.At(x, y), 0.0f));
+      glm::vec4 sum(0.0f);
+      for (int i = 0; i < step * step; ++i)
+      {
+        sum += glm::max(pixels.At(x * step + i % step, y * step + i / step), 0.0f);
+      }
+      sphere.Pixels.push_back(sum / static_cast<float>(step * step));
     }
   }
   return sphere;
@@ -91,8 +99,8 @@ Sphere Unfold(vtkTexture* cube, vtkRenderer* renderer)
   const glm::vec3 right(ToVec3(renderer->GetEnvironmentRight()));
   const glm::vec3 up(ToVec3(renderer->GetEnvironmentUp()));
   const glm::vec3 front = glm::cross(up, right);
-  sphere.Width = 4 * faces[0].Width;
-  sphere.Height = 2 * faces[0].Width;
+  sphere.Width = std::min(4 * faces[0].Width, MostWidth);
+  sphere.Height = sphere.Width / 2;
   for (int y = 0; y < sphere.Height; ++y)
   {
     const float latitude =
