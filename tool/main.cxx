@@ -62,7 +62,7 @@ int ReportUsage(CLI::App& app, const CLI::ParseError& error, Console& console)
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
     (chosen.empty() && !app.remaining().empty());
   std::string reason = unexpected ? UnexpectedArgument(app) : error.what();
-  reason = chosen.empty() && !unexpected ? "name a command: render, info or compare" : reason;
+  reason = chosen.empty() && !unexpected ? "name a command: render, info, compare or lab" : reason;
   reason.erase(reason.find_last_not_of(" .\n") + 1);
   console.Error(fmt::format("{}; '{}' lists what there is", reason, help));
   return Failure::Usage;
@@ -116,7 +116,7 @@ int RunCommandLine(int argc, char** argv)
              "  penumbra info --parameters\n"
              "  penumbra compare picture.png reference.png --max-relmse 0.01");
   std::vector<Declared> commands;
-  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand })
+  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeLabCommand })
   {
     auto command = make();
     CLI::App* options = command->Declare(app);

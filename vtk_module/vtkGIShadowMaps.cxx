@@ -85,6 +85,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
 {
   this->ShadowedLights = 0;
   this->UnshadowedLights = 0;
+  this->TexelWidth = 0.0;
   const View& view = frame.GetView();
   if (view.Diagonal <= 0.0)
   {
@@ -108,6 +109,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
   {
     return;
   }
+  this->TexelWidth = plan->LightData.front().Texel.x;
   SceneCapture& scene = frame.Capture();
   for (vtkProp* prop : scene.Casters())
   {
