@@ -4,7 +4,9 @@
 #include "Command.h"
 #include "RenderOptions.h"
 
+#include "../lab/BiasPlot.h"
 #include "../lab/BiasReport.h"
+#include "../lab/BiasSheet.h"
 #include "../lab/ShadowBench.h"
 #include "../scene/Failure.h"
 #include "../scene/Names.h"
@@ -215,7 +217,14 @@ private:
     const BiasStudy& study, const nlohmann::ordered_json& report, Console& console) const
   {
     Step step(console, fmt::format("writing to '{}'", this->Options.Output));
-    (void)study;
+    const Picture plot =
+      DrawBiasPlot(study, this->Options.Backend, this->File("plot.svg"));
+    WritePicture(this->File("plot.png"), plot);
+    for (std::size_t i = 0; i < study.Sweeps.size(); ++i)
+    {
+      WritePicture(this->File(fmt::format("strip-{}.png", study.Sweeps[i].Kind)), DrawStrip(study, i));
+    }
+    WritePicture(this->File("sheet.png"), DrawSheet(study, plot));
     std::ofstream numbers(this->File("numbers.json"));
     numbers << report.dump(2) << '\n';
     if (!numbers.flush())
@@ -228,8 +237,8 @@ private:
   RenderOptions Options;
   std::string Kind = "all";
   double From = 0;
-  double To = 8;
-  int Steps = 33;
+  double To = 5;
+  int Steps = 21;
   std::optional<int> Resolution;
 };
 }

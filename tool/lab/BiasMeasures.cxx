@@ -73,14 +73,26 @@ double AtPercentile(std::vector<double>& values)
   return *at;
 }
 
-/// From a pixel to its neighbour by step, in world units; 0 where there is none.
-double Spacing(const LitView& view, std::size_t pixel, std::ptrdiff_t step)
+bool IsTrulyDark(const LitView& view, std::size_t pixel)
+{
+  return view.Receiver[pixel] && view.Truth[pixel] < 0.5f;
+}
+
+/// The neighbour of a pixel by step, or -1 where there is no surface.
+std::ptrdiff_t Neighbor(const LitView& view, std::size_t pixel, std::ptrdiff_t step)
 {
   const auto x = static_cast<std::ptrdiff_t>(pixel % view.Width) + (std::abs(step) == 1 ? step : 0);
   const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(pixel) + step;
   const bool inside =
     x >= 0 && x < view.Width && next >= 0 && next < static_cast<std::ptrdiff_t>(view.PixelCount());
-  return inside && view.Surface[next] ? Distance(view.Place[pixel], view.Place[next]) : 0;
+  return inside && view.Surface[next] ? next : -1;
+}
+
+/// From a pixel to that neighbour, in world units; 0 where there is none.
+double Spacing(const LitView& view, std::size_t pixel, std::ptrdiff_t step)
+{
+  const std::ptrdiff_t next = Neighbor(view, pixel, step);
+  return next >= 0 ? Distance(view.Place[pixel], view.Place[next]) : 0;
 }
 
 /// Whether the surfaces of pixel a and its neighbour b = a + step are one, or touch.
@@ -110,15 +122,15 @@ double MedianPixelWidth(const LitView& view)
   return widths[widths.size() / 2];
 }
 
-BiasJudge::BiasJudge(LitView view, double band)
+BiasJudge::BiasJudge(LitView view, const std::vector<float>& unbiased, double band)
   : Seen(std::move(view))
+  , Shadow(Seen.PixelCount())
   , Counts(Seen.Receiver)
-  , Nearest(Seen.PixelCount(), -1)
 {
+  this->FindShadow(unbiased);
   std::vector<std::size_t> bordering;
   this->FindEdges(bordering);
   this->LeaveOutEdges(bordering, band);
-  this->FindNearestEdges();
   for (std::size_t i = 0; i < this->Counts.size(); ++i)
   {
     this->Dark += this->Counts[i] && this->IsDark(i);
@@ -126,9 +138,18 @@ BiasJudge::BiasJudge(LitView view, double band)
   }
 }
 
-bool BiasJudge::IsDark(std::size_t pixel) const
+void BiasJudge::FindShadow(const std::vector<float>& unbiased)
 {
-  return this->Seen.Receiver[pixel] && this->Seen.Truth[pixel] < 0.5f;
+  double all = 0, lost = 0;
+  for (std::size_t i = 0; i < this->Shadow.size(); ++i)
+  {
+    const bool dark = IsTrulyDark(this->Seen, i);
+    this->Shadow[i] = dark && unbiased[i] < 0.5f;
+    this->Counts[i] = this->Counts[i] && dark == this->IsDark(i);
+    all += dark;
+    lost += dark && !this->IsDark(i);
+  }
+  this->LostShare = lost / std::max(1.0, all);
 }
 
 /// Between neighbours of which one is truly dark. The other is lit: an outline; or it is turned away
@@ -143,17 +164,20 @@ void BiasJudge::FindEdges(std::vector<std::size_t>& bordering)
     for (const std::ptrdiff_t step : { right ? 1 : 0, below ? seen.Width : 0 })
     {
       const std::size_t b = a + step;
-      if (step == 0 || !seen.Surface[a] || !seen.Surface[b] || this->IsDark(a) == this->IsDark(b))
+      if (step == 0 || !seen.Surface[a] || !seen.Surface[b])
       {
         continue;
       }
-      bordering.push_back(a);
-      bordering.push_back(b);
-      if (IsContinuous(seen, a, b, step))
+      if (IsTrulyDark(seen, a) != IsTrulyDark(seen, b))
+      {
+        bordering.push_back(a);
+        bordering.push_back(b);
+      }
+      if (this->IsDark(a) != this->IsDark(b) && IsContinuous(seen, a, b, step))
       {
         const bool contact = !seen.Receiver[a] || !seen.Receiver[b];
         this->Edges.push_back({ Middle(seen.Place[a], seen.Place[b]),
-          Middle(seen.Across[a], seen.Across[b]), contact });
+          Middle(seen.Across[a], seen.Across[b]), this->IsDark(a) ? a : b, contact });
         this->Contacts += contact;
       }
     }
@@ -182,27 +206,119 @@ void BiasJudge::LeaveOutEdges(const std::vector<std::size_t>& bordering, double 
   }
 }
 
-/// Nearest in the world: across the light, other edges may lie above or below.
-void BiasJudge::FindNearestEdges()
+/// The patches of truly dark pixels that a mask lights, and the dark around them.
+class BiasJudge::Leaks
 {
-  PointSet places;
-  for (const Edge& edge : this->Edges)
+public:
+  Leaks(const BiasJudge& judge, const std::vector<float>& mask)
+    : Judge(judge)
+    , Mask(mask)
+    , Patch(mask.size(), None)
   {
-    places.Add(edge.Place);
-  }
-  if (places.IsEmpty())
-  {
-    return;
-  }
-  places.Build();
-  for (std::size_t i = 0; i < this->Nearest.size(); ++i)
-  {
-    if (this->IsDark(i))
+    for (std::size_t i = 0; i < mask.size(); ++i)
     {
-      this->Nearest[i] = places.FindNearest(this->Seen.Place[i]);
+      if (this->IsLeak(i) && this->Patch[i] == None)
+      {
+        this->Gather(i);
+      }
+    }
+    if (!this->Shore.empty())
+    {
+      this->Begins.Build();
     }
   }
-}
+
+  /// From an edge to where the shadow begins, no farther than the patch of light reaches.
+  EdgeGap GapAt(const Edge& edge) const
+  {
+    const std::size_t patch = this->Patch[edge.DarkPixel];
+    if (patch == None)
+    {
+      return {};
+    }
+    EdgeGap gap{ this->Across[patch].Diagonal(), this->World[patch].Diagonal() };
+    if (!this->Shore.empty())
+    {
+      const auto& begin = this->Shore[this->Begins.FindNearest(edge.Place)];
+      gap.World = std::min(gap.World, Distance(edge.Place, begin[0]));
+      gap.Texels = std::min(gap.Texels, Distance(edge.Across, begin[1]));
+    }
+    return gap;
+  }
+
+private:
+  static constexpr std::size_t None = std::size_t(-1);
+
+  struct Box
+  {
+    Vector Low = { 1e300, 1e300, 1e300 }, High = { -1e300, -1e300, -1e300 };
+    void Add(const Vector& point)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Low[k] = std::min(this->Low[k], point[k]);
+        this->High[k] = std::max(this->High[k], point[k]);
+      }
+    }
+    double Diagonal() const { return Distance(this->Low, this->High); }
+  };
+
+  bool IsLeak(std::size_t pixel) const
+  {
+    return this->Judge.IsDark(pixel) && this->Mask[pixel] > 0.5f;
+  }
+
+  /// The patch of a first pixel: all that hang together with it.
+  void Gather(std::size_t first)
+  {
+    const LitView& seen = this->Judge.Seen;
+    const std::size_t patch = this->World.size();
+    this->World.emplace_back();
+    this->Across.emplace_back();
+    std::vector<std::size_t> open = { first };
+    this->Patch[first] = patch;
+    while (!open.empty())
+    {
+      const std::size_t pixel = open.back();
+      open.pop_back();
+      this->World[patch].Add(seen.Place[pixel]);
+      this->Across[patch].Add(seen.Across[pixel]);
+      for (const std::ptrdiff_t step : { -1, 1, -seen.Width, seen.Width })
+      {
+        const std::ptrdiff_t next = Neighbor(seen, pixel, step);
+        if (next >= 0 && this->Patch[next] == None && IsContinuous(seen, pixel, next, step))
+        {
+          this->Visit(pixel, next, patch, open);
+        }
+      }
+    }
+  }
+
+  void Visit(
+    std::size_t from, std::size_t pixel, std::size_t patch, std::vector<std::size_t>& open)
+  {
+    if (this->IsLeak(pixel))
+    {
+      this->Patch[pixel] = patch;
+      open.push_back(pixel);
+    }
+    else if (this->Judge.IsDark(pixel))
+    {
+      const LitView& seen = this->Judge.Seen;
+      this->Shore.push_back({ Middle(seen.Place[from], seen.Place[pixel]),
+        Middle(seen.Across[from], seen.Across[pixel]) });
+      this->Begins.Add(this->Shore.back()[0]);
+    }
+  }
+
+  const BiasJudge& Judge;
+  const std::vector<float>& Mask;
+  std::vector<std::size_t> Patch; ///< of each pixel
+  std::vector<Box> World;         ///< of each patch
+  std::vector<Box> Across;
+  std::vector<std::array<Vector, 2>> Shore; ///< between a patch and the dark: in the world, and across
+  PointSet Begins;                          ///< of the first
+};
 
 double BiasJudge::Error(const std::vector<float>& mask, std::size_t pixel) const
 {
@@ -212,35 +328,24 @@ double BiasJudge::Error(const std::vector<float>& mask, std::size_t pixel) const
 BiasErrors BiasJudge::Measure(const std::vector<float>& mask) const
 {
   BiasErrors errors;
-  std::vector<EdgeGap> gaps(this->Edges.size());
   for (std::size_t i = 0; i < mask.size(); ++i)
   {
     const double error = this->Error(mask, i);
     errors.Acne += std::max(error, 0.0);
     errors.Leak += std::max(-error, 0.0);
-    if (this->Nearest[i] >= 0 && mask[i] > 0.5f)
-    {
-      const Edge& edge = this->Edges[this->Nearest[i]];
-      EdgeGap& gap = gaps[this->Nearest[i]];
-      gap.Texels = std::max(gap.Texels, Distance(edge.Across, this->Seen.Across[i]));
-      gap.World = std::max(gap.World, Distance(edge.Place, this->Seen.Place[i]));
-    }
   }
   errors.Acne /= std::max<std::size_t>(1, this->Lit);
   errors.Leak /= std::max<std::size_t>(1, this->Dark);
-  for (const bool contact : { true, false })
+  const Leaks leaks(*this, mask);
+  std::vector<double> texels[2], world[2];
+  for (const Edge& edge : this->Edges)
   {
-    std::vector<double> texels, world;
-    for (std::size_t i = 0; i < gaps.size(); ++i)
-    {
-      if (this->Edges[i].Contact == contact)
-      {
-        texels.push_back(gaps[i].Texels);
-        world.push_back(gaps[i].World);
-      }
-    }
-    (contact ? errors.Contact : errors.Outline) = { AtPercentile(texels), AtPercentile(world) };
+    const EdgeGap gap = leaks.GapAt(edge);
+    texels[edge.Contact].push_back(gap.Texels);
+    world[edge.Contact].push_back(gap.World);
   }
+  errors.Outline = { AtPercentile(texels[0]), AtPercentile(world[0]) };
+  errors.Contact = { AtPercentile(texels[1]), AtPercentile(world[1]) };
   return errors;
 }
 }

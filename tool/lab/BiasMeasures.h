@@ -42,10 +42,10 @@ struct BiasErrors
   double Acne = 0;
   /// Mean share of the light that the map lets through to pixels that are truly dark, edges left out.
   double Leak = 0;
-  /// Peter-panning: how far light reaches under what stands on a surface; 95th percentile over the
-  /// points of contact.
+  /// Peter-panning: how far from where a thing stands on a surface its shadow begins; 95th percentile
+  /// over the points of contact.
   EdgeGap Contact;
-  /// How far light reaches into shadows from their outlines; 95th percentile over the outlines' points.
+  /// How far within a shadow's true outline it begins; 95th percentile over the outline's points.
   EdgeGap Outline;
 
   /// The greater of the two, in texels.
@@ -60,9 +60,10 @@ struct BiasErrors
 class BiasJudge
 {
 public:
-  /// band: what is nearer to an edge, in texels, or touches it in the picture, counts neither as acne
-  /// nor as a leak.
-  BiasJudge(LitView view, double band);
+  /// unbiased: the mask without any bias; what it lights of the true shadow, no map of its resolution
+  /// shows, and counts for nothing. band: what is nearer to an edge, in texels, or touches it in the
+  /// picture, counts neither as acne nor as a leak.
+  BiasJudge(LitView view, const std::vector<float>& unbiased, double band);
 
   /// mask: share of the light that arrives by the map. Only receivers are read.
   BiasErrors Measure(const std::vector<float>& mask) const;
@@ -74,6 +75,8 @@ public:
   /// Lit pixels that count, truly dark pixels that count, and points of either kind of edge.
   std::size_t LitPixels() const { return this->Lit; }
   std::size_t DarkPixels() const { return this->Dark; }
+  /// Share of the true shadow's pixels that no map of this resolution shows.
+  double Lost() const { return this->LostShare; }
   std::size_t ContactPoints() const { return this->Contacts; }
   std::size_t OutlinePoints() const { return this->Edges.size() - this->Contacts; }
 
@@ -82,21 +85,24 @@ private:
   {
     LitView::Vector Place;
     LitView::Vector Across;
+    std::size_t DarkPixel; ///< next to it
     bool Contact;
   };
+  class Leaks;
 
-  bool IsDark(std::size_t pixel) const;
+  bool IsDark(std::size_t pixel) const { return this->Shadow[pixel] != 0; }
+  void FindShadow(const std::vector<float>& unbiased);
   void FindEdges(std::vector<std::size_t>& bordering);
   void LeaveOutEdges(const std::vector<std::size_t>& bordering, double band);
-  void FindNearestEdges();
 
   LitView Seen;
   std::vector<Edge> Edges;
+  std::vector<unsigned char> Shadow; ///< truly dark receivers that a map of this resolution shows
   std::vector<unsigned char> Counts; ///< receivers away from edges
-  std::vector<std::ptrdiff_t> Nearest; ///< of each truly dark pixel: its edge, or -1
   std::size_t Lit = 0;
   std::size_t Dark = 0;
   std::size_t Contacts = 0;
+  double LostShare = 0;
 };
 }
 

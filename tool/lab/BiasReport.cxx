@@ -56,7 +56,7 @@ nlohmann::ordered_json DescribeStudy(const BiasStudy& study)
     { "filter-radius", study.FilterRadius }, { "texel-world", study.TexelWidth },
     { "pixel-texels", study.PixelWidth },
     { "limits", { { "acne", study.Options.Limits.Acne }, { "gap", study.Options.Limits.Gap } } },
-    { "pixels", { { "lit", study.LitPixels }, { "dark", study.DarkPixels } } },
+    { "lost", study.Lost }, { "pixels", { { "lit", study.LitPixels }, { "dark", study.DarkPixels } } },
     { "edge-points", { { "contact", study.ContactPoints }, { "outline", study.OutlinePoints } } },
     { "defaults", defaults } };
   described["defaults"].update(Describe(study.AtDefaults));

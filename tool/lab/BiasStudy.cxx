@@ -17,10 +17,10 @@ namespace
 // Nearer to an edge than this, in texels, a map of squares cannot be right.
 constexpr double EdgeBand = 1.5;
 
-constexpr double PixelsPerTexel = 3;
+constexpr double PixelsPerTexel = 2;
 constexpr int SmallestMap = 64;
 
-// What a crop shows of the picture: wide enough for some twenty texels at three pixels each.
+// What a crop shows of the picture: wide enough for some twenty to forty texels.
 constexpr int CropSide = 72;
 
 void SetBiases(vtkGITechnique* maps, const std::string& kind, double bias)
@@ -131,9 +131,16 @@ private:
       resolution = ChooseResolution(MedianPixelWidth(view), preset);
     }
     maps->SetParameter("resolution", resolution);
-    auto judge = std::make_unique<BiasJudge>(this->Bench.TraceTruth(), band);
+    LitView view = this->Bench.TraceTruth();
+    SetBiases(maps, "", 0);
+    auto judge = std::make_unique<BiasJudge>(std::move(view), this->Bench.DrawMask(), band);
+    for (const auto& [kind, bias] : this->Study.Defaults)
+    {
+      maps->SetParameter((kind + "-bias").c_str(), bias);
+    }
     this->Study.TexelWidth = this->Bench.TexelInTheMiddle();
     this->Study.PixelWidth = MedianPixelWidth(judge->View());
+    this->Study.Lost = judge->Lost();
     this->Study.LitPixels = judge->LitPixels();
     this->Study.DarkPixels = judge->DarkPixels();
     this->Study.ContactPoints = judge->ContactPoints();

@@ -39,6 +39,7 @@ struct BiasStudy
   double TexelWidth = 0; ///< world units, where the light is positional in the middle of what it reaches
   double PixelWidth = 0; ///< texels
   double FilterRadius = 0;
+  double Lost = 0; ///< share of the true shadow that no map of this resolution shows
   std::size_t LitPixels = 0, DarkPixels = 0, ContactPoints = 0, OutlinePoints = 0;
   std::vector<std::pair<std::string, double>> Defaults; ///< every kind's
   BiasErrors AtDefaults;
@@ -59,7 +60,7 @@ struct BiasStudy
 
 BiasStudy StudyBias(ShadowBench& bench, const BiasStudyOptions& options, Reporter& reporter);
 
-/// The greatest power of two, at most the technique's resolution, at which a texel is at least three
+/// The greatest power of two, at most the technique's resolution, at which a texel is at least two
 /// pixels wide: what a picture does not resolve can be neither seen nor measured in it.
 int ChooseResolution(double pixelWidth, int resolution);
 }

@@ -7,7 +7,6 @@
 #include "../scene/VtkMessages.h"
 
 #include <vtkCamera.h>
-#include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGIShadowMaps.h>
 #include <vtkGITechnique.h>
@@ -153,19 +152,12 @@ std::vector<float> ShadowBench::Shoot(Shadows shadows)
   }
   int size[3];
   image->GetDimensions(size);
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  std::vector<float> shot(std::size_t(size[0]) * size[1] * 4);
-  for (int y = 0; y < size[1]; ++y)
+  const float* rows = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars())->GetPointer(0);
+  const std::size_t row = 4 * std::size_t(size[0]);
+  std::vector<float> shot(row * size[1]);
+  for (int y = 0; y < size[1]; ++y) // VTK's first row is the bottom one
   {
-    for (int x = 0; x < size[0]; ++x)
-    {
-      float* pixel = &shot[4 * (std::size_t(size[1] - 1 - y) * size[0] + x)];
-      for (int channel = 0; channel < 4; ++channel)
-      {
-        pixel[channel] =
-          static_cast<float>(values->GetComponent(vtkIdType(y) * size[0] + x, channel));
-      }
-    }
+    std::copy_n(rows + y * row, row, &shot[(size[1] - 1 - y) * row]);
   }
   return shot;
 }
