@@ -199,9 +199,13 @@ private:
                                "a smaller --resolution",
         study.PixelWidth));
     }
-    if (study.DarkPixels == 0)
+    if (study.LitPixels == 0)
     {
-      console.Note("no shadow is in view: gaps are measured where shadows begin and end");
+      console.Note("the light reaches nothing in view but edges, so that no acne can be seen");
+    }
+    if (study.ContactPoints + study.OutlinePoints == 0)
+    {
+      console.Note("no shadow is in view, so that no gap can be seen");
     }
   }
 

@@ -23,6 +23,9 @@ constexpr double Percentile = 0.95;
 // neighbour, together; the rest is for the bend of curved surfaces.
 constexpr double Slack = 1.5;
 
+// From one pixel to the next, the spacing of a surface grows by less than this, up to its silhouette.
+constexpr double Break = 4;
+
 double Distance(const Vector& a, const Vector& b)
 {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -88,11 +91,20 @@ std::ptrdiff_t Neighbor(const LitView& view, std::size_t pixel, std::ptrdiff_t s
   return inside && view.Surface[next] ? next : -1;
 }
 
-/// From a pixel to that neighbour, in world units; 0 where there is none.
+/// From a pixel to that neighbour, in world units; 0 where there is none, or where the neighbour is of
+/// another surface: the next step is far shorter.
 double Spacing(const LitView& view, std::size_t pixel, std::ptrdiff_t step)
 {
   const std::ptrdiff_t next = Neighbor(view, pixel, step);
-  return next >= 0 ? Distance(view.Place[pixel], view.Place[next]) : 0;
+  if (next < 0)
+  {
+    return 0;
+  }
+  const double spacing = Distance(view.Place[pixel], view.Place[next]);
+  const std::ptrdiff_t second = Neighbor(view, next, step);
+  const bool other =
+    second >= 0 && spacing > Break * Distance(view.Place[next], view.Place[second]);
+  return other ? 0 : spacing;
 }
 
 /// Whether the surfaces of pixel a and its neighbour b = a + step are one, or touch.

@@ -60,6 +60,9 @@ struct BiasErrors
 class BiasJudge
 {
 public:
+  /// Nearer to an edge than this, in texels, a map of squares cannot be right; a filter adds its radius.
+  static constexpr double EdgeBand = 1.5;
+
   /// unbiased: the mask without any bias; what it lights of the true shadow, no map of its resolution
   /// shows, and counts for nothing. band: what is nearer to an edge, in texels, or touches it in the
   /// picture, counts neither as acne nor as a leak.

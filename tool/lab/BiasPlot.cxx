@@ -36,6 +36,7 @@ namespace
 {
 constexpr int ChartWidth = 520;
 constexpr int ChartHeight = 360;
+constexpr int Space = 8; // around a chart
 constexpr int FontSize = 13;
 
 // Acne spans decades: the axis holds the logarithm of its percentage, and less than this is none.
@@ -227,7 +228,7 @@ Picture DrawBiasPlot(
   {
     Chart chart(study.Sweeps[i], study.Options.Limits, mostGap);
     chart.Get()->SetSize(
-      vtkRectf(static_cast<float>(ChartWidth * i), 0, ChartWidth, ChartHeight));
+      vtkRectf(static_cast<float>(ChartWidth * i + Space), Space, ChartWidth - 2 * Space, ChartHeight - 2 * Space));
     view->GetScene()->AddItem(chart.Get());
   }
   window->Render();

@@ -73,8 +73,8 @@ std::string SummarizeWindow(const BiasSweep& sweep, const BiasLimits& limits)
   const auto window = sweep.Window(limits);
   if (!window)
   {
-    return fmt::format("no safe value from {:g} to {:g} texels; the nearest is {:g}",
-      sweep.Samples.front().Bias, sweep.Samples.back().Bias, best.Bias);
+    return fmt::format("none safe from {:g} to {:g} texels; nearest {:g}", sweep.Samples.front().Bias,
+      sweep.Samples.back().Bias, best.Bias);
   }
   return fmt::format("safe from {:g} to {:g} texels{}; take {:g}", window->Low, window->High,
     window->ReachesEnd ? " at least" : "", window->Choice);

@@ -14,9 +14,6 @@ namespace penumbra::tool
 {
 namespace
 {
-// Nearer to an edge than this, in texels, a map of squares cannot be right.
-constexpr double EdgeBand = 1.5;
-
 constexpr double PixelsPerTexel = 2;
 constexpr int SmallestMap = 64;
 
@@ -121,7 +118,7 @@ private:
   std::unique_ptr<BiasJudge> JudgeView()
   {
     // The filter spreads every edge by its radius, on purpose.
-    const double band = EdgeBand + this->Study.FilterRadius;
+    const double band = BiasJudge::EdgeBand + this->Study.FilterRadius;
     vtkGITechnique* maps = this->Bench.Maps();
     int& resolution = this->Study.Resolution = this->Study.Options.Resolution;
     if (resolution == 0)
