@@ -40,6 +40,17 @@ TEST(BiasSweep, WindowLiesBetweenAcneAndGap)
   EXPECT_FALSE(window->ReachesEnd);
 }
 
+TEST(BiasSweep, TheChoiceIsAsFarFromAcneAsFromGaps)
+{
+  // The best sample, the first, is next to acne.
+  const BiasSweep sweep =
+    SweepOf({ { 0.4, 0 }, { 0, 0.1 }, { 0, 0.4 }, { 0, 0.7 }, { 0, 1.2 } });
+  EXPECT_EQ(sweep.Window({})->Choice, 1.0);
+  EXPECT_EQ(sweep.Best({}).Bias, 1.0);
+  // Without acne at the smallest bias there is nothing to keep away from.
+  EXPECT_EQ(SweepOf({ { 0, 0 }, { 0, 0.4 }, { 0, 0.7 }, { 0, 1.2 } }).Window({})->Choice, 0);
+}
+
 TEST(BiasSweep, TheLimitsAreWithin)
 {
   const auto window = SweepOf({ { 0.001, 1 }, { 0.0011, 1 }, { 0.001, 1.01 } }).Window({});

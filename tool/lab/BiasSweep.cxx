@@ -5,6 +5,7 @@
 #include <vtkGITechnique.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace penumbra::tool
 {
@@ -18,6 +19,20 @@ const BiasSample& BestOf(
   return *std::min_element(first, last, [&limits](const BiasSample& a, const BiasSample& b) {
     return ShareOfLimits(a.Errors, limits) < ShareOfLimits(b.Errors, limits);
   });
+}
+
+/// Between acne below and gaps above: the middle, as far from the one as from the other. Where the
+/// window has no such end in the sweep, the best.
+double Choose(const BiasSample* first, const BiasSample* last, bool bounded, const BiasLimits& limits)
+{
+  if (!bounded)
+  {
+    return BestOf(first, last, limits).Bias;
+  }
+  const double middle = (first->Bias + (last - 1)->Bias) / 2;
+  return std::min_element(first, last, [middle](const BiasSample& a, const BiasSample& b) {
+    return std::abs(a.Bias - middle) < std::abs(b.Bias - middle);
+  })->Bias;
 }
 }
 
@@ -36,8 +51,9 @@ std::optional<BiasWindow> BiasSweep::Window(const BiasLimits& limits) const
   for (const BiasSample* first = std::find_if(this->Samples.data(), end, within); first != end;)
   {
     const BiasSample* last = std::find_if_not(first, end, within);
+    const bool bounded = first != this->Samples.data() && last != end;
     const BiasWindow found{ first->Bias, (last - 1)->Bias, last == end,
-      BestOf(first, last, limits).Bias };
+      Choose(first, last, bounded, limits) };
     if (!widest || found.High - found.Low > widest->High - widest->Low)
     {
       widest = found;

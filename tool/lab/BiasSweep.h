@@ -33,7 +33,7 @@ struct BiasWindow
   double Low = 0;
   double High = 0;
   bool ReachesEnd = false; ///< the last bias tried is in it: it may go on
-  double Choice = 0;       ///< the bias whose worse error is the smallest share of its limit
+  double Choice = 0;       ///< the middle, or where it has not both ends, the best sample
 };
 
 struct BiasSweep
