@@ -7,6 +7,8 @@
 //   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
 //   4 emission: rgb radiance given off
+// and, where a technique asks for it (GI_FACET), last:
+//   facet:      xy octahedral normal of the flat piece of surface, view coordinates
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.

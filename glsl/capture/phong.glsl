@@ -1,3 +1,4 @@
+#include "capture/facet.glsl"
   if (gl_FragData[0].a < giOpaque)
   {
 #include "capture/as_drawn.glsl"
@@ -13,5 +14,10 @@
 #ifdef GI_EXTENDED
     gl_FragData[3] = vec4(giTexture, 1.0);
     gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+#if defined(GI_FACET) && defined(GI_EXTENDED)
+    gl_FragData[5] = vec4(giEncodeOctahedral(giFacet), 0.0, 1.0);
+#elif defined(GI_FACET)
+    gl_FragData[3] = vec4(giEncodeOctahedral(giFacet), 0.0, 1.0);
 #endif
   }

@@ -31,11 +31,12 @@ void vtkGICaptureHooks::SetTables(
   this->Shaders = shaders;
 }
 
-void vtkGICaptureHooks::SetExtended(bool extended)
+void vtkGICaptureHooks::SetOutputs(bool extended, bool facets)
 {
-  if (this->Extended != extended)
+  if (this->Extended != extended || this->Facets != facets)
   {
     this->Extended = extended;
+    this->Facets = facets;
     this->Renew();
   }
 }
@@ -46,12 +47,20 @@ void vtkGICaptureHooks::Renew()
   this->StageTime = this->GetMTime();
 }
 
-std::string vtkGICaptureHooks::Snippet(const char* name) const
+std::string vtkGICaptureHooks::Snippet(const char* name, bool flat) const
 {
   penumbra::Defines defines;
   if (this->Extended)
   {
     defines["GI_EXTENDED"] = "1";
+  }
+  if (this->Facets)
+  {
+    defines["GI_FACET"] = "1";
+  }
+  if (flat)
+  {
+    defines["GI_FLAT"] = "1";
   }
   return this->Shaders->Source(std::string("capture/") + name, defines);
 }
@@ -64,7 +73,7 @@ void vtkGICaptureHooks::CheckSnippets() const
     vtkShaderProgram::Substitute(text, Marker, this->Snippet(name), false);
     // As VTK does with its outputs.
     std::string outputs;
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 6; ++i)
     {
       const std::string number = std::to_string(i);
       vtkShaderProgram::Substitute(text, "gl_FragData[" + number + "]", "fragOutput" + number);
@@ -113,7 +122,10 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
   {
     snippet = "phong.glsl";
   }
-  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet), false);
+  // Impostors shade and place each pixel by themselves: their normal is the surface's.
+  const bool flat =
+    Contains(fragmentShader, "vertexVC") && !Contains(fragmentShader, "gl_FragDepth");
+  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet, flat), false);
   return true;
 }
 

@@ -24,9 +24,9 @@ public:
 
   void SetTables(penumbra::MaterialTable* materials, const penumbra::ShaderLibrary* shaders);
 
-  /// Whether to write the G-buffer's extended set (textures, PBR). Mappers rebuild their shaders
-  /// when this changes.
-  void SetExtended(bool extended);
+  /// Whether to write the G-buffer's extended set (textures, PBR), and the normals of facets. Mappers
+  /// rebuild their shaders when this changes.
+  void SetOutputs(bool extended, bool facets);
 
   /// Have mappers build their shaders anew.
   void Renew();
@@ -59,11 +59,12 @@ private:
   vtkGICaptureHooks(const vtkGICaptureHooks&) = delete;
   void operator=(const vtkGICaptureHooks&) = delete;
 
-  std::string Snippet(const char* name) const;
+  std::string Snippet(const char* name, bool flat = true) const;
 
   penumbra::MaterialTable* Materials = nullptr;
   const penumbra::ShaderLibrary* Shaders = nullptr;
   bool Extended = false;
+  bool Facets = false;
   bool Parallel = false;
   vtkMTimeType StageTime = 1;
 };

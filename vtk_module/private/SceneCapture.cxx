@@ -185,11 +185,12 @@ void SceneCapture::Collect(const vtkRenderState* state)
   }
   this->Table.SetCoverInPart(part);
   this->Extended = extended;
-  this->Hooks->SetExtended(extended);
+  this->Facets = false;
 }
 
 void SceneCapture::Contribute(FrameBuilder& frame)
 {
+  this->Hooks->SetOutputs(this->Extended, this->Facets);
   // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
   // its linear values need more.
   auto& pass = frame.AddPass("capture");
@@ -208,6 +209,11 @@ void SceneCapture::Contribute(FrameBuilder& frame)
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
       .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
   }
+  if (this->Facets)
+  {
+    // A tenth of a degree.
+    pass.Write(resource::Facet, frame.WindowTexture(GL_RGB10_A2));
+  }
   pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
 }
 
@@ -218,6 +224,10 @@ void SceneCapture::Draw(FrameContext& context)
   {
     outputs.push_back(resource::Surface);
     outputs.push_back(resource::Emission);
+  }
+  if (this->Facets)
+  {
+    outputs.push_back(resource::Facet);
   }
   ScopedState scope(context.State());
   GLint bound = 0;

@@ -49,6 +49,10 @@ public:
   /// Opaque geometry of the props that could not be captured, by VTK into its own framebuffer.
   int DrawOthers(vtkOpenGLRenderer* renderer);
 
+  /// Have this frame's capture write resource::Facet, the normals of the flat pieces that surfaces
+  /// are made of. Ask while techniques contribute.
+  void RequestFacets() { this->Facets = true; }
+
   const std::vector<vtkProp*>& Casters() const { return this->All; }
   MaterialTable& Materials() { return this->Table; }
   bool IsExtended() const { return this->Extended; }
@@ -67,6 +71,7 @@ private:
   std::vector<vtkProp*> Others;
   std::vector<vtkProp*> All;
   bool Extended = false;
+  bool Facets = false;
   int Drawn = 0;
 };
 }

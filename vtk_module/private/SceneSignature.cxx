@@ -103,6 +103,11 @@ vtkMTimeType PartsTime(vtkProp* prop)
 }
 }
 
+vtkMTimeType SceneSignature::TimeOf(vtkProp* prop)
+{
+  return std::max(prop->GetRedrawMTime(), PartsTime(prop));
+}
+
 SceneSignature SceneSignature::Of(
   vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques)
 {

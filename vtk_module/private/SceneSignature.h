@@ -10,6 +10,8 @@
 
 #include <vtkType.h>
 
+class vtkProp;
+
 namespace penumbra
 {
 class SceneSignature
@@ -17,6 +19,9 @@ class SceneSignature
 public:
   /// Of a frame about to be drawn. techniques: their latest modification time.
   static SceneSignature Of(vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques);
+
+  /// When what a prop draws changed last: it, its data, tables, textures, and those of its parts.
+  static vtkMTimeType TimeOf(vtkProp* prop);
 
   bool operator==(const SceneSignature& other) const
   {
