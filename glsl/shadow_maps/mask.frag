@@ -21,8 +21,8 @@ uniform vec3 bias; // constant, slope, normal; all in texels
 
 layout(location = 0) out vec4 visibility;
 
-// Steeper than 87 degrees, a plane's depths at the next texel say nothing.
-const float SmallestCosine = 0.05;
+// Steeper than 88 degrees, a plane's depths at the next texel say nothing.
+const float SmallestCosine = 0.03;
 // What a depth buffer of 24 bits and the way back from it cost.
 const float DepthError = 2.5e-7;
 // Share of a cascade over which the next one takes over.
