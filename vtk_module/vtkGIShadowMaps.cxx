@@ -25,10 +25,25 @@ constexpr const char* Atlas = "shadow-maps.atlas";
 constexpr double HardwareMargin = 2.0;
 
 using TileKey = std::tuple<int, int, int>;
-/// What each square of an atlas shows.
-using Shown = std::map<TileKey, std::vector<double>>;
+/// What an atlas shows: of which casters, and each of its squares.
+struct Shown
+{
+  std::vector<double> Casters;
+  std::map<TileKey, std::vector<double>> Squares;
+};
 
-// What draws the casters into the atlas.
+// The casters and when they changed last, as numbers.
+std::vector<double> SignCasters(const SceneCapture& scene)
+{
+  std::vector<double> signature;
+  for (vtkProp* prop : scene.Casters())
+  {
+    signature.push_back(static_cast<double>(SceneSignature::TimeOf(prop)));
+    signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
+  }
+  return signature;
+}
+
 void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, const ShadowMap& map)
 {
   ScopedState scope(context.State());
@@ -54,7 +69,6 @@ struct vtkGIShadowMaps::Resources
   Buffer LightBlock;
   std::map<const Texture*, Shown> Drawn; ///< by atlas: each view has its own
   std::shared_ptr<ShadowPlan> Plan;
-  std::vector<double> Casters; ///< of this frame
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()
@@ -119,12 +133,6 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
   }
   SceneCapture& scene = frame.Capture();
   scene.RequestFacets();
-  this->Impl->Casters.clear();
-  for (vtkProp* prop : scene.Casters())
-  {
-    this->Impl->Casters.push_back(static_cast<double>(SceneSignature::TimeOf(prop)));
-    this->Impl->Casters.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
-  }
   const int layers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
     .Read(resource::Depth)
@@ -148,19 +156,21 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
   Shown& before = this->Impl->Drawn[&atlas];
   Shown now;
   this->DrawnMaps = 0;
+  const bool stale = fresh || this->AlwaysRedraw || before.Casters != SignCasters(scene);
   for (const auto& map : plan.Maps)
   {
     const TileKey key(map.Tile.X, map.Tile.Y, map.Tile.Size);
     std::vector<double> signature = map.Signature();
-    signature.insert(signature.end(), this->Impl->Casters.begin(), this->Impl->Casters.end());
-    const auto found = before.find(key);
-    if (fresh || this->AlwaysRedraw || found == before.end() || found->second != signature)
+    const auto found = before.Squares.find(key);
+    if (stale || found == before.Squares.end() || found->second != signature)
     {
       DrawMap(context, scene, atlas, map);
       ++this->DrawnMaps;
     }
-    now[key] = std::move(signature);
+    now.Squares[key] = std::move(signature);
   }
+  // Signed after drawing, as that brings pipelines up to date.
+  now.Casters = SignCasters(scene);
   // Squares that are no longer used are forgotten: others may be drawn over them.
   before = std::move(now);
   return atlas;

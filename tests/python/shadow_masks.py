@@ -43,9 +43,9 @@ def one_light(renderer, kind):
 
 
 class Shot:
-    """One frame of a renderer with one technique; mask: the share of the light where it may fall."""
+    """The mean radiance of still frames of a renderer with one technique."""
 
-    def __init__(self, renderer, window, technique=None, **values):
+    def __init__(self, renderer, window, technique=None, frames=1, **values):
         gi = penumbra.vtkGIPass()
         if technique:
             found = gi.GetTechnique(technique)
@@ -55,8 +55,11 @@ class Shot:
                     raise ValueError(found.GetLastError())
         gi.KeepRadianceOn()
         renderer.SetPass(gi)
-        window.Render()
-        self.radiance = penumbra.radiance(gi, renderer)[..., :3].max(axis=2)
+        self.radiance = 0.0
+        for _ in range(frames):
+            window.Render()
+            self.radiance = self.radiance + penumbra.radiance(gi, renderer)[..., :3].max(axis=2)
+        self.radiance /= frames
         gi.ReleaseGraphicsResources(window)
 
 

@@ -87,7 +87,7 @@ ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& 
     cascades.push_back(ChooseCascades(light, view,
       { options.Cascades, options.Resolution, options.Margin, options.Logarithmic }));
     const auto count = static_cast<int>(cascades.back().Spheres.size());
-    const int maps = count > 0 ? count : CountShadowViews(light);
+    const int maps = count > 0 ? count : CountShadowViews(light, view.Bounds);
     wishes.push_back({ maps, maps > 1 ? 1 : 0, Importance(light, view.Bounds) });
   }
   const std::vector<int> halvings =

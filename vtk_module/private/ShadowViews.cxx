@@ -92,9 +92,60 @@ ShadowView FitDirectional(const Light& light, const Bounds& bounds, int resoluti
   return Parallel(worldToView, bounds, half, resolution);
 }
 
-bool IsNarrow(const Light& light)
+// A square window at distance one before a lamp.
+struct Window
 {
-  return light.ConeAngle < WidestCone;
+  glm::dmat4 WorldToView{ 1.0 };
+  glm::dvec2 Center{ 0.0 };
+  double Half = 1.0;
+  bool Narrow = false;
+};
+
+// The window through which a lamp sees all of the bounds.
+Window OntoBounds(const Light& light, const Bounds& bounds)
+{
+  Window window;
+  const glm::dvec3 eye = light.WorldPosition;
+  const glm::dvec3 center((bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
+    (bounds[4] + bounds[5]) / 2);
+  const glm::dvec3 direction = center - eye;
+  if (glm::length(direction) <= 0.0)
+  {
+    return window;
+  }
+  window.WorldToView = glm::lookAt(eye, center, AnyUp(glm::normalize(direction)));
+  glm::dvec2 low(1e300);
+  glm::dvec2 high(-1e300);
+  for (const auto& corner : Corners(bounds))
+  {
+    const glm::dvec3 p(window.WorldToView * glm::dvec4(corner, 1.0));
+    if (-p.z <= 0.5 * glm::length(p)) // beyond 60 degrees
+    {
+      return window;
+    }
+    const glm::dvec2 tangents = glm::dvec2(p) / -p.z;
+    low = glm::min(low, tangents);
+    high = glm::max(high, tangents);
+  }
+  window.Center = 0.5 * (low + high);
+  window.Half = std::max({ high.x - low.x, high.y - low.y, 1e-6 }) / 2.0;
+  window.Narrow = true;
+  return window;
+}
+
+// The smaller of the windows onto its cone and onto the scene.
+Window OntoScene(const Light& light, const Bounds& bounds)
+{
+  Window window = OntoBounds(light, bounds);
+  const double cone = std::tan(glm::radians(light.ConeAngle));
+  if (light.ConeAngle < WidestCone && (!window.Narrow || cone < window.Half))
+  {
+    window.WorldToView = LookAlong(light, light.WorldPosition);
+    window.Center = glm::dvec2(0.0);
+    window.Half = cone;
+    window.Narrow = true;
+  }
+  return window;
 }
 }
 
@@ -133,9 +184,9 @@ ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const Shado
   return Parallel(worldToView, bounds, half, resolution);
 }
 
-int CountShadowViews(const Light& light)
+int CountShadowViews(const Light& light, const Bounds& bounds)
 {
-  return light.Positional && !IsNarrow(light) ? 6 : 1;
+  return light.Positional && !OntoScene(light, bounds).Narrow ? 6 : 1;
 }
 
 std::vector<ShadowView> FitShadowViews(
@@ -146,23 +197,23 @@ std::vector<ShadowView> FitShadowViews(
     return { FitDirectional(light, bounds, resolution, margin) };
   }
   const glm::dvec2 range = DistanceRange(light.WorldPosition, bounds);
-  const bool cone = IsNarrow(light);
+  const Window window = OntoScene(light, bounds);
   ShadowView view;
   view.Parallel = false;
   // Along a view's axis things may be nearer than their distance, down to a face's corner.
   view.Far = range.y * 1.01;
   view.Near = std::max(range.x / std::sqrt(3.0) * 0.99, view.Far * NearestFraction);
-  const double tangent =
-    Bordered(cone ? std::tan(glm::radians(light.ConeAngle)) : 1.0, resolution, margin);
-  const double side = view.Near * tangent;
-  view.ViewToClip = glm::frustum(-side, side, -side, side, view.Near, view.Far);
-  view.Texel = 2.0 * tangent / resolution;
-  const glm::dvec3 eye = light.WorldPosition;
-  if (cone)
+  const double half = Bordered(window.Half, resolution, margin);
+  const glm::dvec2 low = view.Near * (window.Center - half);
+  const glm::dvec2 high = view.Near * (window.Center + half);
+  view.ViewToClip = glm::frustum(low.x, high.x, low.y, high.y, view.Near, view.Far);
+  view.Texel = 2.0 * half / resolution;
+  if (window.Narrow)
   {
-    view.WorldToView = LookAlong(light, eye);
+    view.WorldToView = window.WorldToView;
     return { view };
   }
+  const glm::dvec3 eye = light.WorldPosition;
   // In the order +x, -x, +y, -y, +z, -z, which the shader chooses by.
   std::vector<ShadowView> views;
   for (int axis = 0; axis < 3; ++axis)

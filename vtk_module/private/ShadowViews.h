@@ -34,8 +34,9 @@ struct ShadowSphere
   double Radius = 0.0;
 };
 
-/// How many views a light takes.
-int CountShadowViews(const Light& light);
+/// How many views a light takes: one where its cone, or all of the scene, lies within 60 degrees of a
+/// direction from it, else six.
+int CountShadowViews(const Light& light, const Bounds& bounds);
 
 /// resolution: of one map, in texels. margin: texels that a filter reads beyond a map's edge.
 std::vector<ShadowView> FitShadowViews(
