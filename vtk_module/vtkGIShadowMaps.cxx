@@ -183,7 +183,19 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
     plan.MapData.size() * sizeof(plan.MapData[0]));
   this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.LightData.data(),
     plan.LightData.size() * sizeof(plan.LightData[0]));
-  const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag");
+  Defines variant;
+  for (const auto& light : plan.LightData)
+  {
+    if (light.Size.x > 0.0f)
+    {
+      variant["GI_SOFT"] = "1";
+    }
+    if (light.Maps.z != GI_SHADOW_SINGLE)
+    {
+      variant[light.Maps.z == GI_SHADOW_CUBE ? "GI_CUBE" : "GI_CASCADES"] = "1";
+    }
+  }
+  const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag", variant);
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, true);

@@ -8,7 +8,7 @@
 //               b roughness
 //   4 emission: rgb radiance given off
 // and, where a technique asks for it (GI_FACET), last:
-//   facet:      xy octahedral normal of the flat piece of surface, view coordinates
+//   facet:      rgb octahedral normal of the flat piece of surface, view coordinates, by giPack12
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.

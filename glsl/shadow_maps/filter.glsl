@@ -1,5 +1,6 @@
 // What of a light reaches a point of a plane: the share of a disc in that plane. Needs
-// shadow_maps/sheet.glsl and lib/noise.glsl.
+// shadow_maps/sheet.glsl and lib/noise.glsl. Variants, as software renderers run the branches that are
+// not taken too: GI_CUBE (a light with six maps), GI_SOFT (a light that has a size).
 uniform int filterSamples;
 uniform int blockerSamples;
 uniform int penumbraSamples;
@@ -26,19 +27,21 @@ struct GiReceiver
   vec3 P;         // moved by the bias
   vec3 U;         // two points of the plane, one unit across the light from P
   vec3 V;
-  float distance; // from a positional light, else 1
+  float texel;    // width of the map's there, in world units
 };
 
 // The place of a point of the disc, on another face of a cube where it lies beyond the first.
 vec3 giTap(ShadowLightData lamp, GiReceiver receiver, vec2 offset, inout GiSheet sheet)
 {
   vec3 at = giPlace(sheet, offset);
+#if defined(GI_CUBE) && defined(GI_SOFT)
   if (lamp.Maps.z == GI_SHADOW_CUBE && giIsOutside(sheet, at))
   {
     vec3 Q = receiver.P + offset.x * receiver.U + offset.y * receiver.V;
     sheet = giSheet(lamp.Maps.x + giFaceOf(Q - lamp.Position.xyz), Q, receiver.U, receiver.V);
     at = sheet.center.xyz / sheet.center.w;
   }
+#endif
   return at;
 }
 
@@ -55,6 +58,7 @@ float giFiltered(ShadowLightData lamp, GiReceiver receiver, GiSheet sheet, float
   return sum / float(samples);
 }
 
+#ifdef GI_SOFT
 // By how much the light's disc spreads over the receiver behind what stands at a depth of the map.
 float giSpread(ShadowLightData lamp, int map, vec2 depths)
 {
@@ -74,10 +78,9 @@ float giPenumbra(ShadowLightData lamp, GiReceiver receiver, GiSheet sheet, float
 {
   vec3 center = giPlace(sheet, vec2(0.0));
   float widest = giSpread(lamp, sheet.map, vec2(0.0, center.z));
-  vec4 area = shadowMaps[sheet.map].Area;
-  float texel = shadowMaps[sheet.map].Scale.x * receiver.distance;
   // No farther than half the map: there it tells little of what stands between.
-  widest = min(widest, 0.5 * texel * (area.z - area.x) * float(textureSize(atlas, 0).x));
+  widest = min(widest,
+    0.5 * receiver.texel * (sheet.area.z - sheet.area.x) * float(textureSize(atlas, 0).x));
   float sum = 0.0;
   float found = 0.0;
   for (int i = 0; i < blockerSamples; ++i)
@@ -96,19 +99,20 @@ float giPenumbra(ShadowLightData lamp, GiReceiver receiver, GiSheet sheet, float
   }
   return found > 0.0 ? min(sum / found, widest) : -1.0;
 }
+#endif
 
 float giReaching(ShadowLightData lamp, GiReceiver receiver, int map, float angle)
 {
   GiSheet sheet = giSheet(map, receiver.P, receiver.U, receiver.V);
-  float radius = filterRadius * shadowMaps[map].Scale.x * receiver.distance;
-  if (lamp.Size.x <= 0.0)
+  float radius = filterRadius * receiver.texel;
+  int samples = filterSamples;
+#ifdef GI_SOFT
+  float penumbra = lamp.Size.x > 0.0 ? giPenumbra(lamp, receiver, sheet, angle) : -1.0;
+  if (penumbra > radius)
   {
-    return giFiltered(lamp, receiver, sheet, radius, filterSamples, angle);
+    radius = penumbra;
+    samples = penumbraSamples;
   }
-  float penumbra = giPenumbra(lamp, receiver, sheet, angle);
-  if (penumbra <= radius)
-  {
-    return giFiltered(lamp, receiver, sheet, radius, filterSamples, angle);
-  }
-  return giFiltered(lamp, receiver, sheet, penumbra, penumbraSamples, angle);
+#endif
+  return giFiltered(lamp, receiver, sheet, radius, samples, angle);
 }

@@ -1,5 +1,6 @@
 #version 430 core
-// The share of each light that reaches a pixel, four lights at a time.
+// The share of each light that reaches a pixel, four lights at a time. Variants: GI_CASCADES (a light
+// with cascades), and those of shadow_maps/filter.glsl.
 #include "shared/view.h"
 #include "shared/shadow.h"
 #include "lib/octahedral.glsl"
@@ -52,7 +53,7 @@ GiReceiver receiverOf(ShadowLightData lamp, Surface surface, vec3 L, float dista
   // Along the normal: Holbert 2011, Saying "Goodbye" to Shadow Acne (Game Developers Conference).
   receiver.P = surface.P + L * (texel * (bias.x + bias.y * sine / cosine) + surface.error) +
     F * (texel * bias.z * sine);
-  receiver.distance = distance;
+  receiver.texel = texel;
   // Two axes across the light, slid along it into the plane.
   vec3 U = normalize(abs(L.z) < 0.9 ? cross(L, vec3(0.0, 0.0, 1.0)) : cross(L, vec3(0.0, 1.0, 0.0)));
   vec3 V = cross(L, U);
@@ -72,12 +73,12 @@ float shade(ShadowLightData lamp, Surface surface, float angle)
     return 0.0;
   }
   int map = lamp.Maps.x;
+#ifdef GI_CUBE
+  map += lamp.Maps.z == GI_SHADOW_CUBE ? giFaceOf(fromLight) : 0;
+#endif
+#ifdef GI_CASCADES
   float next = 0.0; // share of the next cascade
-  if (lamp.Maps.z == GI_SHADOW_CUBE)
-  {
-    map += giFaceOf(fromLight);
-  }
-  else if (lamp.Maps.z == GI_SHADOW_CASCADES)
+  if (lamp.Maps.z == GI_SHADOW_CASCADES)
   {
     // By the distance from the eye, which turning the camera does not change.
     float far = length(surface.P);
@@ -90,14 +91,17 @@ float shade(ShadowLightData lamp, Surface surface, float angle)
     float end = lamp.Ends[cascade];
     next = cascade < lamp.Maps.y - 1 ? clamp((far / end - 1.0) / Overlap + 1.0, 0.0, 1.0) : 0.0;
   }
-  float open = giReaching(lamp, receiverOf(lamp, surface, L, distance, map), map, angle);
-  if (next > 0.0)
+  float open = 0.0;
+  int parts = next > 0.0 ? 2 : 1;
+  for (int part = 0; part < parts; ++part)
   {
-    ++map;
-    float other = giReaching(lamp, receiverOf(lamp, surface, L, distance, map), map, angle);
-    open = mix(open, other, next);
+    GiReceiver receiver = receiverOf(lamp, surface, L, distance, map + part);
+    open += (part == 0 ? 1.0 - next : next) * giReaching(lamp, receiver, map + part, angle);
   }
   return open;
+#else
+  return giReaching(lamp, receiverOf(lamp, surface, L, distance, map), map, angle);
+#endif
 }
 
 void main()
@@ -112,7 +116,7 @@ void main()
   Surface surface;
   surface.P = giViewPosition(gl_FragCoord.xy, depth);
   surface.N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  surface.facet = giDecodeOctahedral(texelFetch(facetTexture, pixel, 0).xy);
+  surface.facet = giDecodeOctahedral(giUnpack12(texelFetch(facetTexture, pixel, 0).rgb));
   surface.error =
     length(giViewPosition(gl_FragCoord.xy, max(depth - DepthError, 0.0)) - surface.P);
   float angle = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);

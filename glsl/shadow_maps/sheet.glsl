@@ -5,6 +5,7 @@
 struct GiSheet
 {
   int map;
+  vec4 area;   // of the map in the atlas
   vec4 center; // of the receiver, in the atlas before division
   vec4 stepU;  // to points of the plane one world unit off along two axes
   vec4 stepV;
@@ -16,6 +17,7 @@ GiSheet giSheet(int map, vec3 P, vec3 U, vec3 V)
   mat4 toMap = shadowMaps[map].ViewToMap;
   GiSheet sheet;
   sheet.map = map;
+  sheet.area = shadowMaps[map].Area;
   sheet.center = toMap * vec4(P, 1.0);
   sheet.stepU = toMap * vec4(U, 0.0);
   sheet.stepV = toMap * vec4(V, 0.0);
@@ -36,16 +38,14 @@ vec3 giPlace(GiSheet sheet, vec2 offset)
 
 bool giIsOutside(GiSheet sheet, vec3 at)
 {
-  vec4 area = shadowMaps[sheet.map].Area;
-  return any(lessThan(at.xy, area.xy)) || any(greaterThan(at.xy, area.zw));
+  return any(lessThan(at.xy, sheet.area.xy)) || any(greaterThan(at.xy, sheet.area.zw));
 }
 
 // Depth of the texel that a place falls into, and the plane's there.
 vec2 giDepths(GiSheet sheet, vec3 at)
 {
   vec2 size = vec2(textureSize(atlas, 0));
-  vec4 area = shadowMaps[sheet.map].Area;
-  vec2 texel = floor(clamp(at.xy, area.xy, area.zw) * size);
+  vec2 texel = floor(clamp(at.xy, sheet.area.xy, sheet.area.zw) * size);
   float plane = at.z + dot(sheet.slope, (texel + 0.5) / size - at.xy);
   return vec2(texelFetch(atlas, ivec2(texel), 0).r, min(plane, 1.0));
 }
@@ -55,8 +55,7 @@ vec2 giDepths(GiSheet sheet, vec3 at)
 float giOpen(GiSheet sheet, vec3 at)
 {
   vec2 size = vec2(textureSize(atlas, 0));
-  vec4 area = shadowMaps[sheet.map].Area;
-  vec2 texel = clamp(at.xy, area.xy, area.zw) * size - 0.5;
+  vec2 texel = clamp(at.xy, sheet.area.xy, sheet.area.zw) * size - 0.5;
   vec2 first = floor(texel);
   vec2 share = texel - first;
   vec4 drawn = textureGather(atlas, (first + 1.0) / size); // (0,1) (1,1) (1,0) (0,0)

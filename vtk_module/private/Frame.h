@@ -30,7 +30,7 @@ namespace resource
 constexpr const char* Depth = "depth";                          ///< the depth buffer, to test against
 constexpr const char* Albedo = "gbuffer.albedo";                ///< rgb, a: 1 where captured
 constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material
-constexpr const char* Facet = "gbuffer.facet";                  ///< octahedral; where requested
+constexpr const char* Facet = "gbuffer.facet";                  ///< see capture/declarations.glsl
 constexpr const char* WindowDepth = "gbuffer.depth";           ///< a copy of it, to read meanwhile
 constexpr const char* Ambient = "gbuffer.ambient";              ///< ambient light reflected
 constexpr const char* Surface = "gbuffer.surface";              ///< see capture/gbuffer.glsl

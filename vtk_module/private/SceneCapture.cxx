@@ -211,8 +211,8 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   }
   if (this->Facets)
   {
-    // A tenth of a degree.
-    pass.Write(resource::Facet, frame.WindowTexture(GL_RGB10_A2));
+    // Packed to twelve bits: eight bits a channel are what software renderers write fastest.
+    pass.Write(resource::Facet, frame.WindowTexture(GL_RGBA8));
   }
   pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
 }
