@@ -98,8 +98,7 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   options.Margin = this->FilterRadius + HardwareMargin;
   const double texels = static_cast<double>(this->Memory) * (1 << 20) / sizeof(float);
   const double along = widest / options.Resolution;
-  options.Squares =
-    std::min(texels / options.Resolution / options.Resolution, along * along);
+  options.Squares = std::min(texels / options.Resolution / options.Resolution, along * along);
   options.Cascades = this->Cascades;
   options.Logarithmic = this->SplitBlend;
   options.LightTangent = std::tan(glm::radians(0.5 * this->LightAngle));
@@ -119,8 +118,8 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   {
     frame.AddNote(std::to_string(this->UnshadowedLights) + " of " +
       std::to_string(this->UnshadowedLights + this->ShadowedLights) +
-      " lights cast no shadow: raise shadow-maps." +
-      (homeless > 0 ? "memory" : "maximum-lights") + " for more.");
+      " lights cast no shadow: raise shadow-maps." + (homeless > 0 ? "memory" : "maximum-lights") +
+      " for more.");
   }
   return this->ShadowedLights > 0;
 }
@@ -179,8 +178,8 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
 void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int layers)
 {
   const ShadowPlan& plan = *this->Impl->Plan;
-  this->Impl->MapBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.MapData.data(),
-    plan.MapData.size() * sizeof(plan.MapData[0]));
+  this->Impl->MapBlock.Upload(
+    GL_SHADER_STORAGE_BUFFER, plan.MapData.data(), plan.MapData.size() * sizeof(plan.MapData[0]));
   this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.LightData.data(),
     plan.LightData.size() * sizeof(plan.LightData[0]));
   Defines variant;

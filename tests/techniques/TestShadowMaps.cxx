@@ -86,8 +86,16 @@ protected:
     this->Scene.Renderer->ResetCameraClippingRange();
   }
 
-  Picture With() { this->Shadows->EnabledOn(); return Shoot(this->Scene.Window); }
-  Picture Without() { this->Shadows->EnabledOff(); return Shoot(this->Scene.Window); }
+  Picture With()
+  {
+    this->Shadows->EnabledOn();
+    return Shoot(this->Scene.Window);
+  }
+  Picture Without()
+  {
+    this->Shadows->EnabledOff();
+    return Shoot(this->Scene.Window);
+  }
 
   Stage Scene;
   vtkSmartPointer<vtkGIPass> Pass;
@@ -211,7 +219,8 @@ TEST_F(ShadowMaps, box_at_45_degrees_has_no_acne_on_any_lit_face)
     for (double turn : { 0.0, 17.0 })
     {
       box->SetOrientation(0.0, 0.0, turn);
-      camera->SetPosition(3.0 * std::cos(azimuth * Degrees), 3.0 * std::sin(azimuth * Degrees), 2.5);
+      camera->SetPosition(
+        3.0 * std::cos(azimuth * Degrees), 3.0 * std::sin(azimuth * Degrees), 2.5);
       this->Scene.Renderer->ResetCameraClippingRange();
       // A convex box alone cannot shade its lit faces.
       EXPECT_EQ(Darkened(this->With(), this->Without()), 0) << azimuth << " turned " << turn;
@@ -233,7 +242,8 @@ TEST_F(ShadowMaps, every_kind_of_light_casts)
   this->LookDown(4.0);
   const auto at = [](const Picture& p, double x, double y) {
     const double unit = p.Height / 4.0;
-    return p.Grey(static_cast<int>(p.Width / 2 + x * unit), static_cast<int>(p.Height / 2 + y * unit));
+    return p.Grey(
+      static_cast<int>(p.Width / 2 + x * unit), static_cast<int>(p.Height / 2 + y * unit));
   };
   for (const char* kind : { "directional", "cone", "wide cone", "omnidirectional" })
   {

@@ -40,9 +40,8 @@ struct Configuration
   // w = w_L (d_R - d_B) / d_B
   double Width() const
   {
-    return this->Lamp > 0.0
-      ? 2.0 * this->Size * this->Blocker / (this->Lamp - this->Blocker)
-      : 2.0 * std::tan(0.5 * this->Size * Pi / 180.0) * this->Blocker;
+    return this->Lamp > 0.0 ? 2.0 * this->Size * this->Blocker / (this->Lamp - this->Blocker)
+                            : 2.0 * std::tan(0.5 * this->Size * Pi / 180.0) * this->Blocker;
   }
 };
 
@@ -217,7 +216,8 @@ TEST(SoftShadowMaps, AreCloserToRaysThanAPlainFilterThreefold)
     const double soft = RelativeError(BoxAndBall(lamp, "shadow-maps", size, 8), rays);
     std::printf("%s: relMSE of the plain filter %.5f, of penumbrae %.5f (%.3f of it), in one frame "
                 "%.5f (%.3f)\n",
-      lamp ? "lamp of radius 0.3" : "sun of 8 degrees", plain, soft, soft / plain, once, once / plain);
+      lamp ? "lamp of radius 0.3" : "sun of 8 degrees", plain, soft, soft / plain, once,
+      once / plain);
     EXPECT_LT(soft, plain / 3.0);
     EXPECT_LT(once, plain / 3.0);
   }

@@ -43,8 +43,8 @@ std::vector<ShadowView> Maps(const View& view)
   std::vector<ShadowView> maps;
   for (const auto& sphere : ChooseCascades(Sun(), view, Options).Spheres)
   {
-    maps.push_back(FitShadowSphere(
-      Sun(), view.Bounds, sphere, Options.Resolution / 2, Options.Margin));
+    maps.push_back(
+      FitShadowSphere(Sun(), view.Bounds, sphere, Options.Resolution / 2, Options.Margin));
   }
   return maps;
 }
@@ -72,8 +72,7 @@ TEST(ShadowCascades, TexelsNearTheCameraAreAtLeastFourTimesFinerAtEqualMemory)
   const auto maps = Maps(view);
   ASSERT_GE(maps.size(), 2u);
   ASSERT_LE(maps.size(), 4u); // of half the width: the memory of one map
-  const double whole =
-    FitShadowViews(Sun(), Corridor, Options.Resolution, Options.Margin)[0].Texel;
+  const double whole = FitShadowViews(Sun(), Corridor, Options.Resolution, Options.Margin)[0].Texel;
   std::printf("one map: texels of %.4f; cascades:", whole);
   for (const auto& map : maps)
   {
@@ -110,8 +109,9 @@ TEST(ShadowCascades, GridsStandStillWhileTheCameraMovesAndTurns)
     }
     last = maps;
   }
-  std::printf("200 translations, 200 turns: grids shifted by %.2g texels, %d of %zu maps drawn anew\n",
-    worst, drawn, 400 * before.size());
+  std::printf(
+    "200 translations, 200 turns: grids shifted by %.2g texels, %d of %zu maps drawn anew\n", worst,
+    drawn, 400 * before.size());
   EXPECT_LT(worst, 1e-6);
 }
 
@@ -177,8 +177,8 @@ TEST(ShadowAtlas, SquaresLieApart)
       for (std::size_t k = 0; k < i; ++k)
       {
         const AtlasTile& b = atlas.Tiles[k];
-        EXPECT_TRUE(a.X >= b.X + b.Size || b.X >= a.X + a.Size || a.Y >= b.Y + b.Size ||
-          b.Y >= a.Y + a.Size)
+        EXPECT_TRUE(
+          a.X >= b.X + b.Size || b.X >= a.X + a.Size || a.Y >= b.Y + b.Size || b.Y >= a.Y + a.Size)
           << i << " and " << k;
       }
     }

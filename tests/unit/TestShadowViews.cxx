@@ -41,8 +41,8 @@ void ForEachPoint(Visit visit)
   for (int i = 0; i < 125; ++i)
   {
     const glm::dvec3 t(i % 5 / 4.0, i / 5 % 5 / 4.0, i / 25 / 4.0);
-    visit(glm::dvec3(Box[0] + t.x * (Box[1] - Box[0]),
-      Box[2] + t.y * (Box[3] - Box[2]), Box[4] + t.z * (Box[5] - Box[4])));
+    visit(glm::dvec3(Box[0] + t.x * (Box[1] - Box[0]), Box[2] + t.y * (Box[3] - Box[2]),
+      Box[4] + t.z * (Box[5] - Box[4])));
   }
 }
 

@@ -43,7 +43,8 @@ struct Sight
     glm::dvec3 sum(0.0);
     for (int i = 0; i < 4; ++i)
     {
-      const glm::dvec4 p = clipToView * glm::dvec4(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, 0.0, 1.0);
+      const glm::dvec4 p =
+        clipToView * glm::dvec4(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, 0.0, 1.0);
       corners[i] = glm::normalize(glm::dvec3(p) / p.w);
       sum += corners[i];
     }
@@ -53,15 +54,14 @@ struct Sight
       this->Cosine = std::min(this->Cosine, glm::dot(corner, axis));
     }
     this->Cosine = std::floor(this->Cosine * 512.0) / 512.0;
-    this->Pixel = 2.0 * std::abs(corners[2].y / corners[2].z - corners[0].y / corners[0].z) / 2.0 /
-      size.y;
+    this->Pixel =
+      2.0 * std::abs(corners[2].y / corners[2].z - corners[0].y / corners[0].z) / 2.0 / size.y;
     this->Eye = glm::dvec3(view.ViewToWorld[3]);
     this->Axis = glm::normalize(glm::dmat3(view.ViewToWorld) * axis);
     // A quarter of an octave.
     const glm::dvec2 range = DistanceRange(this->Eye, view.Bounds);
     this->Farthest = std::exp2(std::ceil(4.0 * std::log2(range.y)) / 4.0);
-    this->Nearest =
-      range.x > 0.0 ? std::exp2(std::floor(4.0 * std::log2(range.x)) / 4.0) : 0.0;
+    this->Nearest = range.x > 0.0 ? std::exp2(std::floor(4.0 * std::log2(range.x)) / 4.0) : 0.0;
   }
 
   // Around what is seen between two distances: the middle lies on the axis, as far from the corners of
@@ -69,8 +69,7 @@ struct Sight
   ShadowSphere Around(double from, double to) const
   {
     const double middle = std::min((from + to) / (2.0 * this->Cosine), to * this->Cosine);
-    const double radius =
-      std::sqrt(to * to + middle * middle - 2.0 * to * middle * this->Cosine);
+    const double radius = std::sqrt(to * to + middle * middle - 2.0 * to * middle * this->Cosine);
     return { this->Eye + middle * this->Axis, radius };
   }
 };

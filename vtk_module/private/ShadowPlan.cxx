@@ -45,7 +45,8 @@ glm::dmat4 ToTile(const AtlasTile& tile, double width, double height)
 {
   const glm::dvec3 size(tile.Size / width, tile.Size / height, 1.0);
   const glm::dvec3 low(tile.X / width, tile.Y / height, 0.0);
-  return glm::translate(glm::dmat4(1.0), low + 0.5 * size) * glm::scale(glm::dmat4(1.0), 0.5 * size);
+  return glm::translate(glm::dmat4(1.0), low + 0.5 * size) *
+    glm::scale(glm::dmat4(1.0), 0.5 * size);
 }
 
 shared::ShadowMapData MapData(const ShadowMap& map, const ShadowPlan& plan, const View& view)
@@ -55,8 +56,9 @@ shared::ShadowMapData MapData(const ShadowMap& map, const ShadowPlan& plan, cons
   shared::ShadowMapData data;
   data.ViewToMap = glm::mat4(ToTile(tile, plan.Width, plan.Height) * map.Shown.ViewToClip *
     map.Shown.WorldToView * view.ViewToWorld);
-  data.Area = glm::vec4(glm::dvec4(tile.X + 0.5, tile.Y + 0.5, tile.X + tile.Size - 0.5,
-                          tile.Y + tile.Size - 0.5) / size);
+  data.Area = glm::vec4(
+    glm::dvec4(tile.X + 0.5, tile.Y + 0.5, tile.X + tile.Size - 0.5, tile.Y + tile.Size - 0.5) /
+    size);
   data.Scale = glm::vec4(map.Shown.Texel, map.Shown.Near, map.Shown.Far, 0.0);
   return data;
 }
@@ -64,8 +66,8 @@ shared::ShadowMapData MapData(const ShadowMap& map, const ShadowPlan& plan, cons
 
 std::vector<double> ShadowMap::Signature() const
 {
-  std::vector<double> numbers{ static_cast<double>(this->Tile.X),
-    static_cast<double>(this->Tile.Y), static_cast<double>(this->Tile.Size) };
+  std::vector<double> numbers{ static_cast<double>(this->Tile.X), static_cast<double>(this->Tile.Y),
+    static_cast<double>(this->Tile.Size) };
   for (const auto* matrix : { &this->Shown.WorldToView, &this->Shown.ViewToClip })
   {
     for (int i = 0; i < 16; ++i)
@@ -84,8 +86,8 @@ ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& 
   for (const std::size_t index : lights)
   {
     const Light& light = table.Lights()[index];
-    cascades.push_back(ChooseCascades(light, view,
-      { options.Cascades, options.Resolution, options.Margin, options.Logarithmic }));
+    cascades.push_back(ChooseCascades(
+      light, view, { options.Cascades, options.Resolution, options.Margin, options.Logarithmic }));
     const auto count = static_cast<int>(cascades.back().Spheres.size());
     const int maps = count > 0 ? count : CountShadowViews(light, view.Bounds);
     wishes.push_back({ maps, maps > 1 ? 1 : 0, Importance(light, view.Bounds) });
@@ -121,9 +123,9 @@ ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& 
     data.Position = glm::vec4(light.Position, light.Positional ? 1.0 : 0.0);
     data.Size = glm::vec4(light.Positional ? options.LightRadius : options.LightTangent, 0, 0, 0);
     data.Maps = glm::ivec4(first, views.size(),
-      !parts.Spheres.empty()  ? GI_SHADOW_CASCADES
+      !parts.Spheres.empty() ? GI_SHADOW_CASCADES
         : views.size() == 6u ? GI_SHADOW_CUBE
-                              : GI_SHADOW_SINGLE,
+                             : GI_SHADOW_SINGLE,
       0);
     data.Ends = glm::vec4(0.0);
     for (std::size_t part = 0; part < parts.Ends.size(); ++part)

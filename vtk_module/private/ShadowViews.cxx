@@ -52,8 +52,9 @@ struct Extent
   // A flat scene still gets a volume.
   double Half() const
   {
-    return std::max({ this->High.x - this->Low.x, this->High.y - this->Low.y,
-             this->Diagonal() * 1e-3 }) / 2;
+    return std::max(
+             { this->High.x - this->Low.x, this->High.y - this->Low.y, this->Diagonal() * 1e-3 }) /
+      2;
   }
   double Diagonal() const { return glm::length(this->High - this->Low); }
 };
@@ -85,8 +86,8 @@ glm::dmat4 LookAlong(const Light& light, const glm::dvec3& from)
 
 ShadowView FitDirectional(const Light& light, const Bounds& bounds, int resolution, double margin)
 {
-  const glm::dvec3 center((bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
-    (bounds[4] + bounds[5]) / 2);
+  const glm::dvec3 center(
+    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
   const glm::dmat4 worldToView = LookAlong(light, center);
   const double half = Bordered(Extent(worldToView, bounds).Half(), resolution, margin);
   return Parallel(worldToView, bounds, half, resolution);
@@ -106,8 +107,8 @@ Window OntoBounds(const Light& light, const Bounds& bounds)
 {
   Window window;
   const glm::dvec3 eye = light.WorldPosition;
-  const glm::dvec3 center((bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
-    (bounds[4] + bounds[5]) / 2);
+  const glm::dvec3 center(
+    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
   const glm::dvec3 direction = center - eye;
   if (glm::length(direction) <= 0.0)
   {
