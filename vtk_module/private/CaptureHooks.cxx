@@ -3,6 +3,7 @@
 #include "private/CaptureHooks.h"
 
 #include "private/MaterialTable.h"
+#include "private/MotionTable.h"
 #include "private/ShaderLibrary.h"
 
 #include "vtkActor.h"
@@ -75,8 +76,8 @@ void vtkGICaptureHooks::CheckSnippets() const
   }
 }
 
-bool vtkGICaptureHooks::PreReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkGICaptureHooks::PreReplaceShaderValues(
+  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Output::Dec",
     "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl"), false);
@@ -98,8 +99,8 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
   const bool unlit = !Contains(fragmentShader, "normalVCVSOutput") ||
     Contains(fragmentShader, "vec4(ambientColor + diffuseColor, opacity)");
   const bool pbr = Contains(fragmentShader, "roughnessUniform");
-  const bool layered =
-    Contains(fragmentShader, "#define ANISOTROPY") || Contains(fragmentShader, "#define CLEAR_COAT");
+  const bool layered = Contains(fragmentShader, "#define ANISOTROPY") ||
+    Contains(fragmentShader, "#define CLEAR_COAT");
   const std::string direct = "  color += Lo;\n";
   const char* snippet = "as_drawn.glsl";
   if (!unlit && pbr && !layered && actor && Contains(fragmentShader, direct.c_str()))
@@ -127,12 +128,14 @@ bool vtkGICaptureHooks::SetShaderParameters(
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   if (actor && program->IsUniformUsed("giMaterial"))
   {
-    const int front = this->Materials->Find(actor->GetProperty());
+    const penumbra::MaterialTable::Owner owner =
+      this->Motion ? this->Motion->Find(actor) : penumbra::MaterialTable::Owner();
+    const int front = this->Materials->Find(actor->GetProperty(), owner);
     program->SetUniformi("giMaterial", front);
     if (program->IsUniformUsed("giBackMaterial"))
     {
       vtkProperty* back = actor->GetBackfaceProperty();
-      program->SetUniformi("giBackMaterial", back ? this->Materials->Find(back) : front);
+      program->SetUniformi("giBackMaterial", back ? this->Materials->Find(back, owner) : front);
     }
   }
   return true;

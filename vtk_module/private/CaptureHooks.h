@@ -13,6 +13,7 @@
 namespace penumbra
 {
 class MaterialTable;
+class MotionTable;
 class ShaderLibrary;
 }
 
@@ -38,6 +39,9 @@ public:
   /// The kind of projection of the draws that follow, whatever the active camera's is.
   void SetParallel(bool parallel) { this->Parallel = parallel; }
 
+  /// Have the motion of what is drawn recorded; nullptr: nobody asks.
+  void SetMotion(penumbra::MotionTable* motion) { this->Motion = motion; }
+
   /// Put this pass on the props' list of passes, and take it off.
   void Attach(const vtkRenderState* state) { this->PreRender(state); }
   void Detach(const vtkRenderState* state) { this->PostRender(state); }
@@ -62,6 +66,7 @@ private:
   std::string Snippet(const char* name) const;
 
   penumbra::MaterialTable* Materials = nullptr;
+  penumbra::MotionTable* Motion = nullptr;
   const penumbra::ShaderLibrary* Shaders = nullptr;
   bool Extended = false;
   bool Parallel = false;

@@ -162,6 +162,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Others.clear();
   this->All.clear();
   this->Table.Clear();
+  this->Hooks->SetMotion(nullptr);
   bool extended = false;
   bool part = false;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
@@ -188,6 +189,11 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Hooks->SetExtended(extended);
 }
 
+void SceneCapture::SetMotion(MotionTable* motion)
+{
+  this->Hooks->SetMotion(motion);
+}
+
 void SceneCapture::Contribute(FrameBuilder& frame)
 {
   // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
@@ -195,8 +201,7 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as VTK's are.
-  const bool wide =
-    this->Extended || (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
+  const bool wide = this->Extended || (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))

@@ -23,6 +23,7 @@ namespace penumbra
 {
 class FrameBuilder;
 class FrameContext;
+class MotionTable;
 class ShaderLibrary;
 
 class SceneCapture
@@ -38,6 +39,9 @@ public:
   /// Sort the props of a frame: those in view that can be captured, those that VTK must draw, and
   /// all visible ones, in view or not, that may cast shadows.
   void Collect(const vtkRenderState* state);
+
+  /// Record the motion of what is drawn, in this frame.
+  void SetMotion(MotionTable* motion);
 
   /// Add the pass that writes the G-buffer.
   void Contribute(FrameBuilder& frame);
