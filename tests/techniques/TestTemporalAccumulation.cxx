@@ -246,3 +246,83 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
     EXPECT_LT(after, 0.6 * before);
   }
 }
+
+namespace
+{
+// What is seen of points on the floor, by their places in the picture; -1 where outside.
+Values Track(Studio& studio, const Values& frame, int width)
+{
+  vtkRenderer* renderer = studio.Scene.Renderer;
+  Values seen;
+  for (double y = -2.5; y <= 2.5; y += 0.05)
+  {
+    for (double x = -3.0; x <= 3.0; x += 0.05)
+    {
+      renderer->SetWorldPoint(x, y, 0.0, 1.0);
+      renderer->WorldToDisplay();
+      const double* place = renderer->GetDisplayPoint();
+      const double u = place[0] - 0.5;
+      const double v = place[1] - 0.5;
+      const int i = static_cast<int>(std::floor(u));
+      const int j = static_cast<int>(std::floor(v));
+      if (i < 0 || j < 0 || i + 1 >= width || j + 1 >= width * 2 / 3)
+      {
+        seen.push_back(-1.0);
+        continue;
+      }
+      const double* corner = &frame[static_cast<std::size_t>(j) * width + i];
+      const double low = corner[0] + (u - i) * (corner[1] - corner[0]);
+      const double high = corner[width] + (u - i) * (corner[width + 1] - corner[width]);
+      seen.push_back(low + (v - j) * (high - low));
+    }
+  }
+  return seen;
+}
+}
+
+// Between two frames of an orbit, what is seen of a point changes hardly more than it truly does.
+TEST(TemporalAccumulation, AnOrbitDoesNotFlicker)
+{
+  constexpr int width = 300;
+  constexpr int frames = 12;
+  constexpr double edge = 8.0; // of 255: what came out of or went behind something
+  Studio truth(false, 16, width);
+  Studio raw(false, 1, width);
+  Studio accumulated(true, 1, width);
+  const std::array<Studio*, 3> studios = { { &truth, &raw, &accumulated } };
+  std::array<double, 3> flicker{};
+  std::array<Values, 3> before;
+  int count = 0;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    std::array<Values, 3> now;
+    for (int i = 0; i < 3; ++i)
+    {
+      studios[i]->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+      now[i] = Track(*studios[i], studios[i]->Frame(), width);
+    }
+    for (std::size_t p = 0; frame > 4 && p < now[0].size(); ++p)
+    {
+      if (now[0][p] >= 0.0 && before[0][p] >= 0.0 && std::abs(now[0][p] - before[0][p]) < edge)
+      {
+        ++count;
+        for (int i = 0; i < 3; ++i)
+        {
+          flicker[i] += (now[i][p] - before[i][p]) * (now[i][p] - before[i][p]);
+        }
+      }
+    }
+    before = now;
+  }
+  for (double& value : flicker)
+  {
+    value = std::sqrt(value / count);
+  }
+  std::printf("flicker in an orbit: converged %.3f, one frame %.3f, accumulated %.3f / 255\n",
+    flicker[0], flicker[1], flicker[2]);
+  // The visibility is held in eight bits, twice: a rounding in each frame.
+  const double rounding = std::sqrt(2.0 * 2.0 / 12.0);
+  EXPECT_GT(count, 10000);
+  EXPECT_GT(flicker[1], 2.0 * flicker[2]);
+  EXPECT_LT(flicker[2], 1.2 * flicker[0] + rounding);
+}
