@@ -152,6 +152,10 @@ struct Work
     {
       variant["GI_STILL"] = "1";
     }
+    if (context.Input(resource::Displacement))
+    {
+      variant["GI_DISPLACEMENT"] = "1";
+    }
     if (this->Motion->PropsMove())
     {
       variant["GI_PROPS_MOVE"] = "1";
@@ -159,7 +163,8 @@ struct Work
     const Program& program =
       context.Shaders().Fragment("temporal_accumulation/reproject.frag", variant);
     context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(resource::Normal), surfaces.Before });
+      { context.Input(resource::WindowDepth), context.Input(resource::Normal), surfaces.Before,
+        context.Input(resource::Displacement) });
     this->Materials->Bind(1);
     this->Motion->Bind(1, 2);
     glUniform2f(program.Location("tolerance"), static_cast<GLfloat>(this->DepthTolerance),
@@ -248,6 +253,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
     .Read(resource::Normal)
+    .ReadIfPresent(resource::Displacement)
     .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
     .Execute([work, &ages, &motion, &lights](FrameContext& context) {
       ages.Advance(context.GetView(), lights, motion.IsContinued());

@@ -3,7 +3,8 @@
 // and what the next frame is to compare with.
 // A neighbour of that place counts if it lay in the same plane, faced the same way and was the same
 // object (Nehab et al. 2007, Accelerating Real-Time Shading with Reverse Reprojection Caching).
-// Variants: GI_STILL (nothing moves), GI_PROPS_MOVE (not only the camera).
+// Variants: GI_STILL (nothing moves), GI_PROPS_MOVE (not only the camera),
+// GI_DISPLACEMENT (the points of some move within them).
 #include "shared/view.h"
 #include "shared/material.h"
 #include "shared/motion.h"
@@ -14,6 +15,7 @@
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D surfaceTexture; // of the frame before
+layout(binding = 3) uniform sampler2D displacementTexture;
 
 #ifdef GI_STILL
 const int taps = 1;
@@ -65,7 +67,11 @@ void main()
     toPrevious = motions[row];
   }
 #endif
-  vec3 before = (toPrevious * vec4(P, 1.0)).xyz;
+  vec3 before = P;
+#ifdef GI_DISPLACEMENT
+  before += texelFetch(displacementTexture, pixel, 0).xyz;
+#endif
+  before = (toPrevious * vec4(before, 1.0)).xyz;
   vec3 normalBefore = mat3(toPrevious) * N;
 #endif
 

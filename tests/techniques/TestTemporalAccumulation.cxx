@@ -92,6 +92,42 @@ struct Studio
     return values;
   }
 
+  void AddSheet()
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-4.0, -4.0, 0.0);
+    plane->SetPoint1(4.0, -4.0, 0.0);
+    plane->SetPoint2(-4.0, 4.0, 0.0);
+    plane->SetResolution(80, 80);
+    plane->Update();
+    this->Sheet = plane->GetOutput();
+    this->Sheet->GetPointData()->Initialize();
+    this->Scene.Add(this->Sheet.Get())->GetProperty()->SetColor(0.9, 0.9, 0.9);
+  }
+
+  // The sheet at a time: hills that travel, over the floor.
+  void Wave(double time, bool inPlace)
+  {
+    vtkPoints* old = this->Sheet->GetPoints();
+    vtkSmartPointer<vtkPoints> points = old;
+    if (!inPlace)
+    {
+      points = vtkSmartPointer<vtkPoints>::New();
+      points->DeepCopy(old);
+    }
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p;
+      points->GetPoint(i, p.data());
+      p[2] = 0.5 + 0.4 * std::sin(2.0 * p[0] + 3.0 * time) * std::cos(1.5 * p[1] - 2.0 * time);
+      points->SetPoint(i, p.data());
+    }
+    points->Modified();
+    points->GetData()->Modified();
+    this->Sheet->SetPoints(points);
+    this->Sheet->Modified();
+  }
+
   Values Frames(int count)
   {
     Values last;
@@ -107,6 +143,7 @@ struct Studio
   vtkNew<vtkLight> Sun;
   vtkActor* Box = nullptr;
   vtkActor* Ball = nullptr;
+  vtkSmartPointer<vtkPolyData> Sheet;
   vtkGITechnique* Shadows = nullptr;
   vtkGITechnique* Occlusion = nullptr;
 };
@@ -223,9 +260,23 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
     s.Ball->AddPosition(-0.08, -0.08, 0.0);
     s.Box->RotateZ(3.0);
   };
+  // A sheet that waves over all of the scene: its points are new ones with every step, or the same
+  // array written anew.
+  int step = 0;
+  const auto wave = [&step](Studio& s, bool inPlace) {
+    if (!s.Sheet)
+    {
+      s.AddSheet();
+    }
+    s.Wave(0.1 * step, inPlace);
+  };
+  const auto renewed = [&wave](Studio& s) { wave(s, false); };
+  const auto rewritten = [&wave](Studio& s) { wave(s, true); };
   using Move = std::function<void(Studio&)>;
   for (const auto& [name, move] :
-    { std::pair<const char*, Move>("camera", orbit), std::pair<const char*, Move>("props", props) })
+    { std::pair<const char*, Move>("camera", orbit), std::pair<const char*, Move>("props", props),
+      std::pair<const char*, Move>("points", renewed),
+      std::pair<const char*, Move>("points in place", rewritten) })
   {
     // Large enough for penumbrae of several pixels.
     Studio truth(false, 16, 300);
@@ -233,6 +284,7 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
     Studio accumulated(true, 1, 300);
     for (int frame = 0; frame < 8; ++frame)
     {
+      step = frame;
       for (Studio* studio : { &truth, &raw, &accumulated })
       {
         move(*studio);

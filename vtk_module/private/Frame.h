@@ -35,6 +35,8 @@ constexpr const char* WindowDepth = "gbuffer.depth";          ///< a copy of it,
 constexpr const char* Ambient = "gbuffer.ambient";            ///< ambient light reflected
 constexpr const char* Surface = "gbuffer.surface";            ///< see capture/gbuffer.glsl
 constexpr const char* Emission = "gbuffer.emission";          ///< radiance not due to light
+constexpr const char* Displacement =
+  "gbuffer.displacement"; ///< how far a point of a deforming surface was from here, one frame ago
 constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
 constexpr const char* Color = "color";                          ///< the picture, as displayed

@@ -34,6 +34,18 @@ void MotionTable::Begin(const View& view)
   this->Rows.assign(1, glm::mat4(this->Before.WorldToView * view.ViewToWorld));
 }
 
+bool MotionTable::Deform(const std::vector<vtkProp*>& props)
+{
+  // Kept once it was seen, as mappers rebuild their shaders for it.
+  this->Deforms |= this->Points.Update(props);
+  return this->Deforms;
+}
+
+const glm::dmat4& MotionTable::WorldToView() const
+{
+  return this->Current->WorldToView;
+}
+
 int MotionTable::NewNumber()
 {
   constexpr int limit = 1 << 24; // a float holds every integer below
@@ -66,7 +78,9 @@ MaterialTable::Owner MotionTable::Find(vtkActor* actor)
   if (track.Number == 0)
   {
     track.Shape = actor->GetMapper() ? ShapeTime(actor->GetMapper()) : 0;
-    track.Number = before && before->Shape == track.Shape ? before->Number : this->NewNumber();
+    track.Number = before && (before->Shape == track.Shape || this->Points.Knows(actor))
+      ? before->Number
+      : this->NewNumber();
   }
   track.Places.push_back(now);
   track.Rows.push_back(this->RowOf(now, before));

@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "private/Deformations.h"
 #include "private/MaterialTable.h"
 
 #include <vtkType.h>
@@ -26,9 +27,16 @@ public:
   /// Begin a frame. The view's matrices may be shifted until it is drawn.
   void Begin(const View& view);
 
+  /// Find out how the points of these props moved. Returns whether any prop needs more than a matrix,
+  /// now or in a frame before.
+  bool Deform(const std::vector<vtkProp*>& props);
+  const Deformations& Shapes() const { return this->Points; }
+
   /// The prop about to be drawn, as it is placed now. Its number is another one where what it shows
   /// has changed, or where nobody can tell from where it came.
   MaterialTable::Owner Find(vtkActor* actor);
+
+  const glm::dmat4& WorldToView() const;
 
   /// Whether the frame before was recorded too.
   bool IsContinued() const { return this->Continued; }
@@ -69,6 +77,8 @@ private:
   Tracks TracksBefore;
   Tracks TracksNow;
   std::vector<glm::mat4> Rows; ///< of the table
+  Deformations Points;
+  bool Deforms = false;
   Buffer ViewBlock;
   Buffer RowBlock;
 };
