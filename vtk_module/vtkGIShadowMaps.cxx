@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIShadowMaps.h"
 
+#include "private/ChangeTimes.h"
 #include "private/Frame.h"
 #include "private/SceneCapture.h"
-#include "private/SceneSignature.h"
 #include "private/ScopedState.h"
 #include "private/ShadowPlan.h"
 
-#include "vtkProp.h"
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 
 #include <map>
 #include <tuple>
@@ -32,13 +34,30 @@ struct Shown
   std::map<TileKey, std::vector<double>> Squares;
 };
 
+// When a prop or one of its parts moved or changed last.
+vtkMTimeType CastTime(vtkProp* prop)
+{
+  vtkMTimeType time = prop->GetRedrawMTime();
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    time = std::max(time, part->GetRedrawMTime());
+    if (auto* actor = vtkActor::SafeDownCast(part))
+    {
+      time = std::max(time, LookTime(actor));
+    }
+  }
+  return time;
+}
+
 // The casters and when they changed last, as numbers.
 std::vector<double> SignCasters(const SceneCapture& scene)
 {
   std::vector<double> signature;
   for (vtkProp* prop : scene.Casters())
   {
-    signature.push_back(static_cast<double>(SceneSignature::TimeOf(prop)));
+    signature.push_back(static_cast<double>(CastTime(prop)));
     signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
   }
   return signature;
@@ -131,7 +150,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
     return;
   }
   SceneCapture& scene = frame.Capture();
-  scene.RequestFacets();
+  scene.Request(resource::Facet);
   const int layers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
     .Read(resource::Depth)

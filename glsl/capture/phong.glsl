@@ -15,9 +15,10 @@
     gl_FragData[3] = vec4(giTexture, 1.0);
     gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
-#if defined(GI_FACET) && defined(GI_EXTENDED)
-    gl_FragData[5] = vec4(giPack12(giEncodeOctahedral(giFacet)), 1.0);
-#elif defined(GI_FACET)
-    gl_FragData[3] = vec4(giPack12(giEncodeOctahedral(giFacet)), 1.0);
+#ifdef GI_FACET
+    gl_FragData[GI_FACET] = vec4(giPack12(giEncodeOctahedral(giFacet)), 1.0);
+#endif
+#ifdef GI_DISPLACEMENT
+    gl_FragData[GI_DISPLACEMENT] = vec4(giDisplacement, 1.0);
 #endif
   }
