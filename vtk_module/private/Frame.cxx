@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/Frame.h"
 
+#include "private/MotionTable.h"
+#include "private/SceneCapture.h"
 #include "private/rays/RayProps.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,6 +18,13 @@ RayProps& FrameBuilder::Rays()
     this->WorldReady = true;
   }
   return this->World;
+}
+
+MotionTable& FrameBuilder::Motion()
+{
+  this->Motions.Begin(this->CurrentView);
+  this->Scene.SetMotion(&this->Motions);
+  return this->Motions;
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)
