@@ -241,8 +241,8 @@ private:
   RenderOptions Options;
   std::string Kind = "all";
   double From = 0;
-  double To = 5;
-  int Steps = 21;
+  double To = 4;
+  int Steps = 17;
   std::optional<int> Resolution;
 };
 }

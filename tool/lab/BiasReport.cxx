@@ -40,8 +40,9 @@ nlohmann::ordered_json Describe(const BiasSweep& sweep, const BiasLimits& limits
 
 std::string Summarize(const BiasErrors& errors)
 {
-  return fmt::format("acne {:.3g} %, gap {:.2f} texels ({:.3g} at contact, in world units)",
-    100 * errors.Acne, errors.Gap(), errors.Contact.World);
+  return fmt::format(
+    "acne {:.2g} %, gap {:.2f} texels (in world units {:.2g} at contact, {:.2g} at outlines)",
+    100 * errors.Acne, errors.Gap(), errors.Contact.World, errors.Outline.World);
 }
 }
 

@@ -28,7 +28,7 @@ namespace
 using Vector = LitView::Vector;
 
 // A receiver takes at least this share of the brightest one's light: less is not seen.
-constexpr double Dimmest = 1e-4;
+constexpr float Dimmest = 1e-4f;
 
 double Strength(vtkLight* light)
 {
@@ -257,19 +257,16 @@ LitView ShadowBench::TraceTruth()
   view.Across.resize(view.PixelCount());
   view.Surface.resize(view.PixelCount());
   view.Receiver.resize(view.PixelCount());
-  const auto light = [this](std::size_t i) {
-    double most = 0;
-    for (std::size_t j = 4 * i; j < 4 * i + 3; ++j)
-    {
-      most = std::max<double>(most, this->Open[j] - this->Unlit[j]);
-    }
-    return this->Open[4 * i + 3] > 0 ? most : 0;
-  };
-  double brightest = 0;
+  view.Light.resize(view.PixelCount());
   for (std::size_t i = 0; i < view.PixelCount(); ++i)
   {
-    brightest = std::max(brightest, light(i));
+    view.Surface[i] = std::isfinite(view.Place[i][0]) && this->Open[4 * i + 3] > 0;
+    for (std::size_t j = 4 * i; view.Surface[i] && j < 4 * i + 3; ++j)
+    {
+      view.Light[i] = std::max(view.Light[i], this->Open[j] - this->Unlit[j]);
+    }
   }
+  const float brightest = *std::max_element(view.Light.begin(), view.Light.end());
   if (brightest <= 0)
   {
     Fail("the light shines on nothing in view, so that there is no shadow to study: turn the camera "
@@ -277,8 +274,8 @@ LitView ShadowBench::TraceTruth()
   }
   for (std::size_t i = 0; i < view.PixelCount(); ++i)
   {
-    view.Surface[i] = std::isfinite(view.Place[i][0]) && this->Open[4 * i + 3] > 0;
-    view.Receiver[i] = view.Surface[i] && light(i) > Dimmest * brightest;
+    view.Receiver[i] = view.Light[i] > Dimmest * brightest;
+    view.Light[i] = std::min(view.Light[i], 1.0f); // brighter is no whiter
   }
   this->DrawMask(); // so that the map's texel is known
   this->PlaceAcross(view);
