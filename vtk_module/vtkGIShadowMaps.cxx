@@ -106,6 +106,7 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
 {
   this->ShadowedLights = 0;
   this->UnshadowedLights = 0;
+  this->TexelWidth = 0.0;
   if (frame.GetView().Diagonal <= 0.0)
   {
     return false;
@@ -127,6 +128,8 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   this->Impl->Plan = std::make_shared<ShadowPlan>(
     PlanShadows(frame.Lights(), shadowed.With, frame.GetView(), options));
   this->ShadowedLights = static_cast<int>(this->Impl->Plan->LightData.size());
+  const std::vector<ShadowMap>& maps = this->Impl->Plan->Maps;
+  this->TexelWidth = maps.empty() ? 0.0 : maps.front().Shown.Texel;
   for (std::size_t i = this->ShadowedLights; i < shadowed.With.size(); ++i)
   {
     frame.Lights().Lights()[shadowed.With[i]].MaskChannel = -1;
@@ -233,6 +236,7 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
       std::min(4, static_cast<int>(plan.LightData.size()) - layer * 4));
     glUniform3f(program.Location("bias"), static_cast<GLfloat>(this->ConstantBias),
       static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
+    glUniform1i(program.Location("receiverPlane"), this->ReceiverPlane);
     glUniform1f(program.Location("filterRadius"), static_cast<GLfloat>(this->FilterRadius));
     glUniform1i(
       program.Location("filterSamples"), this->FilterRadius > 0.0 ? this->FilterSamples : 1);

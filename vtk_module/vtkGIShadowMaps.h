@@ -49,6 +49,12 @@ public:
   vtkGetMacro(UnshadowedLights, int);
   vtkGetMacro(DrawnMaps, int);
 
+  /**
+   * Of the last frame: width of a texel in the first map of the strongest light, in world units; at
+   * unit distance from the light where that is positional. 0 without a light that casts shadows.
+   */
+  vtkGetMacro(TexelWidth, double);
+
 protected:
   vtkGIShadowMaps();
   ~vtkGIShadowMaps() override;
@@ -66,6 +72,7 @@ private:
   int ShadowedLights = 0;
   int UnshadowedLights = 0;
   int DrawnMaps = 0;
+  double TexelWidth = 0.0;
   std::unique_ptr<Resources> Impl;
 };
 

@@ -19,6 +19,7 @@ layout(binding = 4) uniform sampler2D atlas;
 uniform int firstLight;
 uniform int lightCount;
 uniform vec3 bias; // constant, slope, normal; all in texels
+uniform bool receiverPlane; // whether depths are compared with the facet's plane
 
 layout(location = 0) out vec4 visibility;
 
@@ -54,11 +55,12 @@ GiReceiver receiverOf(ShadowLightData lamp, Surface surface, vec3 L, float dista
   receiver.P = surface.P + L * (texel * (bias.x + bias.y * sine / cosine) + surface.error) +
     F * (texel * bias.z * sine);
   receiver.texel = texel;
-  // Two axes across the light, slid along it into the plane.
+  // Two axes across the light, slid along it into the plane; left where they are, the plane is one
+  // across the light, of the point's own depth.
   vec3 U = normalize(abs(L.z) < 0.9 ? cross(L, vec3(0.0, 0.0, 1.0)) : cross(L, vec3(0.0, 1.0, 0.0)));
   vec3 V = cross(L, U);
-  receiver.U = U - L * (dot(F, U) / cosine);
-  receiver.V = V - L * (dot(F, V) / cosine);
+  receiver.U = receiverPlane ? U - L * (dot(F, U) / cosine) : U;
+  receiver.V = receiverPlane ? V - L * (dot(F, V) / cosine) : V;
   return receiver;
 }
 
