@@ -12,3 +12,6 @@
   gl_FragData[3] = vec4(0.0, 0.0, 0.0, giWhole);
   gl_FragData[4] = vec4(0.0, 0.0, 0.0, giDrawn.a);
 #endif
+#ifdef GI_SURROUNDINGS
+  gl_FragData[5] = vec4(0.0, 0.0, 0.0, giWhole);
+#endif

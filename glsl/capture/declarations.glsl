@@ -7,6 +7,8 @@
 //   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
 //   4 emission: rgb radiance given off
+// and, where a technique asks for it (GI_SURROUNDINGS):
+//   5 surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.

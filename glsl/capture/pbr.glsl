@@ -12,4 +12,7 @@
     gl_FragData[3] = vec4(metallic, giOcclusion, roughness, 1.0);
     gl_FragData[4] = vec4(emissiveColor, 1.0);
 #endif
+#ifdef GI_SURROUNDINGS
+    gl_FragData[5] = vec4(iblSpecular * giOcclusion, 1.0);
+#endif
   }

@@ -14,4 +14,7 @@
     gl_FragData[3] = vec4(giTexture, 1.0);
     gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
+#ifdef GI_SURROUNDINGS
+    gl_FragData[5] = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
   }

@@ -31,11 +31,12 @@ void vtkGICaptureHooks::SetTables(
   this->Shaders = shaders;
 }
 
-void vtkGICaptureHooks::SetExtended(bool extended)
+void vtkGICaptureHooks::SetExtended(bool extended, bool surroundings)
 {
-  if (this->Extended != extended)
+  if (this->Extended != extended || this->Surroundings != surroundings)
   {
     this->Extended = extended;
+    this->Surroundings = surroundings;
     this->Renew();
   }
 }
@@ -53,6 +54,10 @@ std::string vtkGICaptureHooks::Snippet(const char* name) const
   {
     defines["GI_EXTENDED"] = "1";
   }
+  if (this->Surroundings)
+  {
+    defines["GI_SURROUNDINGS"] = "1";
+  }
   return this->Shaders->Source(std::string("capture/") + name, defines);
 }
 
@@ -64,7 +69,7 @@ void vtkGICaptureHooks::CheckSnippets() const
     vtkShaderProgram::Substitute(text, Marker, this->Snippet(name), false);
     // As VTK does with its outputs.
     std::string outputs;
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 6; ++i)
     {
       const std::string number = std::to_string(i);
       vtkShaderProgram::Substitute(text, "gl_FragData[" + number + "]", "fragOutput" + number);

@@ -24,9 +24,9 @@ public:
 
   void SetTables(penumbra::MaterialTable* materials, const penumbra::ShaderLibrary* shaders);
 
-  /// Whether to write the G-buffer's extended set (textures, PBR). Mappers rebuild their shaders
-  /// when this changes.
-  void SetExtended(bool extended);
+  /// Whether to write the G-buffer's extended set (textures, PBR), and the reflected surroundings
+  /// apart. Mappers rebuild their shaders when this changes.
+  void SetExtended(bool extended, bool surroundings);
 
   /// Have mappers build their shaders anew.
   void Renew();
@@ -64,6 +64,7 @@ private:
   penumbra::MaterialTable* Materials = nullptr;
   const penumbra::ShaderLibrary* Shaders = nullptr;
   bool Extended = false;
+  bool Surroundings = false;
   bool Parallel = false;
   vtkMTimeType StageTime = 1;
 };

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/Frame.h"
 
+#include "private/SceneCapture.h"
 #include "private/rays/RayProps.h"
+
+#include "vtkOpenGLRenderer.h"
+#include "vtkTexture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -16,6 +20,14 @@ RayProps& FrameBuilder::Rays()
     this->WorldReady = true;
   }
   return this->World;
+}
+
+void FrameBuilder::RequestLitRadiance()
+{
+  this->LitRadianceWanted = true;
+  const bool environment =
+    this->Renderer->GetUseImageBasedLighting() && this->Renderer->GetEnvironmentTexture();
+  this->Scene.KeepSurroundings(environment);
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)

@@ -94,6 +94,45 @@ bool NeedsExtended(vtkProp* prop)
 
 namespace
 {
+// The most that a property's highlight reflects of light from all around, facing the eye.
+double HighlightOf(vtkProperty* property)
+{
+  if (!property || !property->GetLighting())
+  {
+    return 0.0;
+  }
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    const bool metal = property->GetMetallic() > 0.0 || property->GetNumberOfTextures() > 0;
+    return metal || property->GetBaseIOR() > 1.0 ? 1.0 : 0.0;
+  }
+  const double* color = property->GetSpecularColor();
+  return 2.0 * property->GetSpecular() * std::max(color[0], std::max(color[1], color[2])) /
+    (property->GetSpecularPower() + 1.0);
+}
+
+bool ReflectsShare(vtkProp* prop, double share)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (ReflectsShare(part, share))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor &&
+    std::max(HighlightOf(actor->GetProperty()), HighlightOf(actor->GetBackfaceProperty())) >=
+    std::max(share, 1e-6);
+}
+
 // Whether a prop's opaque fragments may have an alpha below one: VTK looks at neither where the
 // actor is forced opaque, nor at the textures of its property.
 bool MayCoverInPart(vtkProp* prop)
@@ -185,13 +224,21 @@ void SceneCapture::Collect(const vtkRenderState* state)
   }
   this->Table.SetCoverInPart(part);
   this->Extended = extended;
-  this->Hooks->SetExtended(extended);
+  this->Surroundings = false;
+}
+
+bool SceneCapture::Reflects(double share) const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(),
+    [share](vtkProp* prop) { return ReflectsShare(prop, share); });
 }
 
 void SceneCapture::Contribute(FrameBuilder& frame)
 {
   // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
   // its linear values need more.
+  this->Surroundings = this->Surroundings && this->Extended;
+  this->Hooks->SetExtended(this->Extended, this->Surroundings);
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as VTK's are.
@@ -208,6 +255,10 @@ void SceneCapture::Contribute(FrameBuilder& frame)
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
       .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
   }
+  if (this->Surroundings)
+  {
+    pass.Write(resource::Surroundings, frame.WindowTexture(GL_RGBA16F));
+  }
   pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
 }
 
@@ -218,6 +269,10 @@ void SceneCapture::Draw(FrameContext& context)
   {
     outputs.push_back(resource::Surface);
     outputs.push_back(resource::Emission);
+  }
+  if (this->Surroundings)
+  {
+    outputs.push_back(resource::Surroundings);
   }
   ScopedState scope(context.State());
   GLint bound = 0;

@@ -39,6 +39,12 @@ public:
   /// all visible ones, in view or not, that may cast shadows.
   void Collect(const vtkRenderState* state);
 
+  /// Have resource::Surroundings written in this frame, where the extended set is.
+  void KeepSurroundings(bool keep) { this->Surroundings = keep; }
+
+  /// Whether the highlight of any prop in view reflects this share of the incoming light or more.
+  bool Reflects(double share) const;
+
   /// Add the pass that writes the G-buffer.
   void Contribute(FrameBuilder& frame);
 
@@ -67,6 +73,7 @@ private:
   std::vector<vtkProp*> Others;
   std::vector<vtkProp*> All;
   bool Extended = false;
+  bool Surroundings = false;
   int Drawn = 0;
 };
 }

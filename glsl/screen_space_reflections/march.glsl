@@ -1,0 +1,154 @@
+// A ray through the depth buffer. In window coordinates a straight line stays straight, and its depth
+// grows evenly along it, in perspective too; so it is walked from cell to cell of the depth pyramid:
+// over large cells where it is clear of all that is in them, down to pixels where it may meet something
+// (McGuire and Mara 2014, "Efficient GPU Screen-Space Ray Tracing"; Uludag 2014, "Hi-Z Screen-Space
+// Cone-Traced Reflections"). Needs shared/view.h, shared/reflection.h, lib/octahedral.glsl,
+// lib/reconstruct.glsl, and the textures of lobe.glsl.
+layout(binding = 5) uniform sampler2D pyramidTexture;
+
+uniform ivec2 levelOffset[GI_PYRAMID_LEVELS + 1];
+uniform int maximumSteps;
+uniform float reach;     // world units: no ray finds anything farther
+uniform float thickness; // world units
+uniform float edgeFade;  // of the picture's smaller side
+
+// Surfaces seen by a ray more edge-on than this are trusted less: the eye sees little of them.
+const float GRAZING = 0.1;
+
+struct Found
+{
+  int end;
+  vec3 position;    // view coordinates
+  vec2 window;      // pixels of the viewport
+  float confidence;
+};
+
+vec3 toWindow(vec3 position)
+{
+  vec4 clip = view.ViewToClip * vec4(position, 1.0);
+  vec3 ndc = clip.xyz / clip.w * 0.5 + 0.5;
+  return vec3(ndc.xy * view.Viewport.zw, ndc.z);
+}
+
+vec2 depthRange(int level, ivec2 cell)
+{
+  return level == 0 ? texelFetch(depthTexture, cell + ivec2(view.Viewport.xy), 0).rr
+                    : texelFetch(pyramidTexture, levelOffset[level] + cell, 0).rg;
+}
+
+// z in view coordinates.
+float viewDepth(float depth)
+{
+  float ndc = depth * 2.0 - 1.0;
+  return (view.ClipToView[2].z * ndc + view.ClipToView[3].z) /
+    (view.ClipToView[2].w * ndc + view.ClipToView[3].w);
+}
+
+// The depth of what lies behind this one by the thickness that surfaces are taken to have.
+float beyond(float depth)
+{
+  float z = viewDepth(depth) - thickness;
+  return (view.ViewToClip[2].z * z + view.ViewToClip[3].z) /
+    (view.ViewToClip[2].w * z + view.ViewToClip[3].w) * 0.5 + 0.5;
+}
+
+vec2 reciprocal(vec2 v)
+{
+  vec2 size = max(abs(v), vec2(1e-6));
+  return vec2(v.x < 0.0 ? -1.0 : 1.0, v.y < 0.0 ? -1.0 : 1.0) / size;
+}
+
+float trust(vec2 window, float facing)
+{
+  vec2 inside = min(window, view.Viewport.zw - window) / min(view.Viewport.z, view.Viewport.w);
+  float edge = edgeFade > 0.0 ? smoothstep(0.0, edgeFade, min(inside.x, inside.y)) : 1.0;
+  return edge * smoothstep(0.0, GRAZING, facing);
+}
+
+// Whether the ray meets the surface that is seen at a pixel: it must come to its front, and cross it
+// there. Where the ray was in front of the last pixel's surface and is behind this one's, by no more
+// than the thickness, it met what is between them. from: the ray's depth where it comes to the pixel.
+bool meets(vec3 O, vec3 D, ivec2 cell, float depth, float from, bool before, inout Found found)
+{
+  ivec2 pixel = cell + ivec2(view.Viewport.xy);
+  vec2 center = vec2(cell) + 0.5;
+  vec3 there = giViewPosition(vec2(pixel) + 0.5, depth);
+  vec3 normal = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
+  float facing = -dot(normal, D);
+  if (facing <= 0.0)
+  {
+    found.end = GI_REFLECTION_BACK;
+    return false;
+  }
+  float t = dot(normal, O - there) / facing;
+  vec3 crossing = O + t * D;
+  vec2 window = toWindow(crossing).xy;
+  // Half a pixel more than its own: neighbours' planes do not join exactly.
+  if (t <= 0.0 || any(greaterThan(abs(window - center), vec2(1.0))))
+  {
+    if (!before || viewDepth(depth) - viewDepth(from) > thickness)
+    {
+      return false;
+    }
+    crossing = there;
+    window = center;
+  }
+  found.end = GI_REFLECTION_HIT;
+  found.position = crossing;
+  found.window = window;
+  found.confidence = trust(window, facing);
+  return true;
+}
+
+// From the surface of a pixel of the viewport, at this depth, along a unit vector.
+Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
+{
+  Found found = Found(GI_REFLECTION_EMPTY, O + reach * D, vec2(-1.0), 0.0);
+  float nearest = viewDepth(0.0);
+  float range = D.z > 0.0 ? min(reach, 0.999 * (nearest - O.z) / D.z) : reach;
+  vec3 from = vec3(vec2(start) + 0.5, depth);
+  vec3 along = toWindow(O + range * D) - from;
+  ivec2 ahead = ivec2(greaterThan(along.xy, vec2(0.0)));
+  vec2 leave = (vec2(ahead) * view.Viewport.zw - from.xy) * reciprocal(along.xy);
+  float end = min(min(leave.x, leave.y), 1.0);
+  bool leaves = end < 1.0;
+  along *= end;
+  float pixels = max(abs(along.x), abs(along.y));
+  vec2 inverse_ = reciprocal(along.xy);
+  vec2 first = (vec2(start + ahead) - from.xy) * inverse_;
+  float nudge = 2e-3 / max(pixels, 1.0);
+  float u = min(first.x, first.y) + nudge;
+  ivec2 last = ivec2(view.Viewport.zw) - 1;
+  int level = 0;
+  bool hidden = pixels < 1.0 && D.z <= 0.0;
+  bool before = true;
+  int i = 0;
+  for (; i < maximumSteps && u < 1.0 && pixels >= 1.0; ++i)
+  {
+    ivec2 cell = min(ivec2(from.xy + u * along.xy), last) >> level;
+    vec2 bounds = (vec2((cell + ahead) << level) - from.xy) * inverse_;
+    float next = min(min(bounds.x, bounds.y), 1.0);
+    vec2 ray = from.z + vec2(u, next) * along.z;
+    vec2 surface = depthRange(level, cell);
+    bool clear = max(ray.x, ray.y) < surface.x;
+    bool behind = !clear && min(ray.x, ray.y) > beyond(surface.y);
+    if (!clear && !behind && level > 0)
+    {
+      --level;
+      continue;
+    }
+    if (!clear && !behind && meets(O, D, cell, surface.x, ray.x, before, found))
+    {
+      return found;
+    }
+    hidden = hidden || behind;
+    before = clear;
+    u = next + nudge;
+    level = clear || behind ? min(level + 1, GI_PYRAMID_LEVELS) : level;
+  }
+  bool back = found.end == GI_REFLECTION_BACK;
+  found.end = i == maximumSteps ? GI_REFLECTION_STEPS : back ? GI_REFLECTION_BACK
+    : hidden ? GI_REFLECTION_HIDDEN : dot(D, V) > 0.0 ? GI_REFLECTION_FACING
+    : leaves ? GI_REFLECTION_LEFT : GI_REFLECTION_EMPTY;
+  return found;
+}

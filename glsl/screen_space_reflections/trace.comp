@@ -1,0 +1,84 @@
+#version 430 core
+// Rays from every reflecting pixel, in directions picked by its lobe, to what else is on the screen.
+// Variants: GI_EXTENDED (textures, PBR), GI_DEBUG (keep how rays ended).
+#include "shared/view.h"
+#include "shared/material.h"
+#include "shared/reflection.h"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/pbr.glsl"
+#include "lib/sampling.glsl"
+#include "screen_space_reflections/lobe.glsl"
+#include "screen_space_reflections/march.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba32f, binding = 0) uniform writeonly image2DArray rays;  // xyz: end, w: density, -1 for none
+layout(rgba16f, binding = 1) uniform writeonly image2DArray found_; // radiance times confidence, that
+#ifdef GI_DEBUG
+layout(rgba32f, binding = 2) uniform writeonly image2D ends; // xy: pixel, z: reason, w: confidence
+#endif
+
+layout(binding = 6) uniform sampler2D litTexture;
+
+uniform int samples;
+
+void skip(ivec2 window, int reason)
+{
+  for (int i = 0; i < samples; ++i)
+  {
+    imageStore(rays, ivec3(window, i), vec4(0.0, 0.0, 0.0, -1.0));
+  }
+#ifdef GI_DEBUG
+  imageStore(ends, window, vec4(-1.0, -1.0, float(reason), 0.0));
+#endif
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 low = ivec2(view.Viewport.xy);
+  ivec2 window = pixel + low;
+  if (any(greaterThanEqual(pixel, ivec2(view.Viewport.zw))))
+  {
+    return;
+  }
+  if (texelFetch(albedoTexture, window, 0).a == 0.0)
+  {
+    skip(window, GI_REFLECTION_NONE);
+    return;
+  }
+  float depth = texelFetch(depthTexture, window, 0).r;
+  vec3 P = giViewPosition(vec2(window) + 0.5, depth);
+  Lobe lobe = lobeAt(window, P);
+  if (!isTraced(lobe))
+  {
+    skip(window, !lobe.reflects || dot(lobe.color, vec3(1.0)) <= 0.0 ? GI_REFLECTION_NONE
+        : isWeak(lobe) ? GI_REFLECTION_WEAK : GI_REFLECTION_ROUGH);
+    return;
+  }
+  uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
+  for (int i = 0; i < samples; ++i)
+  {
+    vec3 L = sampleLobe(lobe, giSample2D(uint(view.Frame.x * samples + i), seed));
+    Found found = Found(GI_REFLECTION_HORIZON, P, vec2(-1.0), 1.0);
+    vec3 radiance = vec3(0.0);
+    if (dot(lobe.N, L) > 0.0)
+    {
+      found = march(pixel, depth, P, L, lobe.V);
+      radiance = found.end == GI_REFLECTION_HIT
+        ? texelFetch(litTexture, low + clamp(ivec2(found.window), ivec2(0), ivec2(view.Viewport.zw) - 1), 0).rgb
+        : vec3(0.0);
+    }
+    float density = found.end == GI_REFLECTION_HORIZON ? -1.0
+      : isMirror(lobe) ? 0.0 : lobeDensity(lobe, L);
+    imageStore(rays, ivec3(window, i), vec4(found.position, density));
+    imageStore(found_, ivec3(window, i), vec4(radiance * found.confidence, found.confidence));
+#ifdef GI_DEBUG
+    if (i == 0)
+    {
+      imageStore(ends, window, vec4(found.window, float(found.end), found.confidence));
+    }
+#endif
+  }
+}
