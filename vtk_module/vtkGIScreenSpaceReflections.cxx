@@ -44,18 +44,17 @@ int GroupsOf(int size, int group)
 }
 
 /// Where the levels of the depth pyramid lie in its texture: the first at the origin, the others in a
-/// row above it. Entry 0 is the size of the texture.
-std::array<glm::ivec2, GI_PYRAMID_LEVELS + 1> PyramidLayout(const glm::ivec2& size)
+/// column beside it. The last entry is the size of the texture.
+std::array<glm::ivec2, GI_PYRAMID_LEVELS + 2> PyramidLayout(const glm::ivec4& viewport)
 {
-  std::array<glm::ivec2, GI_PYRAMID_LEVELS + 1> layout{};
-  const glm::ivec2 half((size.x + 1) / 2, (size.y + 1) / 2);
-  int x = 0;
-  for (int level = 2; level <= GI_PYRAMID_LEVELS; ++level)
+  std::array<glm::ivec2, GI_PYRAMID_LEVELS + 2> layout{};
+  int height = 0;
+  for (int level = 1; level <= GI_PYRAMID_LEVELS; ++level)
   {
-    layout[level] = { x, half.y };
-    x += GroupsOf(size.x, 1 << level);
+    layout[level] = { viewport.z, height };
+    height += GroupsOf(viewport.w, 1 << level);
   }
-  layout[0] = { std::max(half.x, x), half.y + GroupsOf(size.y, 4) };
+  layout.back() = { viewport.z + GroupsOf(viewport.z, 2), std::max(viewport.w, height) };
   return layout;
 }
 
@@ -103,17 +102,17 @@ struct Reflector
 
   static void SetLevels(const FrameContext& context, const Program& program)
   {
-    const auto layout =
-      PyramidLayout({ context.GetView().Viewport.z, context.GetView().Viewport.w });
+    const auto layout = PyramidLayout(context.GetView().Viewport);
     glUniform2iv(program.Location("levelOffset"), GI_PYRAMID_LEVELS + 1, &layout[0].x);
   }
 
-  static void ReducePyramid(FrameContext& context)
+  void ReducePyramid(FrameContext& context) const
   {
     const glm::ivec4& area = context.GetView().Viewport;
     const Program& program = context.Shaders().Compute("screen_space_reflections/depth_pyramid.comp");
     context.Use(program, { context.Input(resource::WindowDepth) });
     SetLevels(context, program);
+    glUniform1f(program.Location("thickness"), static_cast<GLfloat>(this->Thickness));
     glBindImageTexture(
       0, context.Output(Pyramid)->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
     constexpr int pixels = 4 * GI_PYRAMID_GROUP;
@@ -279,11 +278,11 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     ready.Table = this->Impl->Table.get();
     return ready;
   };
-  const glm::ivec2 size = PyramidLayout({ view.Viewport.z, view.Viewport.w })[0];
+  const glm::ivec2 size = PyramidLayout(view.Viewport).back();
   frame.AddPass("reflection-pyramid")
     .Read(resource::WindowDepth)
     .Write(Pyramid, { GL_RG32F, size.x, size.y, 0 })
-    .Execute(Reflector::ReducePyramid);
+    .Execute([reflector](FrameContext& context) { reflector.ReducePyramid(context); });
   ReadLobe(frame.AddPass("reflection-trace"))
     .Read(Pyramid)
     .Read(resource::LitRadiance)

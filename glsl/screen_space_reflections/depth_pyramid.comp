@@ -1,9 +1,12 @@
 #version 430 core
-// The least and the largest depth over squares of 2, 4, ... 64 pixels, in one dispatch: a group reduces
-// 64 x 64 pixels (Greene, Kass and Miller 1993, "Hierarchical Z-Buffer Visibility"). Sizes are rounded
-// up, so a texel covers exactly its pixels, of which there are fewer at the upper bounds of an odd size.
+// Where surfaces begin and end along the view, as depths: of each pixel, and over squares of 2, 4, ...
+// 64 pixels, in one dispatch, as a group reduces 64 x 64 pixels (Greene, Kass and Miller 1993,
+// "Hierarchical Z-Buffer Visibility"). A surface ends by the thickness behind its beginning. Sizes are
+// rounded up, so a texel covers exactly its pixels, of which there are fewer at the upper bounds of an
+// odd size.
 #include "shared/view.h"
 #include "shared/reflection.h"
+#include "lib/reconstruct.glsl"
 
 layout(local_size_x = GI_PYRAMID_GROUP, local_size_y = GI_PYRAMID_GROUP) in;
 
@@ -11,6 +14,7 @@ layout(rg32f, binding = 0) uniform writeonly image2D pyramid;
 layout(binding = 0) uniform sampler2D depthTexture;
 
 uniform ivec2 levelOffset[GI_PYRAMID_LEVELS + 1];
+uniform float thickness; // world units
 
 const vec2 NOTHING = vec2(2.0, -1.0);
 
@@ -30,10 +34,19 @@ void store(int level, ivec2 texel, vec2 range)
   }
 }
 
-vec2 depthOf(ivec2 pixel)
+vec2 surfaceAt(ivec2 pixel)
 {
-  bool inside = all(lessThan(pixel, ivec2(view.Viewport.zw)));
-  return inside ? texelFetch(depthTexture, pixel + ivec2(view.Viewport.xy), 0).rr : NOTHING;
+  if (any(greaterThanEqual(pixel, ivec2(view.Viewport.zw))))
+  {
+    return NOTHING;
+  }
+  float depth = texelFetch(depthTexture, pixel + ivec2(view.Viewport.xy), 0).r;
+  float z = giViewDepth(depth) - thickness;
+  float end = (view.ViewToClip[2].z * z + view.ViewToClip[3].z) /
+    (view.ViewToClip[2].w * z + view.ViewToClip[3].w);
+  vec2 range = vec2(depth, end * 0.5 + 0.5);
+  store(0, pixel, range);
+  return range;
 }
 
 void main()
@@ -46,8 +59,8 @@ void main()
   {
     ivec2 texel = at * 2 + ivec2(i & 1, i >> 1);
     ivec2 pixel = texel * 2;
-    vec2 four = join(join(depthOf(pixel), depthOf(pixel + ivec2(1, 0))),
-      join(depthOf(pixel + ivec2(0, 1)), depthOf(pixel + 1)));
+    vec2 four = join(join(surfaceAt(pixel), surfaceAt(pixel + ivec2(1, 0))),
+      join(surfaceAt(pixel + ivec2(0, 1)), surfaceAt(pixel + 1)));
     store(1, texel, four);
     range = join(range, four);
   }

@@ -30,28 +30,6 @@ vec3 toWindow(vec3 position)
   return vec3(ndc.xy * view.Viewport.zw, ndc.z);
 }
 
-vec2 depthRange(int level, ivec2 cell)
-{
-  return level == 0 ? texelFetch(depthTexture, cell + ivec2(view.Viewport.xy), 0).rr
-                    : texelFetch(pyramidTexture, levelOffset[level] + cell, 0).rg;
-}
-
-// z in view coordinates.
-float viewDepth(float depth)
-{
-  float ndc = depth * 2.0 - 1.0;
-  return (view.ClipToView[2].z * ndc + view.ClipToView[3].z) /
-    (view.ClipToView[2].w * ndc + view.ClipToView[3].w);
-}
-
-// The depth of what lies behind this one by the thickness that surfaces are taken to have.
-float beyond(float depth)
-{
-  float z = viewDepth(depth) - thickness;
-  return (view.ViewToClip[2].z * z + view.ViewToClip[3].z) /
-    (view.ViewToClip[2].w * z + view.ViewToClip[3].w) * 0.5 + 0.5;
-}
-
 vec2 reciprocal(vec2 v)
 {
   vec2 size = max(abs(v), vec2(1e-6));
@@ -86,7 +64,7 @@ bool meets(vec3 O, vec3 D, ivec2 cell, float depth, float from, bool before, ino
   // Half a pixel more than its own: neighbours' planes do not join exactly.
   if (t <= 0.0 || any(greaterThan(abs(window - center), vec2(1.0))))
   {
-    if (!before || viewDepth(depth) - viewDepth(from) > thickness)
+    if (!before || giViewDepth(depth) - giViewDepth(from) > thickness)
     {
       return false;
     }
@@ -104,7 +82,7 @@ bool meets(vec3 O, vec3 D, ivec2 cell, float depth, float from, bool before, ino
 Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
 {
   Found found = Found(GI_REFLECTION_EMPTY, O + reach * D, vec2(-1.0), 0.0);
-  float nearest = viewDepth(0.0);
+  float nearest = giViewDepth(0.0);
   float range = D.z > 0.0 ? min(reach, 0.999 * (nearest - O.z) / D.z) : reach;
   vec3 from = vec3(vec2(start) + 0.5, depth);
   vec3 along = toWindow(O + range * D) - from;
@@ -129,9 +107,9 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
     vec2 bounds = (vec2((cell + ahead) << level) - from.xy) * inverse_;
     float next = min(min(bounds.x, bounds.y), 1.0);
     vec2 ray = from.z + vec2(u, next) * along.z;
-    vec2 surface = depthRange(level, cell);
+    vec2 surface = texelFetch(pyramidTexture, levelOffset[level] + cell, 0).rg;
     bool clear = max(ray.x, ray.y) < surface.x;
-    bool behind = !clear && min(ray.x, ray.y) > beyond(surface.y);
+    bool behind = !clear && min(ray.x, ray.y) > surface.y;
     if (!clear && !behind && level > 0)
     {
       --level;
@@ -144,7 +122,9 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
     hidden = hidden || behind;
     before = clear;
     u = next + nudge;
-    level = clear || behind ? min(level + 1, GI_PYRAMID_LEVELS) : level;
+    // Up where the next cell is another one of the level above.
+    bool over = bounds.x < bounds.y ? (cell.x & 1) == ahead.x : (cell.y & 1) == ahead.y;
+    level += over && (clear || behind) && level < GI_PYRAMID_LEVELS ? 1 : 0;
   }
   bool back = found.end == GI_REFLECTION_BACK;
   found.end = i == maximumSteps ? GI_REFLECTION_STEPS : back ? GI_REFLECTION_BACK
