@@ -26,7 +26,7 @@ constexpr const char* Ends = "screen-space-reflections.ends";
 constexpr int CompositeOrder = 300;
 
 // Part of the scene's diagonal that the automatic thickness takes.
-constexpr double AutomaticThickness = 0.01;
+constexpr double AutomaticThickness = 0.001;
 
 constexpr int TableSize = 32;
 constexpr int Neighbours = 12; // whose rays a pixel shares
@@ -110,7 +110,8 @@ struct Reflector
   {
     const glm::ivec4& area = context.GetView().Viewport;
     const Program& program = context.Shaders().Compute("screen_space_reflections/depth_pyramid.comp");
-    context.Use(program, { context.Input(resource::WindowDepth) });
+    context.Use(
+      program, { context.Input(resource::WindowDepth), context.Input(resource::Normal) });
     SetLevels(context, program);
     glUniform1f(program.Location("thickness"), static_cast<GLfloat>(this->Thickness));
     glBindImageTexture(
@@ -281,6 +282,7 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   const glm::ivec2 size = PyramidLayout(view.Viewport).back();
   frame.AddPass("reflection-pyramid")
     .Read(resource::WindowDepth)
+    .Read(resource::Normal)
     .Write(Pyramid, { GL_RG32F, size.x, size.y, 0 })
     .Execute([reflector](FrameContext& context) { reflector.ReducePyramid(context); });
   ReadLobe(frame.AddPass("reflection-trace"))

@@ -30,6 +30,25 @@ vec3 toWindow(vec3 position)
   return vec3(ndc.xy * view.Viewport.zw, ndc.z);
 }
 
+// World units.
+float pixelSize(float z)
+{
+  return 2.0 * (view.Scene.y > 0.5 ? 1.0 : -z) / (view.Viewport.w * view.ViewToClip[1].y);
+}
+
+// Depth of an unseen back over the width of what hides it. Balls have 0.5, thin things less.
+const float BULGE = 0.35;
+
+// Whether a ray meets the unseen side of what hides a stretch of it, which is taken to be half an
+// ellipse over that stretch. Its line begins by a gap behind the ellipse's middle and falls m over the
+// half-width a; it clears an ellipse of half-depth b if the gap is more than sqrt(b^2 + m^2) - m.
+bool meetsBack(float gap, float falls, float wide)
+{
+  float b = BULGE * wide;
+  float m = 0.5 * max(falls, 0.0);
+  return gap < sqrt(b * b + m * m) - m;
+}
+
 vec2 reciprocal(vec2 v)
 {
   vec2 size = max(abs(v), vec2(1e-6));
@@ -44,37 +63,47 @@ float trust(vec2 window, float facing)
 }
 
 // Whether the ray meets the surface that is seen at a pixel: it must come to its front, and cross it
-// there. Where the ray was in front of the last pixel's surface and is behind this one's, by no more
-// than the thickness, it met what is between them. from: the ray's depth where it comes to the pixel.
-bool meets(vec3 O, vec3 D, ivec2 cell, float depth, float from, bool before, inout Found found)
+// there, no deeper than the surface reaches. Where the ray was before the last pixel's surface and is
+// behind this one's, by no more than the thickness, it met what is between them. surface: where that
+// begins and ends; from: the ray's depth where it comes to the pixel; before: whether it was before the
+// surface so far, and then whether it still is.
+bool meets(vec3 O, vec3 D, vec2 way, ivec2 cell, vec2 surface, float from, inout bool before, inout Found found)
 {
   ivec2 pixel = cell + ivec2(view.Viewport.xy);
   vec2 center = vec2(cell) + 0.5;
-  vec3 there = giViewPosition(vec2(pixel) + 0.5, depth);
+  vec3 there = giViewPosition(vec2(pixel) + 0.5, surface.x);
   vec3 normal = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
   float facing = -dot(normal, D);
   if (facing <= 0.0)
   {
     found.end = GI_REFLECTION_BACK;
+    before = false;
     return false;
   }
   float t = dot(normal, O - there) / facing;
   vec3 crossing = O + t * D;
-  vec2 window = toWindow(crossing).xy;
-  // Half a pixel more than its own: neighbours' planes do not join exactly.
-  if (t <= 0.0 || any(greaterThan(abs(window - center), vec2(1.0))))
+  vec3 place = toWindow(crossing);
+  vec2 off = place.xy - center;
+  // Half a pixel more than its own: neighbours' planes do not join exactly. One more where the last
+  // pixel's surface was taken to be as deep all over as in its middle.
+  float margin = before ? 1.5 : 1.0;
+  bool crosses = t > 0.0 && max(abs(off.x), abs(off.y)) <= margin && place.z <= surface.y;
+  bool later = t > 0.0 && dot(off, way) > 0.0;
+  if (!crosses)
   {
-    if (!before || giViewDepth(depth) - giViewDepth(from) > thickness)
+    bool edge = before && !later && giViewDepth(surface.x) - giViewDepth(from) <= thickness;
+    before = before && later;
+    if (!edge)
     {
       return false;
     }
     crossing = there;
-    window = center;
+    place.xy = center;
   }
   found.end = GI_REFLECTION_HIT;
   found.position = crossing;
-  found.window = window;
-  found.confidence = trust(window, facing);
+  found.window = place.xy;
+  found.confidence = trust(place.xy, facing);
   return true;
 }
 
@@ -98,8 +127,12 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
   float u = min(first.x, first.y) + nudge;
   ivec2 last = ivec2(view.Viewport.zw) - 1;
   int level = 0;
+  float length_ = length(along.xy);
   bool hidden = pixels < 1.0 && D.z <= 0.0;
+  bool blocked = false;
   bool before = true;
+  float since = -1.0; // where the ray went behind what hides it now
+  vec2 entry = vec2(0.0); // view depths of the ray and of what hides it, there
   int i = 0;
   for (; i < maximumSteps && u < 1.0 && pixels >= 1.0; ++i)
   {
@@ -115,19 +148,36 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
       --level;
       continue;
     }
-    if (!clear && !behind && meets(O, D, cell, surface.x, ray.x, before, found))
+    float z = giViewDepth(ray.x);
+    if (behind && since < 0.0)
+    {
+      since = u;
+      entry = vec2(z, giViewDepth(surface.y));
+    }
+    else if (!behind && since >= 0.0)
+    {
+      blocked =
+        meetsBack(entry.y - entry.x, entry.x - z, (u - since) * length_ * pixelSize(entry.y));
+      since = -1.0;
+      if (blocked)
+      {
+        break;
+      }
+    }
+    if (!clear && !behind && meets(O, D, along.xy, cell, surface, ray.x, before, found))
     {
       return found;
     }
     hidden = hidden || behind;
-    before = clear;
+    before = clear || (before && !behind);
     u = next + nudge;
     // Up where the next cell is another one of the level above.
     bool over = bounds.x < bounds.y ? (cell.x & 1) == ahead.x : (cell.y & 1) == ahead.y;
     level += over && (clear || behind) && level < GI_PYRAMID_LEVELS ? 1 : 0;
   }
   bool back = found.end == GI_REFLECTION_BACK;
-  found.end = i == maximumSteps ? GI_REFLECTION_STEPS : back ? GI_REFLECTION_BACK
+  found.end = i == maximumSteps ? GI_REFLECTION_STEPS
+    : blocked ? GI_REFLECTION_HIDDEN : back ? GI_REFLECTION_BACK
     : hidden ? GI_REFLECTION_HIDDEN : dot(D, V) > 0.0 ? GI_REFLECTION_FACING
     : leaves ? GI_REFLECTION_LEFT : GI_REFLECTION_EMPTY;
   return found;
