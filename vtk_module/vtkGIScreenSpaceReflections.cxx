@@ -6,6 +6,7 @@
 #include "private/MaterialTable.h"
 #include "private/SceneCapture.h"
 #include "private/ScopedState.h"
+#include "private/rays/RayProps.h"
 
 #include "reflection.h"
 
@@ -74,6 +75,7 @@ struct Reflector
   int Fallback;
   int DebugView;
   double Share; ///< of the lights' strength that is spread over all directions
+  RayProps* World; ///< nullptr without rays
 
   Defines Variant() const
   {
@@ -134,6 +136,11 @@ struct Reflector
   {
     const View& view = context.GetView();
     Defines defines = this->Variant();
+    if (this->World)
+    {
+      defines.merge(this->World->ShaderDefines());
+      defines["GI_FALLBACK_RAYS"] = "1";
+    }
     if (this->DebugView)
     {
       defines["GI_DEBUG"] = "1";
@@ -142,6 +149,10 @@ struct Reflector
       context.Shaders().Compute("screen_space_reflections/trace.comp", defines);
     this->Use(
       context, program, { context.Input(Pyramid), context.Input(resource::LitRadiance) });
+    if (this->World)
+    {
+      this->BindWorld(context, program);
+    }
     SetLevels(context, program);
     glUniform1i(program.Location("maximumSteps"), this->Steps);
     glUniform1i(program.Location("samples"), this->Samples);
@@ -159,6 +170,26 @@ struct Reflector
     constexpr int group = 8;
     glDispatchCompute(GroupsOf(view.Viewport.z, group), GroupsOf(view.Viewport.w, group), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  }
+
+  void BindWorld(FrameContext& context, const Program& program) const
+  {
+    const View& view = context.GetView();
+    this->World->Bind(program);
+    this->Lights->BindWorld(0, this->World->Origin());
+    const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
+    const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - this->World->Origin());
+    glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
+    glUniform3fv(program.Location("eye"), 1, &eye[0]);
+    glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
+    glUniform1f(program.Location("lampShare"), static_cast<GLfloat>(1.0 - this->Share));
+    this->SetAmbientLight(program);
+  }
+
+  void SetAmbientLight(const Program& program) const
+  {
+    const glm::vec3 ambient(this->Share * this->Lights->TotalColor());
+    glUniform3fv(program.Location("ambientLight"), 1, &ambient[0]);
   }
 
   /// How rays ended, kept for those who ask vtkGIPass::GetBuffer for it.
@@ -211,8 +242,7 @@ struct Reflector
         this->DebugView ? &EndTexture(context) : nullptr });
     glUniform1i(program.Location("debugMode"), this->DebugView);
     glUniform1f(program.Location("keep"), this->Fallback == None ? 0.0f : 1.0f);
-    const glm::vec3 ambient(this->Share * this->Lights->TotalColor());
-    glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
+    this->SetAmbientLight(program);
     context.DrawFullscreen();
   }
 };
@@ -265,7 +295,13 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   const Reflector reflector = { nullptr, &frame.Capture().Materials(), &frame.Lights(),
     frame.Capture().IsExtended(), this->Samples, this->MaximumSteps, thickness, this->EdgeFade,
     this->MaximumRoughness, this->MinimumReflectance, this->Filter ? Neighbours : 0,
-    this->Fallback, this->DebugView, frame.GetSpreadShare() };
+    this->Fallback, this->DebugView, frame.GetSpreadShare(),
+    this->Fallback == ByRays ? &frame.Rays() : nullptr };
+  if (reflector.World && reflector.World->LeftOut() > 0)
+  {
+    frame.AddNote("rays do not see " + std::to_string(reflector.World->LeftOut()) +
+      " props of kinds that cannot be traced yet: reflections show them on the screen only");
+  }
   const auto bound = [this, reflector](FrameContext& context) {
     Reflector ready = reflector;
     if (!this->Impl->Table)

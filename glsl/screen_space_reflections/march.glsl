@@ -37,7 +37,7 @@ float pixelSize(float z)
 }
 
 // Depth of an unseen back over the width of what hides it. Balls have 0.5, thin things less.
-const float BULGE = 0.35;
+const float BULGE = 0.4;
 
 // Whether a ray meets the unseen side of what hides a stretch of it, which is taken to be half an
 // ellipse over that stretch. Its line begins by a gap behind the ellipse's middle and falls m over the

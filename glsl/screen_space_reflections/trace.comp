@@ -1,6 +1,8 @@
 #version 430 core
 // Rays from every reflecting pixel, in directions picked by its lobe, to what else is on the screen.
-// Variants: GI_EXTENDED (textures, PBR), GI_DEBUG (keep how rays ended).
+// Variants: GI_EXTENDED (textures, PBR), GI_DEBUG (keep how rays ended), GI_FALLBACK_RAYS (rays
+// through the scene find what the screen does not show; with the variants of rays/passage.glsl).
+#define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/material.h"
 #include "shared/reflection.h"
@@ -10,6 +12,16 @@
 #include "lib/sampling.glsl"
 #include "screen_space_reflections/lobe.glsl"
 #include "screen_space_reflections/march.glsl"
+#ifdef GI_FALLBACK_RAYS
+#include "shared/light.h"
+#include "lib/lights.glsl"
+#include "lib/phong.glsl"
+#include "rays/trace.glsl"
+#include "rays/surface.glsl"
+#include "rays/passage.glsl"
+#include "path_tracing/reflection.glsl"
+#include "screen_space_reflections/rays.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -32,6 +44,12 @@ void skip(ivec2 window, int reason)
 #ifdef GI_DEBUG
   imageStore(ends, window, vec4(-1.0, -1.0, float(reason), 0.0));
 #endif
+}
+
+vec3 litAt(vec2 place)
+{
+  ivec2 pixel = clamp(ivec2(place), ivec2(0), ivec2(view.Viewport.zw) - 1);
+  return texelFetch(litTexture, pixel + ivec2(view.Viewport.xy), 0).rgb;
 }
 
 void main()
@@ -58,6 +76,7 @@ void main()
     return;
   }
   uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
+  uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
   for (int i = 0; i < samples; ++i)
   {
     vec3 L = sampleLobe(lobe, giSample2D(uint(view.Frame.x * samples + i), seed));
@@ -67,13 +86,21 @@ void main()
     {
       found = march(pixel, depth, P, L, lobe.V);
       radiance = found.end == GI_REFLECTION_HIT
-        ? texelFetch(litTexture, low + clamp(ivec2(found.window), ivec2(0), ivec2(view.Viewport.zw) - 1), 0).rgb
-        : vec3(0.0);
+        ? found.confidence * litAt(found.window) : vec3(0.0);
+#ifdef GI_FALLBACK_RAYS
+      vec3 light;
+      if (found.confidence < 1.0 && rayRadiance(P, lobe.N, L, state, light))
+      {
+        radiance += (1.0 - found.confidence) * light;
+        found.confidence = 1.0;
+        found.end = found.end == GI_REFLECTION_HIT ? GI_REFLECTION_HIT : GI_REFLECTION_RAY;
+      }
+#endif
     }
     float density = found.end == GI_REFLECTION_HORIZON ? -1.0
       : isMirror(lobe) ? 0.0 : lobeDensity(lobe, L);
     imageStore(rays, ivec3(window, i), vec4(found.position, density));
-    imageStore(found_, ivec3(window, i), vec4(radiance * found.confidence, found.confidence));
+    imageStore(found_, ivec3(window, i), vec4(radiance, found.confidence));
 #ifdef GI_DEBUG
     if (i == 0)
     {
