@@ -74,7 +74,7 @@ struct Reflector
   int Neighbours;
   int Fallback;
   int DebugView;
-  double Share; ///< of the lights' strength that is spread over all directions
+  double Share;    ///< of the lights' strength that is spread over all directions
   RayProps* World; ///< nullptr without rays
 
   Defines Variant() const
@@ -96,8 +96,7 @@ struct Reflector
     textures.insert(textures.end(), more.begin(), more.end());
     context.Use(program, textures);
     this->Materials->Bind(1);
-    glUniform1f(
-      program.Location("maximumRoughness"), static_cast<GLfloat>(this->MaximumRoughness));
+    glUniform1f(program.Location("maximumRoughness"), static_cast<GLfloat>(this->MaximumRoughness));
     glUniform1f(
       program.Location("minimumReflectance"), static_cast<GLfloat>(this->MinimumReflectance));
   }
@@ -111,13 +110,12 @@ struct Reflector
   void ReducePyramid(FrameContext& context) const
   {
     const glm::ivec4& area = context.GetView().Viewport;
-    const Program& program = context.Shaders().Compute("screen_space_reflections/depth_pyramid.comp");
-    context.Use(
-      program, { context.Input(resource::WindowDepth), context.Input(resource::Normal) });
+    const Program& program =
+      context.Shaders().Compute("screen_space_reflections/depth_pyramid.comp");
+    context.Use(program, { context.Input(resource::WindowDepth), context.Input(resource::Normal) });
     SetLevels(context, program);
     glUniform1f(program.Location("thickness"), static_cast<GLfloat>(this->Thickness));
-    glBindImageTexture(
-      0, context.Output(Pyramid)->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
+    glBindImageTexture(0, context.Output(Pyramid)->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
     constexpr int pixels = 4 * GI_PYRAMID_GROUP;
     glDispatchCompute(GroupsOf(area.z, pixels), GroupsOf(area.w, pixels), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -147,8 +145,7 @@ struct Reflector
     }
     const Program& program =
       context.Shaders().Compute("screen_space_reflections/trace.comp", defines);
-    this->Use(
-      context, program, { context.Input(Pyramid), context.Input(resource::LitRadiance) });
+    this->Use(context, program, { context.Input(Pyramid), context.Input(resource::LitRadiance) });
     if (this->World)
     {
       this->BindWorld(context, program);
@@ -164,8 +161,7 @@ struct Reflector
       1, context.Output(FoundLight)->Get(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
     if (this->DebugView)
     {
-      glBindImageTexture(
-        2, EndTexture(context).Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+      glBindImageTexture(2, EndTexture(context).Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
     }
     constexpr int group = 8;
     glDispatchCompute(GroupsOf(view.Viewport.z, group), GroupsOf(view.Viewport.w, group), 1);
@@ -294,9 +290,8 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     this->Thickness > 0.0 ? this->Thickness : AutomaticThickness * view.Diagonal;
   const Reflector reflector = { nullptr, &frame.Capture().Materials(), &frame.Lights(),
     frame.Capture().IsExtended(), this->Samples, this->MaximumSteps, thickness, this->EdgeFade,
-    this->MaximumRoughness, this->MinimumReflectance, this->Filter ? Neighbours : 0,
-    this->Fallback, this->DebugView, frame.GetSpreadShare(),
-    this->Fallback == ByRays ? &frame.Rays() : nullptr };
+    this->MaximumRoughness, this->MinimumReflectance, this->Filter ? Neighbours : 0, this->Fallback,
+    this->DebugView, frame.GetSpreadShare(), this->Fallback == ByRays ? &frame.Rays() : nullptr };
   if (reflector.World && reflector.World->LeftOut() > 0)
   {
     frame.AddNote("rays do not see " + std::to_string(reflector.World->LeftOut()) +
@@ -334,7 +329,8 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     .Execute([bound](FrameContext& context) { bound(context).Reuse(context); });
   ReadReflection(frame.AddPass("reflection-composite"))
     .Modify(resource::Color, CompositeOrder)
-    .Execute([bound](FrameContext& context) { bound(context).Composite(context, resource::Color); });
+    .Execute(
+      [bound](FrameContext& context) { bound(context).Composite(context, resource::Color); });
   ReadReflection(frame.AddPass("reflection-composite-radiance"))
     .ModifyIfPresent(resource::Radiance, CompositeOrder)
     .Execute(

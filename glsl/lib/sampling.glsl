@@ -62,8 +62,8 @@ vec2 giSampleTriangle(vec2 u)
 vec3 giSampleVisibleGGX(vec2 u, vec3 V, float a)
 {
   vec3 stretched = normalize(vec3(a * V.xy, V.z));
-  float flat_ = dot(stretched.xy, stretched.xy);
-  vec3 T1 = flat_ > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) * inversesqrt(flat_) : vec3(1.0, 0.0, 0.0);
+  float across = dot(stretched.xy, stretched.xy);
+  vec3 T1 = across > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) * inversesqrt(across) : vec3(1.0, 0.0, 0.0);
   vec3 T2 = cross(stretched, T1);
   // On the disc that V sees: the half of the hemisphere behind the horizon is squeezed away.
   vec2 p = giSampleDisc(u);

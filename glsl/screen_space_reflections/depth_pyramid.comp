@@ -99,8 +99,8 @@ void main()
   for (int level = 3; level <= GI_PYRAMID_LEVELS; ++level)
   {
     int side = GI_PYRAMID_GROUP >> (level - 2);
-    bool active_ = all(lessThan(local, ivec2(side)));
-    if (active_)
+    bool working = all(lessThan(local, ivec2(side)));
+    if (working)
     {
       int first = 2 * (local.y * GI_PYRAMID_GROUP + local.x);
       range = join(join(ranges[first], ranges[first + 1]),
@@ -108,7 +108,7 @@ void main()
       store(level, ivec2(gl_WorkGroupID.xy) * side + local, range);
     }
     barrier();
-    if (active_)
+    if (working)
     {
       ranges[slot] = range;
     }

@@ -74,20 +74,20 @@ bool meets(vec3 O, vec3 D, vec2 way, ivec2 cell, vec2 surface, float from, inout
   vec3 there = giViewPosition(vec2(pixel) + 0.5, surface.x);
   vec3 normal = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
   float facing = -dot(normal, D);
-  if (facing <= 0.0)
-  {
-    found.end = GI_REFLECTION_BACK;
-    before = false;
-    return false;
-  }
-  float t = dot(normal, O - there) / facing;
+  float t = dot(normal, O - there) / (abs(facing) > 1e-6 ? facing : 1e-6);
   vec3 crossing = O + t * D;
   vec3 place = toWindow(crossing);
   vec2 off = place.xy - center;
+  float apart = t > 0.0 && place.z <= surface.y ? max(abs(off.x), abs(off.y)) : 1e30;
+  if (facing <= 0.0)
+  {
+    found.end = apart <= 0.5 ? GI_REFLECTION_BACK : found.end;
+    return false;
+  }
   // Half a pixel more than its own: neighbours' planes do not join exactly. One more where the last
   // pixel's surface was taken to be as deep all over as in its middle.
   float margin = before ? 1.5 : 1.0;
-  bool crosses = t > 0.0 && max(abs(off.x), abs(off.y)) <= margin && place.z <= surface.y;
+  bool crosses = apart <= margin;
   bool later = t > 0.0 && dot(off, way) > 0.0;
   if (!crosses)
   {
@@ -121,13 +121,13 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
   bool leaves = end < 1.0;
   along *= end;
   float pixels = max(abs(along.x), abs(along.y));
-  vec2 inverse_ = reciprocal(along.xy);
-  vec2 first = (vec2(start + ahead) - from.xy) * inverse_;
+  vec2 perPixel = reciprocal(along.xy);
+  vec2 first = (vec2(start + ahead) - from.xy) * perPixel;
   float nudge = 2e-3 / max(pixels, 1.0);
   float u = min(first.x, first.y) + nudge;
   ivec2 last = ivec2(view.Viewport.zw) - 1;
   int level = 0;
-  float length_ = length(along.xy);
+  float extent = length(along.xy);
   bool hidden = pixels < 1.0 && D.z <= 0.0;
   bool blocked = false;
   bool before = true;
@@ -137,7 +137,7 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
   for (; i < maximumSteps && u < 1.0 && pixels >= 1.0; ++i)
   {
     ivec2 cell = min(ivec2(from.xy + u * along.xy), last) >> level;
-    vec2 bounds = (vec2((cell + ahead) << level) - from.xy) * inverse_;
+    vec2 bounds = (vec2((cell + ahead) << level) - from.xy) * perPixel;
     float next = min(min(bounds.x, bounds.y), 1.0);
     vec2 ray = from.z + vec2(u, next) * along.z;
     vec2 surface = texelFetch(pyramidTexture, levelOffset[level] + cell, 0).rg;
@@ -157,7 +157,7 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
     else if (!behind && since >= 0.0)
     {
       blocked =
-        meetsBack(entry.y - entry.x, entry.x - z, (u - since) * length_ * pixelSize(entry.y));
+        meetsBack(entry.y - entry.x, entry.x - z, (u - since) * extent * pixelSize(entry.y));
       since = -1.0;
       if (blocked)
       {

@@ -1,6 +1,10 @@
 // What a ray through the scene brings back where the screen does not show it: the direct light of the
-// surface that it meets. Needs shared/light.h, lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl,
+// surface that it meets, and where the environment lights PBR surfaces, one sample of it, unshadowed as
+// VTK's. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h, lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl,
 // rays/passage.glsl, path_tracing/reflection.glsl.
+#ifdef GI_RAY_SKY
+#include "rays/sky.glsl"
+#endif
 uniform mat3 viewToScene;
 uniform vec3 eye;          // relative to the scene's origin
 uniform int lightCount;
@@ -54,5 +58,14 @@ bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
       radiance += lampShare * reflected;
     }
   }
+#ifdef GI_RAY_SKY
+  if (r.pbr)
+  {
+    float density;
+    vec3 S = raySkySample(vec2(giRandom(state), giRandom(state)), density);
+    float share = density > 0.0 ? (1.0 - r.metallic) * r.occlusion / (GI_PI * density) : 0.0;
+    radiance += share * max(dot(r.N, S), 0.0) * (1.0 - r.f0) * r.albedo * raySkyRadiance(S);
+  }
+#endif
   return true;
 }

@@ -26,7 +26,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = 0) uniform writeonly image2DArray rays;  // xyz: end, w: density, -1 for none
-layout(rgba16f, binding = 1) uniform writeonly image2DArray found_; // radiance times confidence, that
+layout(rgba16f, binding = 1) uniform writeonly image2DArray light; // radiance times confidence, that
 #ifdef GI_DEBUG
 layout(rgba32f, binding = 2) uniform writeonly image2D ends; // xy: pixel, z: reason, w: confidence
 #endif
@@ -88,10 +88,10 @@ void main()
       radiance = found.end == GI_REFLECTION_HIT
         ? found.confidence * litAt(found.window) : vec3(0.0);
 #ifdef GI_FALLBACK_RAYS
-      vec3 light;
-      if (found.confidence < 1.0 && rayRadiance(P, lobe.N, L, state, light))
+      vec3 beyond;
+      if (found.confidence < 1.0 && rayRadiance(P, lobe.N, L, state, beyond))
       {
-        radiance += (1.0 - found.confidence) * light;
+        radiance += (1.0 - found.confidence) * beyond;
         found.confidence = 1.0;
         found.end = found.end == GI_REFLECTION_HIT ? GI_REFLECTION_HIT : GI_REFLECTION_RAY;
       }
@@ -100,7 +100,7 @@ void main()
     float density = found.end == GI_REFLECTION_HORIZON ? -1.0
       : isMirror(lobe) ? 0.0 : lobeDensity(lobe, L);
     imageStore(rays, ivec3(window, i), vec4(found.position, density));
-    imageStore(found_, ivec3(window, i), vec4(radiance, found.confidence));
+    imageStore(light, ivec3(window, i), vec4(radiance, found.confidence));
 #ifdef GI_DEBUG
     if (i == 0)
     {

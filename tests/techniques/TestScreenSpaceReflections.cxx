@@ -4,21 +4,11 @@
  * Screen-space reflections: on a planar mirror they are what a camera behind the mirror sees, wherever
  * the screen shows it; elsewhere every pixel says why not.
  */
-#include "Messages.h"
-#include "Picture.h"
-#include "Stage.h"
-
-#include "vtkGITechnique.h"
+#include "ReflectionStage.h"
 
 #include "private/Matrices.h"
-#include "reflection.h"
 
-#include <vtkCubeSource.h>
-#include <vtkCylinderSource.h>
 #include <vtkMatrix4x4.h>
-#include <vtkParametricFunctionSource.h>
-#include <vtkParametricTorus.h>
-#include <vtkPlaneSource.h>
 #include <vtkSphereSource.h>
 
 #include <cstdio>
@@ -27,14 +17,16 @@ using namespace penumbra_test;
 
 namespace
 {
+using ScreenSpaceReflections = ReflectionStage;
+
 // Window coordinates (pixels, depth) to the world and back.
 struct Lens
 {
   Lens(vtkRenderer* renderer, int width, int height)
     : Size(width, height)
   {
-    vtkMatrix4x4* matrix =
-      renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(1.0 * width / height, -1, 1);
+    vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      1.0 * width / height, -1, 1);
     this->ToClip = penumbra::ToMatrix(matrix);
     this->ToWorld = glm::inverse(this->ToClip);
   }
@@ -53,100 +45,6 @@ struct Lens
   glm::dvec2 Size;
   glm::dmat4 ToClip;
   glm::dmat4 ToWorld;
-};
-
-class ScreenSpaceReflections : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    this->Scene.Window->SetSize(401, 303); // odd, so that the pyramid's levels are rounded up
-    this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Pass = this->Scene.SetPasses().front();
-    this->Reflections = this->Pass->GetTechnique("screen-space-reflections");
-    ASSERT_NE(this->Reflections, nullptr);
-    this->Reflections->EnabledOn();
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-4.0, -4.0, 0.0);
-    plane->SetPoint1(4.0, -4.0, 0.0);
-    plane->SetPoint2(-4.0, 4.0, 0.0);
-    this->Floor = this->Scene.Add(plane);
-    this->Mirror(0.0);
-  }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
-
-  void Mirror(double roughness)
-  {
-    this->Floor->GetProperty()->SetInterpolationToPBR();
-    this->Floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    this->Floor->GetProperty()->SetMetallic(1.0);
-    this->Floor->GetProperty()->SetRoughness(roughness);
-  }
-
-  // Flat and round, thick and thin, standing and floating.
-  void AddThings()
-  {
-    vtkNew<vtkCubeSource> box;
-    box->SetBounds(-1.8, -0.8, -0.5, 0.5, 0.0, 1.1);
-    this->Scene.Add(box);
-    vtkNew<vtkSphereSource> ball;
-    ball->SetCenter(0.1, -0.6, 0.6);
-    ball->SetRadius(0.5);
-    ball->SetThetaResolution(96);
-    ball->SetPhiResolution(96);
-    this->Scene.Add(ball);
-    vtkNew<vtkParametricTorus> ring;
-    ring->SetRingRadius(0.5);
-    ring->SetCrossSectionRadius(0.12);
-    vtkNew<vtkParametricFunctionSource> round;
-    round->SetParametricFunction(ring);
-    round->SetUResolution(96);
-    round->SetVResolution(48);
-    vtkActor* torus = this->Scene.Add(round);
-    torus->RotateX(70.0);
-    torus->SetPosition(1.4, 0.2, 0.8);
-    vtkNew<vtkCylinderSource> pole;
-    pole->SetRadius(0.03);
-    pole->SetHeight(1.6);
-    pole->SetResolution(24);
-    for (double x : { -0.5, 0.8, 2.2 })
-    {
-      vtkActor* actor = this->Scene.Add(pole);
-      actor->RotateX(90.0);
-      actor->SetPosition(x, 1.0, 0.8);
-    }
-    vtkNew<vtkCubeSource> wall;
-    wall->SetBounds(-3.0, 3.0, 2.4, 2.6, 0.0, 2.2);
-    this->Scene.Add(wall);
-  }
-
-  void Look(double x, double y, double z, bool parallel, bool mirrored)
-  {
-    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-    const double side = mirrored ? -1.0 : 1.0;
-    camera->SetPosition(x, y, side * z);
-    camera->SetFocalPoint(0.0, 0.0, side * 0.5);
-    camera->SetViewUp(0.0, 0.0, side);
-    camera->SetViewAngle(35.0);
-    camera->SetParallelProjection(parallel);
-    camera->SetParallelScale(1.9);
-    this->Scene.Renderer->ResetCameraClippingRange();
-  }
-
-  // How rays ended: pixel x and y, reason, confidence.
-  std::vector<glm::vec4> Ends()
-  {
-    vtkNew<vtkImageData> image;
-    EXPECT_TRUE(
-      this->Pass->GetBuffer(this->Scene.Renderer, "screen-space-reflections.ends", image));
-    const auto* values = static_cast<const glm::vec4*>(image->GetScalarPointer());
-    return { values, values + image->GetNumberOfPoints() };
-  }
-
-  Stage Scene;
-  vtkSmartPointer<vtkGIPass> Pass;
-  vtkGITechnique* Reflections = nullptr;
-  vtkActor* Floor = nullptr;
 };
 
 // What a camera behind the mirror sees at a pixel, and where the eye would see that.
@@ -231,8 +129,7 @@ std::vector<Expected> MirrorImage(
       if (pixel.Something && at.x >= 0 && at.y >= 0 && at.x < seen.Width && at.y < seen.Height)
       {
         const float surface = seen.Depth[at.y * seen.Width + at.x];
-        pixel.Shown =
-          glm::length(lens.World({ pixel.Window, surface }) - pixel.Point) < SamePoint;
+        pixel.Shown = glm::length(lens.World({ pixel.Window, surface }) - pixel.Point) < SamePoint;
       }
     }
   }
@@ -274,16 +171,17 @@ Agreement CompareEnds(const std::vector<glm::vec4>& ends, const Picture& seen, c
       result.Missed += shown && !hit;
       result.Found += hit;
       result.Wrong += wrong[i];
-      const std::array<unsigned char, 3> tint = wrong[i] ? std::array<unsigned char, 3>{ 255, 230, 0 }
-        : right                                       ? std::array<unsigned char, 3>{ 0, 160, 0 }
-        : shown && hit                                ? std::array<unsigned char, 3>{ 220, 0, 0 }
-        : shown                                       ? std::array<unsigned char, 3>{ 60, 60, 255 }
-                                                      : std::array<unsigned char, 3>{ 60, 60, 60 };
+      const std::array<unsigned char, 3> tint = wrong[i]
+        ? std::array<unsigned char, 3>{ 255, 230, 0 }
+        : right        ? std::array<unsigned char, 3>{ 0, 160, 0 }
+        : shown && hit ? std::array<unsigned char, 3>{ 220, 0, 0 }
+        : shown        ? std::array<unsigned char, 3>{ 60, 60, 255 }
+                       : std::array<unsigned char, 3>{ 60, 60, 60 };
       std::copy(tint.begin(), tint.end(), &map.Pixels[4 * i]);
     }
   }
-  result.Streak = std::max(ThinRun(wrong, seen.Width, seen.Height, 1, 0),
-    ThinRun(wrong, seen.Width, seen.Height, 0, 1));
+  result.Streak = std::max(
+    ThinRun(wrong, seen.Width, seen.Height, 1, 0), ThinRun(wrong, seen.Width, seen.Height, 0, 1));
   Save(map, name);
   return result;
 }
@@ -293,7 +191,8 @@ TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
 {
   this->AddThings();
   this->Reflections->SetParameterFromText("debug-view", "reasons");
-  std::printf("%-28s %8s %9s %8s %8s %8s\n", "view", "shown", "within 1", "missed", "wrong", "streak");
+  std::printf(
+    "%-28s %8s %9s %8s %8s %8s\n", "view", "shown", "within 1", "missed", "wrong", "streak");
   struct Eye
   {
     double X, Y, Z;
@@ -313,8 +212,8 @@ TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
     const Lens mirrored(this->Scene.Renderer, seen.Width, seen.Height);
 
     char name[64];
-    std::snprintf(name, sizeof(name), "%s from (%g, %g, %g)", eye.Parallel ? "parallel" : "perspective",
-      eye.X, eye.Y, eye.Z);
+    std::snprintf(name, sizeof(name), "%s from (%g, %g, %g)",
+      eye.Parallel ? "parallel" : "perspective", eye.X, eye.Y, eye.Z);
     const Agreement found =
       CompareEnds(ends, seen, lens, MirrorImage(seen, lens, behind, mirrored), name);
     std::printf("%-28s %8d %8.2f%% %7.2f%% %7.2f%% %8d\n", name, found.Shown,
@@ -325,4 +224,87 @@ TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
     EXPECT_LE(found.Wrong, 0.03 * found.Found);
     EXPECT_LE(found.Streak, 12);
   }
+}
+
+// Every pixel has one reason; those that tell of something missing are right about it.
+TEST_F(ScreenSpaceReflections, every_pixel_says_how_its_ray_ended)
+{
+  this->AddThings();
+  vtkNew<vtkSphereSource> bulb; // faces everywhere, the eye too
+  bulb->SetCenter(2.2, -1.4, 0.5);
+  bulb->SetRadius(0.5);
+  bulb->SetThetaResolution(64);
+  bulb->SetPhiResolution(64);
+  vtkActor* chrome = this->Scene.Add(bulb);
+  chrome->SetProperty(this->Floor->GetProperty());
+  this->Reflections->SetParameterFromText("debug-view", "reasons");
+  this->Look(0, -6, 2.5, false, false);
+  const auto count = [this] {
+    const Picture seen = Shoot(this->Scene.Window);
+    std::array<int, GI_REFLECTION_ENDS> counts{};
+    const auto ends = this->Ends();
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      const int reason = static_cast<int>(ends[i].z);
+      EXPECT_TRUE(reason >= 0 && reason < GI_REFLECTION_ENDS);
+      ++counts[reason];
+      EXPECT_TRUE(seen.Depth[i] < 1.0f || reason == GI_REFLECTION_NONE) << "background reflects";
+      EXPECT_EQ(reason == GI_REFLECTION_HIT, ends[i].x >= 0.0f);
+    }
+    return counts;
+  };
+  const auto counts = count();
+  const char* const names[GI_REFLECTION_ENDS] = { "nothing reflects", "found", "left the screen",
+    "hidden", "steps", "too rough", "toward the eye", "nothing there", "back", "too weak",
+    "horizon", "ray" };
+  int sum = 0;
+  for (int i = 0; i < GI_REFLECTION_ENDS; ++i)
+  {
+    std::printf("%-18s %7d\n", names[i], counts[i]);
+    sum += counts[i];
+  }
+  const int reflecting = sum - counts[GI_REFLECTION_NONE];
+  EXPECT_EQ(sum, 401 * 303);
+  for (int reason : { GI_REFLECTION_HIT, GI_REFLECTION_LEFT, GI_REFLECTION_HIDDEN,
+         GI_REFLECTION_FACING, GI_REFLECTION_BACK })
+  {
+    EXPECT_GT(counts[reason], 0) << names[reason];
+  }
+  EXPECT_EQ(
+    counts[GI_REFLECTION_ROUGH] + counts[GI_REFLECTION_WEAK] + counts[GI_REFLECTION_RAY], 0);
+  EXPECT_LT(counts[GI_REFLECTION_STEPS], 0.001 * reflecting);
+
+  this->Reflections->SetParameter("maximum-steps", 8);
+  EXPECT_GT(count()[GI_REFLECTION_STEPS], 0);
+  this->Reflections->SetParameter("maximum-steps", 256);
+
+  this->Reflections->SetParameterFromText("fallback", "rays");
+  const auto traced = count();
+  EXPECT_EQ(traced[GI_REFLECTION_HIT], counts[GI_REFLECTION_HIT]);
+  EXPECT_GT(traced[GI_REFLECTION_RAY], 0);
+  this->Reflections->SetParameterFromText("fallback", "environment");
+
+  this->Mirror(0.9);
+  EXPECT_EQ(count()[GI_REFLECTION_ROUGH], reflecting);
+  this->Mirror(0.0);
+  this->Floor->GetProperty()->SetColor(0.1, 0.1, 0.1);
+  this->Floor->GetProperty()->SetEdgeTint(0.1, 0.1, 0.1);
+  this->Reflections->SetParameter("minimum-reflectance", 0.2);
+  EXPECT_EQ(count()[GI_REFLECTION_WEAK], reflecting);
+}
+
+TEST_F(ScreenSpaceReflections, what_does_not_reflect_costs_nothing)
+{
+  this->AddThings();
+  this->Look(0, -6, 2.5, false, false);
+  this->Pass->CollectStatisticsOn();
+  Shoot(this->Scene.Window);
+  EXPECT_TRUE(this->Ran());
+  this->Floor->GetProperty()->SetInterpolationToGouraud();
+  this->Floor->GetProperty()->SetSpecular(0.1);
+  this->Floor->GetProperty()->SetSpecularPower(20.0);
+  const Picture on = Shoot(this->Scene.Window);
+  EXPECT_FALSE(this->Ran());
+  this->Reflections->EnabledOff();
+  EXPECT_EQ(Compare(on, Shoot(this->Scene.Window), 0).Within, 1.0);
 }
