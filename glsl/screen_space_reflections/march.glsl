@@ -70,6 +70,10 @@ float trust(vec2 window, float facing)
 bool meets(vec3 O, vec3 D, vec2 way, ivec2 cell, vec2 surface, float from, inout bool before, inout Found found)
 {
   ivec2 pixel = cell + ivec2(view.Viewport.xy);
+  if (texelFetch(albedoTexture, pixel, 0).a == 0.0)
+  {
+    return false; // what was not captured has no normal to go by
+  }
   vec2 center = vec2(cell) + 0.5;
   vec3 there = giViewPosition(vec2(pixel) + 0.5, surface.x);
   vec3 normal = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
@@ -119,12 +123,17 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
   vec2 leave = (vec2(ahead) * view.Viewport.zw - from.xy) * reciprocal(along.xy);
   float end = min(min(leave.x, leave.y), 1.0);
   bool leaves = end < 1.0;
+  end = along.z > 0.0 ? min(end, (1.0 - depth) / along.z) : end; // nothing is drawn beyond
   along *= end;
   float pixels = max(abs(along.x), abs(along.y));
   vec2 perPixel = reciprocal(along.xy);
   vec2 first = (vec2(start + ahead) - from.xy) * perPixel;
-  float nudge = 2e-3 / max(pixels, 1.0);
-  float u = min(first.x, first.y) + nudge;
+  float u = min(first.x, first.y);
+  // A cell is looked up a little ahead on both axes: where the ray comes to it, rounding could find the
+  // one before.
+  const float AHEAD = 2e-3;
+  vec2 nudged = from.xy + AHEAD * vec2(ahead * 2 - 1);
+  float stop = 1.0 - 2.0 * AHEAD / max(pixels, 1.0);
   ivec2 last = ivec2(view.Viewport.zw) - 1;
   int level = 0;
   float extent = length(along.xy);
@@ -134,9 +143,9 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
   float since = -1.0; // where the ray went behind what hides it now
   vec2 entry = vec2(0.0); // view depths of the ray and of what hides it, there
   int i = 0;
-  for (; i < maximumSteps && u < 1.0 && pixels >= 1.0; ++i)
+  for (; i < maximumSteps && u < stop && pixels >= 1.0; ++i)
   {
-    ivec2 cell = min(ivec2(from.xy + u * along.xy), last) >> level;
+    ivec2 cell = clamp(ivec2(nudged + u * along.xy), ivec2(0), last) >> level;
     vec2 bounds = (vec2((cell + ahead) << level) - from.xy) * perPixel;
     float next = min(min(bounds.x, bounds.y), 1.0);
     vec2 ray = from.z + vec2(u, next) * along.z;
@@ -170,7 +179,7 @@ Found march(ivec2 start, float depth, vec3 O, vec3 D, vec3 V)
     }
     hidden = hidden || behind;
     before = clear || (before && !behind);
-    u = next + nudge;
+    u = next;
     // Up where the next cell is another one of the level above.
     bool over = bounds.x < bounds.y ? (cell.x & 1) == ahead.x : (cell.y & 1) == ahead.y;
     level += over && (clear || behind) && level < GI_PYRAMID_LEVELS ? 1 : 0;
