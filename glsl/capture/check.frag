@@ -8,6 +8,7 @@ vec3 diffuseColor = vec3(0.0);
 vec3 ambientColor = vec3(0.0);
 vec3 albedo = vec3(0.0);
 vec3 giSurrounding = vec3(0.0);
+vec3 iblSpecular = vec3(0.0);
 vec3 emissiveColor = vec3(0.0);
 float ao = 1.0;
 float aoStrengthUniform = 1.0;

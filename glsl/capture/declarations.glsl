@@ -9,6 +9,7 @@
 //   4 emission: rgb radiance given off
 // and, where a technique asks for it, in this order (the targets' numbers are filled in, see
 // CaptureOutputs.h):
+//   surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
 //   displacement: xyz how far the point was from here one frame ago, within its prop, but in view
 //               coordinates
 //   facet:      rgb octahedral normal of the flat piece of surface, view coordinates, by giPack12

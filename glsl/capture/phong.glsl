@@ -15,6 +15,9 @@
     gl_FragData[3] = vec4(giTexture, 1.0);
     gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
+#ifdef GI_SURROUNDINGS
+    gl_FragData[GI_SURROUNDINGS] = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
 #ifdef GI_FACET
     gl_FragData[GI_FACET] = vec4(giPack12(giEncodeOctahedral(giFacet)), 1.0);
 #endif

@@ -6,6 +6,9 @@
 #include "private/SceneCapture.h"
 #include "private/rays/RayProps.h"
 
+#include "vtkOpenGLRenderer.h"
+#include "vtkTexture.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace penumbra
@@ -25,6 +28,17 @@ MotionTable& FrameBuilder::Motion()
   this->Motions.Begin(this->CurrentView);
   this->Scene.SetMotion(&this->Motions);
   return this->Motions;
+}
+
+void FrameBuilder::RequestLitRadiance()
+{
+  this->LitRadianceWanted = true;
+  // Environments light PBR only, and PBR needs the extended set.
+  if (this->Renderer->GetUseImageBasedLighting() && this->Renderer->GetEnvironmentTexture() &&
+    this->Scene.IsExtended())
+  {
+    this->Scene.Request(resource::Surroundings);
+  }
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)

@@ -39,7 +39,11 @@ constexpr const char* Emission = "gbuffer.emission";          ///< radiance not 
 constexpr const char* Displacement =
   "gbuffer.displacement"; ///< how far a point of a deforming surface was from here, one frame ago
 constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
+constexpr const char* Surroundings =
+  "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
+constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
+constexpr const char* Reflection = "reflection"; ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";                          ///< the picture, as displayed
 constexpr const char* Radiance = "radiance";                    ///< the picture, linear
 }
@@ -55,7 +59,7 @@ struct NoisyResource
 namespace resource
 {
 constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false },
-  { DirectVisibility, true, false } };
+  { DirectVisibility, true, false }, { Reflection, false, true } };
 }
 
 /// What differs from the frame before.
@@ -172,6 +176,10 @@ public:
   void SetDrawnByRays() { this->DrawnByRays = true; }
   bool IsDrawnByRays() const { return this->DrawnByRays; }
 
+  /// Have resource::LitRadiance written, and resource::Surroundings where the environment lights.
+  void RequestLitRadiance();
+  bool WantsLitRadiance() const { return this->LitRadianceWanted; }
+
   /// Take a share of the lights' strength and spread it evenly over all directions.
   void SpreadLight(double share) { this->Share = share; }
   double GetSpreadShare() const { return this->Share; }
@@ -191,6 +199,7 @@ private:
   bool WorldReady = false;
   bool Averaged = false;
   bool DrawnByRays = false;
+  bool LitRadianceWanted = false;
   double Share = 0.0;
   std::vector<std::string> Notes;
 };

@@ -98,6 +98,45 @@ bool NeedsExtended(vtkProp* prop)
 
 namespace
 {
+// The most that a property's highlight reflects of light from all around, facing the eye.
+double HighlightOf(vtkProperty* property)
+{
+  if (!property || !property->GetLighting())
+  {
+    return 0.0;
+  }
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    const bool metal = property->GetMetallic() > 0.0 || property->GetNumberOfTextures() > 0;
+    return metal || property->GetBaseIOR() > 1.0 ? 1.0 : 0.0;
+  }
+  const double* color = property->GetSpecularColor();
+  return 2.0 * property->GetSpecular() * std::max(color[0], std::max(color[1], color[2])) /
+    (property->GetSpecularPower() + 1.0);
+}
+
+bool ReflectsShare(vtkProp* prop, double share)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (ReflectsShare(part, share))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor &&
+    std::max(HighlightOf(actor->GetProperty()), HighlightOf(actor->GetBackfaceProperty())) >=
+    std::max(share, 1e-6);
+}
+
 // Whether a prop's opaque fragments may have an alpha below one: VTK looks at neither where the
 // actor is forced opaque, nor at the textures of its property.
 bool MayCoverInPart(vtkProp* prop)
@@ -191,6 +230,12 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Table.SetCoverInPart(part);
   this->Outputs = CaptureOutputs();
   this->Outputs.Extended = extended;
+}
+
+bool SceneCapture::Reflects(double share) const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(),
+    [share](vtkProp* prop) { return ReflectsShare(prop, share); });
 }
 
 void SceneCapture::SetMotion(MotionTable* motion)

@@ -47,6 +47,9 @@ public:
   /// Have an optional resource written in this frame. Ask while techniques contribute.
   void Request(const char* resource) { this->Outputs.Request(resource); }
 
+  /// Whether the highlight of any prop in view reflects this share of the incoming light or more.
+  bool Reflects(double share) const;
+
   /// Add the pass that writes the G-buffer.
   void Contribute(FrameBuilder& frame);
 
