@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/Frame.h"
 
+#include "private/MotionTable.h"
 #include "private/SceneCapture.h"
 #include "private/rays/RayProps.h"
 
@@ -25,9 +26,18 @@ RayProps& FrameBuilder::Rays()
 void FrameBuilder::RequestLitRadiance()
 {
   this->LitRadianceWanted = true;
-  const bool environment =
-    this->Renderer->GetUseImageBasedLighting() && this->Renderer->GetEnvironmentTexture();
-  this->Scene.KeepSurroundings(environment);
+  if (this->Scene.IsExtended() && this->Renderer->GetUseImageBasedLighting() &&
+    this->Renderer->GetEnvironmentTexture())
+  {
+    this->Scene.Request(resource::Surroundings);
+  }
+}
+
+MotionTable& FrameBuilder::Motion()
+{
+  this->Motions.Begin(this->CurrentView);
+  this->Scene.SetMotion(&this->Motions);
+  return this->Motions;
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)
