@@ -9,10 +9,10 @@
 //   4 emission: rgb radiance given off
 // and, where a technique asks for it, in this order (the targets' numbers are filled in, see
 // CaptureOutputs.h):
+//   surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
 //   displacement: xyz how far the point was from here one frame ago, within its prop, but in view
 //               coordinates
 //   facet:      rgb octahedral normal of the flat piece of surface, view coordinates, by giPack12
-//   surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.

@@ -24,10 +24,10 @@ public:
     GLenum Format;
   };
   static constexpr std::array<Optional, 3> All = { {
+    { resource::Surroundings, "GI_SURROUNDINGS", GL_RGBA16F },
     { resource::Displacement, "GI_DISPLACEMENT", GL_RGBA32F },
     // Packed: eight bits a channel are what software renderers write fastest.
     { resource::Facet, "GI_FACET", GL_RGBA8 },
-    { resource::Surroundings, "GI_SURROUNDINGS", GL_RGBA16F },
   } };
 
   bool Extended = false; ///< textures or PBR

@@ -23,21 +23,22 @@ RayProps& FrameBuilder::Rays()
   return this->World;
 }
 
-void FrameBuilder::RequestLitRadiance()
-{
-  this->LitRadianceWanted = true;
-  if (this->Scene.IsExtended() && this->Renderer->GetUseImageBasedLighting() &&
-    this->Renderer->GetEnvironmentTexture())
-  {
-    this->Scene.Request(resource::Surroundings);
-  }
-}
-
 MotionTable& FrameBuilder::Motion()
 {
   this->Motions.Begin(this->CurrentView);
   this->Scene.SetMotion(&this->Motions);
   return this->Motions;
+}
+
+void FrameBuilder::RequestLitRadiance()
+{
+  this->LitRadianceWanted = true;
+  // Environments light PBR only, and PBR needs the extended set.
+  if (this->Renderer->GetUseImageBasedLighting() && this->Renderer->GetEnvironmentTexture() &&
+    this->Scene.IsExtended())
+  {
+    this->Scene.Request(resource::Surroundings);
+  }
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)

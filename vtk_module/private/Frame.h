@@ -38,9 +38,9 @@ constexpr const char* Surface = "gbuffer.surface";            ///< see capture/g
 constexpr const char* Emission = "gbuffer.emission";          ///< radiance not due to light
 constexpr const char* Displacement =
   "gbuffer.displacement"; ///< how far a point of a deforming surface was from here, one frame ago
+constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
-constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection"; ///< radiance over each pixel's lobe, confidence

@@ -232,16 +232,16 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Outputs.Extended = extended;
 }
 
-void SceneCapture::SetMotion(MotionTable* motion)
-{
-  this->Motion = motion;
-  this->Hooks->SetMotion(motion);
-}
-
 bool SceneCapture::Reflects(double share) const
 {
   return std::any_of(this->Captured.begin(), this->Captured.end(),
     [share](vtkProp* prop) { return ReflectsShare(prop, share); });
+}
+
+void SceneCapture::SetMotion(MotionTable* motion)
+{
+  this->Motion = motion;
+  this->Hooks->SetMotion(motion);
 }
 
 void SceneCapture::Contribute(FrameBuilder& frame)
