@@ -172,3 +172,16 @@ TEST_F(GlossyFloor, of_phong_is_nearer_to_the_path_tracer)
   this->Floor->GetProperty()->SetSpecularPower(6.0);
   this->Compare("Phong, power 6", 64, 0.5);
 }
+
+// The noise of one ray a pixel is averaged where the resource "reflection" is accumulated.
+TEST_F(GlossyFloor, is_accumulated_over_frames)
+{
+  this->Mirror(0.5);
+  this->Reference(64);
+  this->Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "off");
+  this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
+  const double first = this->RelMse(this->Radiance(1));
+  const double still = this->RelMse(this->Radiance(16));
+  std::printf("one frame %.4f, 16 accumulated %.4f\n", first, still);
+  EXPECT_LT(still, 0.6 * first);
+}
