@@ -143,8 +143,8 @@ private:
     }
     for (const Slider& slider : this->Sliders)
     {
-      this->Bench.Maps()->SetParameter(slider.Parameter.c_str(),
-        slider.Widget->GetSliderRepresentation()->GetValue());
+      this->Bench.Maps()->SetParameter(
+        slider.Parameter.c_str(), slider.Widget->GetSliderRepresentation()->GetValue());
     }
     this->Hide(true);
     const BiasErrors errors = this->Judge->Measure(this->Bench.DrawMask());

@@ -14,10 +14,10 @@ namespace
 {
 constexpr int Width = 80;
 constexpr int Height = 40;
-constexpr double Pixel = 0.25;   // world units
-constexpr double Texels = 0.5;   // a pixel's width
-constexpr int Wall = 20;         // the column of what stands on the floor and is turned away
-constexpr int ShadowEnd = 50;    // the first lit column behind it
+constexpr double Pixel = 0.25; // world units
+constexpr double Texels = 0.5; // a pixel's width
+constexpr int Wall = 20;       // the column of what stands on the floor and is turned away
+constexpr int ShadowEnd = 50;  // the first lit column behind it
 
 std::size_t At(int x, int y)
 {

@@ -43,8 +43,7 @@ TEST(BiasSweep, WindowLiesBetweenAcneAndGap)
 TEST(BiasSweep, TheChoiceIsAsFarFromAcneAsFromGaps)
 {
   // The best sample, the first, is next to acne.
-  const BiasSweep sweep =
-    SweepOf({ { 0.4, 0 }, { 0, 0.1 }, { 0, 0.4 }, { 0, 0.7 }, { 0, 1.2 } });
+  const BiasSweep sweep = SweepOf({ { 0.4, 0 }, { 0, 0.1 }, { 0, 0.4 }, { 0, 0.7 }, { 0, 1.2 } });
   EXPECT_EQ(sweep.Window({})->Choice, 1.0);
   EXPECT_EQ(sweep.Best({}).Bias, 1.0);
   // Without acne at the smallest bias there is nothing to keep away from.

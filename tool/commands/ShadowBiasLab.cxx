@@ -194,10 +194,11 @@ private:
     constexpr double resolved = 0.5;
     if (study.PixelWidth > resolved)
     {
-      console.Note(fmt::format("a pixel is {:.2g} texels wide, so that gaps narrower than that cannot "
-                               "be told: come nearer with --camera zoom=2, or give a larger --size or "
-                               "a smaller --resolution",
-        study.PixelWidth));
+      console.Note(
+        fmt::format("a pixel is {:.2g} texels wide, so that gaps narrower than that cannot "
+                    "be told: come nearer with --camera zoom=2, or give a larger --size or "
+                    "a smaller --resolution",
+          study.PixelWidth));
     }
     if (study.LitPixels == 0)
     {
@@ -217,16 +218,15 @@ private:
     return report;
   }
 
-  void Write(
-    const BiasStudy& study, const nlohmann::ordered_json& report, Console& console) const
+  void Write(const BiasStudy& study, const nlohmann::ordered_json& report, Console& console) const
   {
     Step step(console, fmt::format("writing to '{}'", this->Options.Output));
-    const Picture plot =
-      DrawBiasPlot(study, this->Options.Backend, this->File("plot.svg"));
+    const Picture plot = DrawBiasPlot(study, this->Options.Backend, this->File("plot.svg"));
     WritePicture(this->File("plot.png"), plot);
     for (std::size_t i = 0; i < study.Sweeps.size(); ++i)
     {
-      WritePicture(this->File(fmt::format("strip-{}.png", study.Sweeps[i].Kind)), DrawStrip(study, i));
+      WritePicture(
+        this->File(fmt::format("strip-{}.png", study.Sweeps[i].Kind)), DrawStrip(study, i));
     }
     WritePicture(this->File("sheet.png"), DrawSheet(study, plot));
     std::ofstream numbers(this->File("numbers.json"));

@@ -267,8 +267,8 @@ public:
     {
       return { patch.Across.Diagonal(), patch.World.Diagonal() };
     }
-    const auto& begin = *std::min_element(patch.Shore.begin(), patch.Shore.end(),
-      [&edge](const Place& a, const Place& b) {
+    const auto& begin = *std::min_element(
+      patch.Shore.begin(), patch.Shore.end(), [&edge](const Place& a, const Place& b) {
         return vtkMath::Distance2BetweenPoints(edge.Place.data(), a.World.data()) <
           vtkMath::Distance2BetweenPoints(edge.Place.data(), b.World.data());
       });

@@ -19,10 +19,10 @@ struct LitView
   int Height = 0;
   std::vector<unsigned char> Surface;  ///< 1 where there is any
   std::vector<unsigned char> Receiver; ///< 1 where it is turned to the light
-  std::vector<float> Light;            ///< how bright the light makes it, 0 to 1: errors weigh as much
-  std::vector<float> Truth;            ///< share of the light that arrives, 0 or 1, by rays
-  std::vector<Vector> Place;           ///< world coordinates; read where Surface is 1
-  std::vector<Vector> Across;          ///< place across the light, in texels of its map
+  std::vector<float> Light;   ///< how bright the light makes it, 0 to 1: errors weigh as much
+  std::vector<float> Truth;   ///< share of the light that arrives, 0 or 1, by rays
+  std::vector<Vector> Place;  ///< world coordinates; read where Surface is 1
+  std::vector<Vector> Across; ///< place across the light, in texels of its map
 
   std::size_t PixelCount() const { return std::size_t(this->Width) * this->Height; }
 };

@@ -150,9 +150,9 @@ private:
     // VTK 9.2 draws nothing of an area of fewer than four points.
     const std::vector<double> biases = EvenSteps(window.Low - half, window.High + half, 4);
     vtkNew<vtkPlotArea> area;
-    area->SetInputData(Columns({ { "bias", biases },
-      { "low", std::vector<double>(biases.size(), low) },
-      { "high", std::vector<double>(biases.size(), high) } }));
+    area->SetInputData(
+      Columns({ { "bias", biases }, { "low", std::vector<double>(biases.size(), low) },
+        { "high", std::vector<double>(biases.size(), high) } }));
     area->SetInputArray(0, "bias");
     area->SetInputArray(1, "low");
     area->SetInputArray(2, "high");
@@ -212,8 +212,7 @@ void WriteSvg(vtkRenderWindow* window, const std::string& file)
 }
 }
 
-Picture DrawBiasPlot(
-  const BiasStudy& study, const std::string& backend, const std::string& svgFile)
+Picture DrawBiasPlot(const BiasStudy& study, const std::string& backend, const std::string& svgFile)
 {
   const auto window = MakeWindow(backend);
   vtkNew<vtkContextView> view;
@@ -227,8 +226,8 @@ Picture DrawBiasPlot(
   for (int i = 0; i < count; ++i)
   {
     Chart chart(study.Sweeps[i], study.Options.Limits, mostGap);
-    chart.Get()->SetSize(
-      vtkRectf(static_cast<float>(ChartWidth * i + Space), Space, ChartWidth - 2 * Space, ChartHeight - 2 * Space));
+    chart.Get()->SetSize(vtkRectf(static_cast<float>(ChartWidth * i + Space), Space,
+      ChartWidth - 2 * Space, ChartHeight - 2 * Space));
     view->GetScene()->AddItem(chart.Get());
   }
   window->Render();

@@ -57,7 +57,8 @@ nlohmann::ordered_json DescribeStudy(const BiasStudy& study)
     { "filter-radius", study.FilterRadius }, { "texel-world", study.TexelWidth },
     { "pixel-texels", study.PixelWidth },
     { "limits", { { "acne", study.Options.Limits.Acne }, { "gap", study.Options.Limits.Gap } } },
-    { "lost", study.Lost }, { "pixels", { { "lit", study.LitPixels }, { "dark", study.DarkPixels } } },
+    { "lost", study.Lost },
+    { "pixels", { { "lit", study.LitPixels }, { "dark", study.DarkPixels } } },
     { "edge-points", { { "contact", study.ContactPoints }, { "outline", study.OutlinePoints } } },
     { "defaults", defaults } };
   described["defaults"].update(Describe(study.AtDefaults));
@@ -74,8 +75,8 @@ std::string SummarizeWindow(const BiasSweep& sweep, const BiasLimits& limits)
   const auto window = sweep.Window(limits);
   if (!window)
   {
-    return fmt::format("none safe from {:g} to {:g} texels; nearest {:g}", sweep.Samples.front().Bias,
-      sweep.Samples.back().Bias, best.Bias);
+    return fmt::format("none safe from {:g} to {:g} texels; nearest {:g}",
+      sweep.Samples.front().Bias, sweep.Samples.back().Bias, best.Bias);
   }
   return fmt::format("safe from {:g} to {:g} texels{}; take {:g}", window->Low, window->High,
     window->ReachesEnd ? " at least" : "", window->Choice);
@@ -86,9 +87,9 @@ std::string SummarizeStudy(const BiasStudy& study)
   std::string text;
   for (const BiasSweep& sweep : study.Sweeps)
   {
-    text += fmt::format("{} bias: {}: {}\n", sweep.Kind,
-      SummarizeWindow(sweep, study.Options.Limits),
-      Summarize(sweep.Best(study.Options.Limits).Errors));
+    text +=
+      fmt::format("{} bias: {}: {}\n", sweep.Kind, SummarizeWindow(sweep, study.Options.Limits),
+        Summarize(sweep.Best(study.Options.Limits).Errors));
   }
   std::string together;
   for (const auto& [kind, value] : study.Defaults)

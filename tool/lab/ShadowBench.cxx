@@ -152,7 +152,8 @@ std::vector<float> ShadowBench::Shoot(Shadows shadows)
   }
   int size[3];
   image->GetDimensions(size);
-  const float* rows = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars())->GetPointer(0);
+  const float* rows =
+    vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars())->GetPointer(0);
   const std::size_t row = 4 * std::size_t(size[0]);
   std::vector<float> shot(row * size[1]);
   for (int y = 0; y < size[1]; ++y) // VTK's first row is the bottom one
@@ -269,8 +270,9 @@ LitView ShadowBench::TraceTruth()
   const float brightest = *std::max_element(view.Light.begin(), view.Light.end());
   if (brightest <= 0)
   {
-    Fail("the light shines on nothing in view, so that there is no shadow to study: turn the camera "
-         "with --camera or give another light with --light");
+    Fail(
+      "the light shines on nothing in view, so that there is no shadow to study: turn the camera "
+      "with --camera or give another light with --light");
   }
   for (std::size_t i = 0; i < view.PixelCount(); ++i)
   {
