@@ -63,12 +63,15 @@ struct Layout
   {
     for (const BiasSweep& sweep : study.Sweeps)
     {
-      this->Columns = std::max(
-        this->Columns, static_cast<int>(std::min(sweep.Samples.size(), MostColumns)) + 1);
+      this->Columns =
+        std::max(this->Columns, static_cast<int>(std::min(sweep.Samples.size(), MostColumns)) + 1);
     }
   }
   int Width() const { return 2 * Margin + this->Columns * (this->Tile + Gutter) - Gutter; }
-  int Height() const { return 2 * LineHeight + 2 * (this->Tile + Gutter) + 3 * LineHeight + Margin; }
+  int Height() const
+  {
+    return 2 * LineHeight + 2 * (this->Tile + Gutter) + 3 * LineHeight + Margin;
+  }
   int Left(int column) const { return Margin + column * (this->Tile + Gutter); }
 };
 
@@ -106,8 +109,8 @@ void DrawStripOn(Canvas& canvas, int top, const BiasStudy& study, std::size_t in
         fmt::format("acne {:.2g} %", 100 * errors.Acne),
         fmt::format("gap {:.2f} texels", errors.Gap()) });
   }
-  DrawColumn(canvas, layout.Left(column), y, layout.Tile, study.TrueAcnePlace, study.TrueGapPlace,
-    TrueColor, { "by rays" });
+  DrawColumn(canvas, layout.Left(column), y, layout.Tile, Cut(study.Overview, study.AcnePlace),
+    Cut(study.Overview, study.GapPlaces[index]), TrueColor, { "by rays" });
 }
 }
 
@@ -139,7 +142,10 @@ Picture DrawSheet(const BiasStudy& study, const Picture& plot)
     canvas.Frame(Margin + crop.X, top + crop.Y, crop.Width, crop.Height, 2, color);
   };
   mark(study.AcnePlace, AcneColor);
-  mark(study.GapPlace, GapColor);
+  for (const Crop& place : study.GapPlaces)
+  {
+    mark(place, GapColor);
+  }
   const int beside = 2 * Margin + study.Overview.Width;
   canvas.Write("by rays; the places below", beside, top, TextSize, Ink);
   canvas.Write("upper row: worst acne", beside, top + LineHeight, TextSize, AcneColor);

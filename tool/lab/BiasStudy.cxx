@@ -62,17 +62,6 @@ Crop HeaviestSquare(const std::vector<double>& weights, int width, int height)
   return best;
 }
 
-Picture Cut(const Picture& picture, const Crop& crop)
-{
-  Picture part(crop.Width, crop.Height, picture.Channels);
-  for (int y = 0; y < crop.Height; ++y)
-  {
-    const float* row = picture.Pixel(std::size_t(crop.Y + y) * picture.Width + crop.X);
-    std::copy_n(row, std::size_t(crop.Width) * picture.Channels, part.Pixel(std::size_t(y) * crop.Width));
-  }
-  return part;
-}
-
 class Experiment
 {
 public:
@@ -86,7 +75,8 @@ public:
   BiasStudy Run()
   {
     this->NoteDefaults();
-    this->Steps = 10.0 + this->Study.Options.Kinds.size() * (2.0 + this->Study.Options.Biases.size());
+    this->Steps =
+      10.0 + this->Study.Options.Kinds.size() * (2.0 + this->Study.Options.Biases.size());
     this->Judge = this->JudgeView();
     this->Study.AtDefaults = this->Judge->Measure(this->Bench.DrawMask());
     this->FindPlaces();
@@ -96,8 +86,6 @@ public:
     }
     this->Bench.ShowTruth();
     this->Study.Overview = this->Shown();
-    this->Study.TrueAcnePlace = Cut(this->Study.Overview, this->Study.AcnePlace);
-    this->Study.TrueGapPlace = Cut(this->Study.Overview, this->Study.GapPlace);
     return std::move(this->Study);
   }
 
@@ -145,8 +133,8 @@ private:
     return judge;
   }
 
-  /// Of all kinds together, so that they can be compared: acne at the smallest bias, gaps at the
-  /// greatest.
+  /// Acne at the smallest bias, in one place so that kinds can be compared; gaps at the greatest, which
+  /// each kind has elsewhere.
   void FindPlaces()
   {
     const LitView& view = this->Judge->View();
@@ -161,24 +149,26 @@ private:
       this->Advance();
       for (std::size_t i = 0; i < acne.size(); ++i)
       {
-        acne[i] += std::max(this->Judge->Error(least, i), 0.0);
-        gap[i] += view.Receiver[i] ? std::max(most[i] - view.Truth[i], 0.0f) : 0.0f;
+        acne[i] += view.Light[i] * std::max(this->Judge->Error(least, i), 0.0);
+        const float leak = view.Receiver[i] ? most[i] - view.Truth[i] : 0.0f;
+        gap[i] = view.Light[i] * std::max(leak, 0.0f);
       }
+      this->Study.GapPlaces.push_back(HeaviestSquare(gap, view.Width, view.Height));
     }
     this->Study.AcnePlace = HeaviestSquare(acne, view.Width, view.Height);
-    this->Study.GapPlace = HeaviestSquare(gap, view.Width, view.Height);
   }
 
   void Sweep(const std::string& kind)
   {
     BiasSweep sweep{ kind, kind + "-bias", {} };
     std::vector<BiasStudy::Views> strip;
+    const Crop place = this->Study.GapPlaces[this->Study.Sweeps.size()];
     for (const double bias : this->Study.Options.Biases)
     {
       SetBiases(this->Bench.Maps(), kind, bias);
       sweep.Samples.push_back({ bias, this->Judge->Measure(this->Bench.DrawMask()) });
       const Picture shown = this->Shown();
-      strip.push_back({ Cut(shown, this->Study.AcnePlace), Cut(shown, this->Study.GapPlace) });
+      strip.push_back({ Cut(shown, this->Study.AcnePlace), Cut(shown, place) });
       this->Advance();
     }
     this->Study.Sweeps.push_back(std::move(sweep));
@@ -192,6 +182,18 @@ private:
   double Steps = 1;
   double Done = 0;
 };
+}
+
+Picture Cut(const Picture& picture, const Crop& crop)
+{
+  Picture part(crop.Width, crop.Height, picture.Channels);
+  for (int y = 0; y < crop.Height; ++y)
+  {
+    const float* row = picture.Pixel(std::size_t(crop.Y + y) * picture.Width + crop.X);
+    std::copy_n(
+      row, std::size_t(crop.Width) * picture.Channels, part.Pixel(std::size_t(y) * crop.Width));
+  }
+  return part;
 }
 
 int ChooseResolution(double pixelWidth, int resolution)

@@ -36,7 +36,8 @@ struct BiasStudy
 {
   BiasStudyOptions Options;
   int Resolution = 0;
-  double TexelWidth = 0; ///< world units, where the light is positional in the middle of what it reaches
+  double TexelWidth =
+    0; ///< world units, where the light is positional in the middle of what it reaches
   double PixelWidth = 0; ///< texels
   double FilterRadius = 0;
   double Lost = 0; ///< share of the true shadow that no map of this resolution shows
@@ -45,11 +46,9 @@ struct BiasStudy
   BiasErrors AtDefaults;
   std::vector<BiasSweep> Sweeps;
 
-  Picture Overview;    ///< with rays
-  Crop AcnePlace;      ///< where acne is worst
-  Crop GapPlace;       ///< where light leaks in most
-  Picture TrueAcnePlace;
-  Picture TrueGapPlace;
+  Picture Overview;            ///< with rays
+  Crop AcnePlace;              ///< where acne is worst, of all kinds together
+  std::vector<Crop> GapPlaces; ///< of every sweep: where most light leaks in
   struct Views
   {
     Picture AcnePlace;
@@ -57,6 +56,9 @@ struct BiasStudy
   };
   std::vector<std::vector<Views>> Strips; ///< of every sweep, every sample
 };
+
+/// That part of the picture.
+Picture Cut(const Picture& picture, const Crop& crop);
 
 BiasStudy StudyBias(ShadowBench& bench, const BiasStudyOptions& options, Reporter& reporter);
 
