@@ -116,6 +116,21 @@ class Laboratory(command.CommandTest):
                           notes=["of 2 lights that cast shadows the strongest"])
         self.assertEqual(both, alone)
 
+    def test_headlights_only_brighten_shadows(self):
+        quick = ("--bias", "constant", "--steps", 3)
+        alone = self.study(BOARD, *quick)
+        lit = self.study({**BOARD, "lights": [*BOARD["lights"], {"type": "head", "intensity": 0.5}]}, *quick)
+        for a, b in zip(alone["sweeps"][0]["samples"], lit["sweeps"][0]["samples"]):
+            self.assertAlmostEqual(a["acne"], b["acne"], delta=1e-4)
+            self.assertAlmostEqual(a["gap"], b["gap"], delta=0.01)
+
+    def test_what_is_translucent_is_left_out(self):
+        quick = ("--bias", "constant", "--steps", 3)
+        glass = {"box": {"center": [0, -1, 0.5], "size": [1, 0.1, 0.5]}, "material": {"opacity": 0.5}}
+        with_glass = self.study({**BOARD, "objects": [*BOARD["objects"], glass]}, *quick,
+                                notes=["what is translucent is left out"])
+        self.assertEqual(with_glass["edge-points"], self.study(BOARD, *quick)["edge-points"])
+
     def test_materials_cancel_out(self):
         quick = ("--bias", "constant", "--steps", 3)
         plain = self.study(BOARD, *quick)
@@ -154,6 +169,9 @@ class Refused(command.CommandTest):
                 (("--stpes", "3"), "unknown option '--stpes': did you mean '--steps'?")):
             self.refused("lab", "shadow-bias", board, "-o", "out", *options, says=says, status=2)
         self.refused("lab", "shadow-bias", board, says="--output is required", status=2)
+        # Before anything is read, which may take long.
+        self.refused("lab", "shadow-bias", "none.json", "-o", "out", "--steps", "1", says="--steps is 1",
+                     status=2)
 
     def test_unknown_experiments(self):
         self.refused("lab", says="name a command: shadow-bias", status=2)

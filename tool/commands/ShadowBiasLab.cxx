@@ -14,7 +14,8 @@
 #include "../scene/Windows.h"
 
 #include <CLI/CLI.hpp>
-#include <vtkGITechnique.h>
+#include <vtkGIShadowMaps.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,7 @@ public:
   {
     console.SetQuiet(this->Options.Quiet);
     console.SetVerbose(this->Options.Verbose);
+    const BiasStudyOptions options = this->Plan();
     const Scene scene = this->Describe();
     const auto window = MakeWindow(this->Options.Backend);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
@@ -70,7 +72,6 @@ public:
     nlohmann::ordered_json report;
     {
       ShadowBench bench(window, built.Renderer, scene.Techniques);
-      const BiasStudyOptions options = this->Plan(bench);
       this->MakeFolder();
       const BiasStudy study = StudyBias(bench, options, console);
       this->Comment(bench, study, console);
@@ -102,10 +103,11 @@ private:
     return scene;
   }
 
-  BiasStudyOptions Plan(ShadowBench& bench) const
+  BiasStudyOptions Plan() const
   {
+    vtkNew<vtkGIShadowMaps> maps; // for what it declares
     BiasStudyOptions options;
-    const std::vector<std::string> kinds = BiasKinds(bench.Maps());
+    const std::vector<std::string> kinds = BiasKinds(maps);
     if (this->Kind == "all")
     {
       options.Kinds = kinds;
@@ -122,10 +124,10 @@ private:
     }
     for (const std::string& kind : options.Kinds)
     {
-      this->CheckRange(bench.Maps(), kind);
+      this->CheckRange(maps, kind);
     }
     options.Biases = EvenSteps(this->From, this->To, this->Steps);
-    options.Resolution = this->CheckResolution(bench.Maps());
+    options.Resolution = this->CheckResolution(maps);
     return options;
   }
 
@@ -190,6 +192,11 @@ private:
       console.Note(fmt::format("of {} lights that cast shadows the strongest is studied: give one "
                                "with --light for another",
         bench.OtherLamps() + 1));
+    }
+    if (bench.LeftOut() > 0)
+    {
+      console.Note(
+        "what is translucent is left out: how dark its shadow is, is no matter of a bias");
     }
     constexpr double resolved = 0.5;
     if (study.PixelWidth > resolved)

@@ -16,6 +16,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPropCollection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,7 @@ ShadowBench::ShadowBench(
 {
   this->Configure(settings);
   this->ChooseLamp();
+  this->HideTranslucent();
   renderer->SetPass(this->Illumination);
 }
 
@@ -114,7 +116,23 @@ void ShadowBench::ChooseLamp()
   }
   for (const auto& [light, on] : this->Switches)
   {
-    light->SetSwitch(light == this->Studied);
+    light->SetSwitch(light == this->Studied || (on && light->LightTypeIsHeadlight()));
+  }
+}
+
+void ShadowBench::HideTranslucent()
+{
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator cursor;
+  props->InitTraversal(cursor);
+  while (vtkProp* prop = props->GetNextProp(cursor))
+  {
+    const bool translucent = prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume");
+    if (translucent && prop->GetVisibility())
+    {
+      prop->VisibilityOff();
+      this->Hidden.emplace_back(prop);
+    }
   }
 }
 
@@ -123,6 +141,10 @@ ShadowBench::~ShadowBench()
   for (const auto& [light, on] : this->Switches)
   {
     light->SetSwitch(on);
+  }
+  for (vtkProp* prop : this->Hidden)
+  {
+    prop->VisibilityOn();
   }
   this->Illumination->ReleaseGraphicsResources(this->Target);
   this->Renderer->SetPass(this->Before);
