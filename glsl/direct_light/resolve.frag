@@ -2,7 +2,7 @@
 // The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
 // GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
-// GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
+// GI_IRRADIANCE (indirect light is known), GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
 // radiance, not the colour as displayed), GI_LIT (write both).
 #include "shared/view.h"
 #include "shared/light.h"
@@ -21,6 +21,7 @@ layout(binding = 4) uniform sampler2D surfaceTexture;
 layout(binding = 5) uniform sampler2D emissionTexture;
 layout(binding = 6) uniform sampler2DArray directVisibility;
 layout(binding = 7) uniform sampler2D ambientVisibility;
+layout(binding = 8) uniform sampler2D irradianceTexture;
 
 uniform int lightCount;
 uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
@@ -60,6 +61,11 @@ void main()
   float openness = 1.0;
 #ifdef GI_AMBIENT_VISIBILITY
   openness = index == GI_MATERIAL_AS_DRAWN ? 1.0 : texelFetch(ambientVisibility, pixel, 0).r;
+#endif
+
+  vec3 indirect = vec3(0.0);
+#ifdef GI_IRRADIANCE
+  indirect = texelFetch(irradianceTexture, pixel, 0).rgb;
 #endif
 
   vec3 N = giDecodeOctahedral(packedNormal.xy);
@@ -127,18 +133,19 @@ void main()
   if (pbr)
   {
     // VTK's PBR reflects 1 / pi of what its Phong materials do.
-    vec3 surroundings = ambientLight / GI_PI * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
+    vec3 surroundings =
+      (ambientLight / GI_PI + indirect) * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
     result = openness * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
     color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
   }
   else
   {
-    result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light +
+    result = openness * (ambient + albedo.rgb * (ambientLight + indirect)) + albedo.rgb * light +
       material.Specular.rgb * surface.rgb * gloss + emission;
     color.rgb = result;
   }
 #else
-  vec3 result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light;
+  vec3 result = openness * (ambient + albedo.rgb * (ambientLight + indirect)) + albedo.rgb * light;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;
 #endif

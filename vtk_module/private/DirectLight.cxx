@@ -47,6 +47,7 @@ struct Resolve
     flag("GI_POSITIONAL", this->Lights->HasPositional());
     flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
+    flag("GI_IRRADIANCE", context.Input(resource::Irradiance) != nullptr);
     flag("GI_COVERAGE", this->Materials->CoverInPart());
     flag("GI_RADIANCE", radiance);
     flag("GI_LIT", lit);
@@ -92,7 +93,8 @@ struct Resolve
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Ambient),
         context.Input(resource::Surface), context.Input(resource::Emission),
-        context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility) });
+        context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility),
+        context.Input(resource::Irradiance) });
     this->Lights->Bind(0, 1.0 - this->Share);
     this->Materials->Bind(1);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
@@ -139,6 +141,7 @@ void ContributeDirectLight(
     .ReadIfPresent(resource::Emission)
     .ReadIfPresent(resource::DirectVisibility)
     .ReadIfPresent(resource::AmbientVisibility)
+    .ReadIfPresent(resource::Irradiance)
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
   if (radiance)

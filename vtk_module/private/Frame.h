@@ -43,6 +43,7 @@ constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
+constexpr const char* Irradiance = "irradiance"; ///< indirect, on surfaces, divided by pi
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed
@@ -183,7 +184,11 @@ public:
 
   /// Take a share of the lights' strength and spread it evenly over all directions.
   void SpreadLight(double share) { this->Share = share; }
-  double GetSpreadShare() const { return this->Share; }
+  double GetSpreadShare() const { return this->IndirectKnown ? 0.0 : this->Share; }
+
+  /// A technique writes resource::Irradiance: lights keep their strength.
+  void SetIndirectKnown() { this->IndirectKnown = true; }
+  bool IsIndirectKnown() const { return this->IndirectKnown; }
 
   /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights.
   void ShadeForward(ForwardVisibility visibility) { this->Visibility = std::move(visibility); }
@@ -205,6 +210,7 @@ private:
   bool Averaged = false;
   bool DrawnByRays = false;
   bool LitRadianceWanted = false;
+  bool IndirectKnown = false;
   double Share = 0.0;
   ForwardVisibility Visibility;
   std::vector<std::string> Notes;

@@ -1,0 +1,41 @@
+#version 430 core
+// Which of its neighbours a probe sees: a bit for each of thirteen, the others see it. Variants: those of
+// rays/passage.glsl.
+#include "shared/material.h"
+#include "rays/trace.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/sampling.glsl"
+#include "rays/surface.glsl"
+#include "rays/passage.glsl"
+#include "ddgi/field.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(rgba32f, binding = 0) uniform writeonly image2D probes;
+
+uniform int probeCount;
+
+void main()
+{
+  int probe = int(gl_GlobalInvocationID.x);
+  if (probe >= probeCount)
+  {
+    return;
+  }
+  ivec3 cell = fieldCell(probe);
+  vec3 position = fieldPosition(probe);
+  uint state = giHash(uint(probe));
+  int seen = 0;
+  for (int bit = 0; bit < 13; ++bit)
+  {
+    ivec3 other = cell + fieldNeighbour(bit);
+    if (any(lessThan(other, ivec3(0))) || any(greaterThanEqual(other, fieldCounts)))
+    {
+      continue;
+    }
+    Ray ray = Ray(position, 0.0, fieldPosition(fieldIndex(other)) - position, 1.0);
+    seen |= blocked(ray, state) ? 0 : 1 << bit;
+  }
+  vec4 before = texelFetch(fieldProbes, fieldTile(probe), 0);
+  imageStore(probes, fieldTile(probe), vec4(before.xyz, float(seen)));
+}

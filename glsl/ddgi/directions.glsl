@@ -1,0 +1,20 @@
+// The directions that a probe's rays take in an update: a table of directions spread evenly over the sphere,
+// turned at random for each probe and update. Needs lib/sampling.glsl.
+layout(binding = 3) uniform sampler2D fieldDirections;
+
+// A random rotation: a random axis for z, and a random turn about it.
+mat3 fieldTurn(int probe, int update)
+{
+  uint state = giHash(uint(probe) ^ giHash(uint(update)));
+  float z = 2.0 * giRandom(state) - 1.0;
+  float phi = 6.28318530718 * giRandom(state);
+  float turn = 6.28318530718 * giRandom(state);
+  float radius = sqrt(max(0.0, 1.0 - z * z));
+  mat3 basis = giBasis(vec3(radius * cos(phi), radius * sin(phi), z));
+  return basis * mat3(cos(turn), sin(turn), 0.0, -sin(turn), cos(turn), 0.0, 0.0, 0.0, 1.0);
+}
+
+vec3 fieldDirection(int ray)
+{
+  return texelFetch(fieldDirections, ivec2(ray, 0), 0).xyz;
+}

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Probes that are updated every frame: energy, leaks, how fast they follow and how still they stand.
+ */
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkGIDDGI.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace penumbra_test;
+
+namespace
+{
+using Values = std::vector<double>;
+
+class DDGI : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Scene.Window->SetSize(96, 72);
+    this->Scene.Renderer->AutomaticLightCreationOff();
+    this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Pass = this->Scene.SetPasses().front();
+    this->Pass->KeepRadianceOn();
+    this->Probes = vtkGIDDGI::SafeDownCast(this->Pass->GetTechnique("ddgi"));
+    ASSERT_NE(this->Probes, nullptr);
+    this->Probes->EnabledOn();
+    this->Lamp->SetLightTypeToSceneLight();
+    this->Lamp->PositionalOn();
+    this->Lamp->SetConeAngle(180.0);
+    this->Lamp->SetIntensity(0.0);
+    this->Scene.Renderer->AddLight(this->Lamp);
+  }
+  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
+
+  vtkActor* AddBox(double x0, double x1, double y0, double y1, double z0, double z1, double albedo)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetBounds(x0, x1, y0, y1, z0, z1);
+    vtkActor* box = this->Scene.Add(cube);
+    box->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    box->GetProperty()->SetDiffuse(albedo);
+    box->GetProperty()->SetAmbient(0.0);
+    box->GetProperty()->SetInterpolationToFlat();
+    return box;
+  }
+
+  // A view from inside with all walls in sight of a turn.
+  void LookFrom(double x, double y, double z, double atX, double atY, double atZ)
+  {
+    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+    camera->SetPosition(x, y, z);
+    camera->SetFocalPoint(atX, atY, atZ);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(75.0);
+    camera->SetClippingRange(0.01, 20.0);
+  }
+
+  // Luminance of every pixel after so many frames.
+  Values After(int frames)
+  {
+    for (int i = 0; i < frames; ++i)
+    {
+      this->Scene.Window->Render();
+    }
+    vtkNew<vtkImageData> image;
+    EXPECT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, image));
+    Values values;
+    auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+    {
+      values.push_back((scalars->GetTypedComponent(i, 0) + scalars->GetTypedComponent(i, 1) +
+                         scalars->GetTypedComponent(i, 2)) /
+        3.0);
+    }
+    return values;
+  }
+
+  static double Mean(const Values& values)
+  {
+    double sum = 0.0;
+    for (const double value : values)
+    {
+      sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+  }
+
+  Stage Scene;
+  vtkNew<vtkLight> Lamp;
+  vtkSmartPointer<vtkGIPass> Pass;
+  vtkGIDDGI* Probes = nullptr;
+};
+}
+
+TEST_F(DDGI, ClosedEnclosureKeepsItsEnergy)
+{
+  this->Probes->SetProbes(216);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  for (const double albedo : { 0.2, 0.5, 0.8 })
+  {
+    constexpr double emission = 0.1;
+    vtkActor* room = this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, albedo);
+    room->GetProperty()->SetAmbient(emission);
+    const Values values = this->After(200);
+    const double expected = emission / (1.0 - albedo);
+    double most = 0.0;
+    for (const double value : values)
+    {
+      most = std::max(most, std::abs(value / expected - 1.0));
+    }
+    std::printf("reflectance %.1f: radiosity %.5f of %.5f, largest error %.2f %%\n", albedo,
+      Mean(values), expected, 100.0 * most);
+    EXPECT_LT(most, 0.02);
+    this->Scene.Renderer->RemoveActor(room);
+  }
+}
+
+TEST_F(DDGI, ARoomNextDoorStaysDark)
+{
+  this->Probes->SetProbes(512);
+  // Two rooms of 2 x 2 x 2 with a thin wall between them, a lamp in the left one.
+  this->Lamp->SetIntensity(1.0);
+  this->Lamp->SetPosition(-1.2, 0.3, 0.4);
+  for (const double thickness : { 0.1, 0.02 })
+  {
+    vtkActor* left = this->AddBox(-2.0, -0.5 * thickness, -1.0, 1.0, -1.0, 1.0, 0.7);
+    vtkActor* right = this->AddBox(0.5 * thickness, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+    this->LookFrom(-1.8, -0.8, 0.8, -0.5, 0.5, -0.5);
+    const double bright = Mean(this->After(100));
+    this->Pass->GetTechnique("ddgi")->EnabledOff();
+    const double direct = Mean(this->After(1));
+    this->Pass->GetTechnique("ddgi")->EnabledOn();
+    int counts[3];
+    this->Probes->GetGrid(this->Scene.Renderer, counts);
+    this->LookFrom(1.8, -0.8, 0.8, 0.5, 0.5, -0.5);
+    this->Pass->GetTechnique("shadow-maps")->EnabledOn();
+    const Values dark = this->After(100);
+    this->Pass->GetTechnique("shadow-maps")->EnabledOff();
+    const double most = *std::max_element(dark.begin(), dark.end());
+    std::printf("wall of %.2f, cells of %.2f: lit room's indirect light %.4f, dark room %.6f "
+                "(%.3f %%), at most %.6f\n",
+      thickness, 4.0 / (counts[0] - 2), bright - direct, Mean(dark),
+      100.0 * Mean(dark) / (bright - direct), most);
+    EXPECT_LT(thickness, 0.5 * 4.0 / (counts[0] - 2));
+    EXPECT_LT(Mean(dark), 0.01 * (bright - direct));
+    this->Scene.Renderer->RemoveActor(left);
+    this->Scene.Renderer->RemoveActor(right);
+  }
+}
+
+TEST_F(DDGI, LightOnAndLightOffArriveAlikeSoon)
+{
+  this->Probes->SetProbes(512);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+  this->Lamp->SetPosition(0.3, -0.2, 0.4);
+  this->Lamp->SetIntensity(1.0);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  const auto indirect = [this] {
+    const Values with = this->After(1);
+    return Mean(with);
+  };
+  this->After(200);
+  const double lit = indirect();
+  this->Probes->EnabledOff();
+  const double direct = indirect();
+  this->Probes->EnabledOn();
+  this->After(100);
+  const double full = lit - direct;
+  this->Lamp->SetIntensity(0.0);
+  int off = 0;
+  while (indirect() > 0.1 * full && off < 100)
+  {
+    ++off;
+  }
+  this->After(100);
+  EXPECT_LT(indirect(), 0.01 * full);
+  this->Lamp->SetIntensity(1.0);
+  int on = 0;
+  while (indirect() - direct < 0.9 * full && on < 100)
+  {
+    ++on;
+  }
+  std::printf("90 %% after %d updates when the light goes off, %d when it comes on\n", off + 1, on + 1);
+  EXPECT_LE(off + 1, 30);
+  EXPECT_LE(on + 1, 30);
+}
+
+TEST_F(DDGI, AStillSceneIsStill)
+{
+  this->Probes->SetProbes(512);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+  this->AddBox(-0.6, 0.0, -0.6, 0.0, -1.0, 0.2, 0.5);
+  this->Lamp->SetPosition(0.3, -0.2, 0.7);
+  this->Lamp->SetIntensity(1.0);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->After(150);
+  std::vector<Values> frames;
+  for (int i = 0; i < 100; ++i)
+  {
+    frames.push_back(this->After(1));
+  }
+  double most = 0.0;
+  double sum = 0.0;
+  for (std::size_t pixel = 0; pixel < frames.front().size(); ++pixel)
+  {
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const auto& frame : frames)
+    {
+      mean += frame[pixel] / 100.0;
+      squares += frame[pixel] * frame[pixel] / 100.0;
+    }
+    const double deviation = std::sqrt(std::max(squares - mean * mean, 0.0)) / std::max(mean, 1e-6);
+    most = std::max(most, deviation);
+    sum += deviation;
+  }
+  std::printf("frames 151 to 250: deviation of a pixel %.4f %% of its mean on the average, %.4f %% at most\n",
+    100.0 * sum / static_cast<double>(frames.front().size()), 100.0 * most);
+  EXPECT_LT(most, 0.005);
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/ProbeGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+ProbeGrid ProbeGrid::Around(const std::array<double, 6>& bounds, int probes)
+{
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  // A flat scene still gets a volume.
+  const double diagonal = std::max(glm::length(high - low), 1e-30);
+  const glm::dvec3 size = glm::max(high - low, glm::dvec3(1e-3 * diagonal));
+  ProbeGrid grid;
+  double cell = std::cbrt(size.x * size.y * size.z / probes);
+  for (;;)
+  {
+    const glm::dvec3 cells = glm::max(glm::ceil(size / cell - 1e-9), glm::dvec3(1.0));
+    const glm::dvec3 counts = cells + 2.0;
+    if (counts.x * counts.y * counts.z <= std::max(probes, 27))
+    {
+      grid.Counts = glm::ivec3(counts);
+      grid.Spacing = size / cells;
+      break;
+    }
+    cell *= 1.02;
+  }
+  // Along a thin side of the scene cells are as long as along the others.
+  const double longest = std::max({ grid.Spacing.x, grid.Spacing.y, grid.Spacing.z });
+  grid.Spacing = glm::max(grid.Spacing, glm::dvec3(0.5 * longest));
+  grid.First = 0.5 * (low + high) - 0.5 * grid.Spacing * glm::dvec3(grid.Counts - 1);
+  return grid;
+}
+
+bool ProbeGrid::Suits(const std::array<double, 6>& bounds) const
+{
+  constexpr double filled = 0.7; // along each side
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  const glm::dvec3 from = this->First;
+  const glm::dvec3 to = this->Last();
+  const glm::dvec3 slack = 1e-6 * (to - from);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool inside = low[axis] >= from[axis] - slack[axis] && high[axis] <= to[axis] + slack[axis];
+    const double fitted = this->Counts[axis] > 3 ? (to - from)[axis] - this->Spacing[axis] : 0.0;
+    if (!inside || high[axis] - low[axis] < filled * fitted)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Where probes stand: a grid of nearly cubic cells around a box.
+ */
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+
+namespace penumbra
+{
+struct ProbeGrid
+{
+  glm::dvec3 First{ 0.0 };   ///< place of the first probe, world
+  glm::dvec3 Spacing{ 1.0 }; ///< between neighbours
+  glm::ivec3 Counts{ 0 };
+
+  int Size() const { return this->Counts.x * this->Counts.y * this->Counts.z; }
+  bool IsEmpty() const { return this->Size() == 0; }
+  glm::dvec3 Last() const { return this->First + this->Spacing * glm::dvec3(this->Counts - 1); }
+
+  /// Around bounds (as VTK's), with at most so many probes. The outermost stand half a cell outside, so
+  /// that surfaces at the bounds have probes on both sides.
+  static ProbeGrid Around(const std::array<double, 6>& bounds, int probes);
+
+  /// Whether the bounds lie within, and fill enough of it that a grid of their own would not be much finer.
+  bool Suits(const std::array<double, 6>& bounds) const;
+};
+}

@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGIDDGI.h"
+
+#include "private/Frame.h"
+#include "private/ProbeGrid.h"
+#include "private/ScopedState.h"
+#include "private/rays/RayProps.h"
+
+#include "vtkCamera.h"
+
+#include <glm/gtc/constants.hpp>
+
+vtkStandardNewMacro(vtkGIDDGI);
+
+using namespace penumbra;
+
+namespace
+{
+// Distances are kept as they are after so many updates of geometry that stands still.
+constexpr int AllDistances = 8;
+constexpr int DistanceStride = 4;
+constexpr int MostDistances = AllDistances + 64 * DistanceStride;
+
+// As in glsl/ddgi/field.glsl.
+constexpr int LightTexels = 8;
+constexpr int DistanceTexels = 16;
+constexpr int Columns = 64;
+
+// What the passes hand on, beside the textures that they keep.
+constexpr const char* Traced = "ddgi.traced";
+constexpr const char* Blended = "ddgi.blended";
+
+// For so many updates after a change each one's share stays as large as hysteresis lets it be: light bounces
+// once in an update, so that much of a change takes several to arrive.
+constexpr int Agile = 24;
+
+// What came earlier weighs less, as it knew fewer bounces: the next of n updates takes the share 2 / (n + 2).
+double ShareAfter(int updates)
+{
+  return 2.0 / (updates + 2.0);
+}
+
+// Of the next update, after so many since a change.
+double ShareOf(int updates, double hysteresis)
+{
+  const double most = 1.0 - hysteresis;
+  return updates < Agile ? most : 1.0 / (1.0 / most + 0.5 * (updates - Agile));
+}
+}
+
+namespace
+{
+struct Textures
+{
+  Texture* Directions = nullptr;
+  Texture* Found = nullptr;
+  Texture* Light = nullptr;
+  Texture* Distance = nullptr;
+  Texture* Probes = nullptr;
+};
+
+// Along a spiral, neighbours in the table being neighbours on the sphere (Bauer 2000, Distribution of Points on
+// a Sphere with Application to Star Catalogs).
+std::vector<glm::vec4> EvenDirections(int count)
+{
+  std::vector<glm::vec4> directions;
+  for (int i = 0; i < count; ++i)
+  {
+    const double z = 1.0 - (2.0 * i + 1.0) / count;
+    const double turn = std::sqrt(glm::pi<double>() * count) * std::acos(z);
+    const double radius = std::sqrt(1.0 - z * z);
+    directions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z, 0.0);
+  }
+  return directions;
+}
+
+void Fill(const Texture& texture, const std::vector<glm::vec4>& texels)
+{
+  glBindTexture(GL_TEXTURE_2D, texture.Get());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, texture.Desc().Width, texture.Desc().Height, GL_RGBA,
+    GL_FLOAT, texels.data());
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+// fresh: their contents are not yet defined.
+Textures FieldTextures(FrameContext& context, int probes, int rays, bool& fresh)
+{
+  const int columns = std::min(probes, Columns);
+  const int rows = (probes + Columns - 1) / Columns;
+  bool made = false;
+  fresh = false;
+  const auto get = [&](const char* name, GLenum format, int width, int height) {
+    Texture& texture = context.History(name, { format, width, height, 0 }, made);
+    fresh |= made;
+    return &texture;
+  };
+  Textures textures;
+  textures.Found = &context.History("ddgi.rays", { GL_RGBA32F, rays, probes, 0 }, made);
+  textures.Directions = &context.History("ddgi.directions", { GL_RGBA32F, rays, 1, 0 }, made);
+  if (made)
+  {
+    Fill(*textures.Directions, EvenDirections(rays));
+  }
+  textures.Light =
+    get("ddgi.light", GL_RGBA32F, columns * (LightTexels + 2), rows * (LightTexels + 2));
+  textures.Distance =
+    get("ddgi.distance", GL_RG32F, columns * (DistanceTexels + 2), rows * (DistanceTexels + 2));
+  textures.Probes = get("ddgi.probes", GL_RGBA32F, columns, rows);
+  if (fresh)
+  {
+    for (Texture* texture : { textures.Light, textures.Distance })
+    {
+      texture->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+      texture->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
+    Fill(*textures.Probes,
+      std::vector<glm::vec4>(static_cast<std::size_t>(columns) * rows, glm::vec4(0.0f)));
+  }
+  return textures;
+}
+
+/// What every shader that asks the probes needs.
+struct FieldUniforms
+{
+  ProbeGrid Grid;
+  glm::dvec3 Origin{ 0.0 };
+  double Bias = 0.0;
+
+  void Set(const Program& program) const
+  {
+    const glm::vec3 first(this->Grid.First - this->Origin);
+    const glm::vec3 spacing(this->Grid.Spacing);
+    glUniform3fv(program.Location("fieldOrigin"), 1, &first[0]);
+    glUniform3fv(program.Location("fieldSpacing"), 1, &spacing[0]);
+    glUniform3iv(program.Location("fieldCounts"), 1, &this->Grid.Counts[0]);
+    glUniform1i(program.Location("fieldColumns"), std::min(this->Grid.Size(), Columns));
+    glUniform1f(program.Location("fieldBias"), static_cast<GLfloat>(this->Bias));
+  }
+};
+
+struct FieldUpdate
+{
+  FieldUniforms Uniforms;
+  RayProps* Rays = nullptr;
+  LightTable* Lights = nullptr;
+  int RayCount = 0;
+  int Number = 0; ///< of the update, for the rays' directions
+
+  void Trace(FrameContext& context, const Textures& textures) const
+  {
+    const Program& program =
+      context.Shaders().Compute("ddgi/trace.comp", this->Rays->ShaderDefines());
+    context.Use(program,
+      { nullptr, nullptr, nullptr, textures.Directions, textures.Light, textures.Distance,
+        textures.Probes });
+    this->Rays->Bind(program);
+    this->Lights->BindWorld(0, this->Rays->Origin());
+    this->Uniforms.Set(program);
+    glBindImageTexture(0, textures.Found->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    const glm::vec3 eye(glm::dvec3(context.GetView().ViewToWorld[3]) - this->Rays->Origin());
+    glUniform3fv(program.Location("eye"), 1, &eye[0]);
+    glUniform1i(program.Location("rays"), this->RayCount);
+    glUniform1i(program.Location("update"), this->Number);
+    glUniform1i(program.Location("probeCount"), this->Uniforms.Grid.Size());
+    glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
+    glUniform1i(program.Location("lit"), this->Number > 0);
+    constexpr int group = 64;
+    const int rays = this->RayCount * this->Uniforms.Grid.Size();
+    glDispatchCompute((rays + group - 1) / group, 1, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  }
+
+  void Connect(FrameContext& context, const Textures& textures) const
+  {
+    const Program& program =
+      context.Shaders().Compute("ddgi/connect.comp", this->Rays->ShaderDefines());
+    context.Use(program, { nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, textures.Probes });
+    this->Rays->Bind(program);
+    this->Uniforms.Set(program);
+    glBindImageTexture(0, textures.Probes->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    glUniform1i(program.Location("probeCount"), this->Uniforms.Grid.Size());
+    constexpr int group = 64;
+    glDispatchCompute((this->Uniforms.Grid.Size() + group - 1) / group, 1, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  }
+
+  void Blend(FrameContext& context, const Textures& textures, bool distances, double share,
+    int first, int stride) const
+  {
+    Defines defines;
+    if (distances)
+    {
+      defines["GI_BLEND_DISTANCE"] = "1";
+    }
+    const Program& program = context.Shaders().Compute("ddgi/blend.comp", defines);
+    context.Use(program, { textures.Found, nullptr, nullptr, textures.Directions });
+    this->Uniforms.Set(program);
+    const Texture* map = distances ? textures.Distance : textures.Light;
+    glBindImageTexture(1, map->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, map->Desc().Format);
+    glUniform1i(program.Location("rays"), this->RayCount);
+    glUniform1i(program.Location("update"), this->Number);
+    glUniform1f(program.Location("share"), static_cast<GLfloat>(share));
+    glUniform1f(program.Location("farthest"),
+      static_cast<GLfloat>(1.5 * glm::length(this->Uniforms.Grid.Spacing)));
+    glUniform1i(program.Location("first"), first);
+    glUniform1i(program.Location("stride"), stride);
+    glDispatchCompute((this->Uniforms.Grid.Size() - first + stride - 1) / stride, 1, 1);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  }
+};
+
+void Gather(
+  FrameContext& context, const Textures& textures, const FieldUniforms& uniforms, double intensity)
+{
+  const View& view = context.GetView();
+  ScopedState scope(context.State());
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, false);
+  scope.DepthMask(false);
+  context.BindTarget({ resource::Irradiance });
+  const Program& program = context.Shaders().Fragment("ddgi/gather.frag");
+  context.Use(program,
+    { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
+      context.Input(resource::Normal), nullptr, textures.Light, textures.Distance,
+      textures.Probes });
+  uniforms.Set(program);
+  const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
+  const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - uniforms.Origin);
+  glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
+  glUniform3fv(program.Location("eye"), 1, &eye[0]);
+  glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
+  context.DrawFullscreen();
+}
+}
+
+/// The probes of one view.
+struct vtkGIDDGI::Field
+{
+  ProbeGrid Grid;
+  int Updates = 0; ///< since the scene changed
+  int Total = 0;   ///< since the grid was made
+  int Seen = 0;    ///< updates of the distances since geometry changed, likewise
+  int Asked = 0;   ///< probes that Grid was made for
+  vtkMTimeType Parameters = 0;
+  Textures Maps;
+  FieldUpdate Update;
+};
+
+struct vtkGIDDGI::State
+{
+  std::map<std::pair<vtkRenderer*, int>, Field> Fields; ///< by renderer and eye
+};
+
+vtkGIDDGI::vtkGIDDGI()
+  : Impl(new State)
+{
+}
+
+vtkGIDDGI::~vtkGIDDGI() = default;
+
+void vtkGIDDGI::ReleaseGraphicsResources(vtkWindow*)
+{
+  this->Impl->Fields.clear();
+}
+
+void vtkGIDDGI::Contribute(FrameBuilder& frame)
+{
+  const View& view = frame.GetView();
+  if (view.Diagonal <= 0.0)
+  {
+    return;
+  }
+  RayProps& rays = frame.Rays();
+  if (rays.LeftOut() > 0)
+  {
+    frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
+      " props of kinds that cannot be traced yet: they send no indirect light");
+  }
+  frame.SetIndirectKnown();
+  const std::pair<vtkRenderer*, int> key(
+    frame.GetRenderer(), frame.GetRenderer()->GetActiveCamera()->GetLeftEye());
+  Field& field = this->Impl->Fields[key];
+  if (field.Asked != this->Probes || !field.Grid.Suits(view.Bounds))
+  {
+    field = Field();
+    field.Grid = ProbeGrid::Around(view.Bounds, this->Probes);
+    field.Asked = this->Probes;
+  }
+  const bool changed = view.Changes.Lights || view.Changes.Props || view.Changes.Looks ||
+    field.Parameters != this->GetMTime();
+  field.Parameters = this->GetMTime();
+  if (changed)
+  {
+    field.Updates = 0;
+    field.Seen = view.Changes.Props ? std::min(field.Seen, AllDistances) : field.Seen;
+  }
+  LightTable& lights = frame.Lights();
+  const TextureDesc token = { GL_R8, 1, 1, 0 };
+  frame.AddPass("ddgi-trace")
+    .Write(Traced, token)
+    .Execute([this, key, &rays, &lights](FrameContext& context) {
+      Field& now = this->Impl->Fields[key];
+      bool fresh = false;
+      now.Maps = FieldTextures(context, now.Grid.Size(), this->Rays, fresh);
+      if (fresh)
+      {
+        now.Updates = now.Total = now.Seen = 0;
+      }
+      now.Update = { { now.Grid, rays.Origin(), this->Bias }, &rays, &lights, this->Rays,
+        now.Total };
+      if (now.Updates < this->Updates)
+      {
+        // Neighbours' sight of each other is as the geometry is.
+        if (context.GetView().Changes.Props || now.Total == 0)
+        {
+          now.Update.Connect(context, now.Maps);
+        }
+        now.Update.Trace(context, now.Maps);
+      }
+    });
+  frame.AddPass("ddgi-blend")
+    .Read(Traced)
+    .Write(Blended, token)
+    .Execute([this, key](FrameContext& context) {
+      Field& now = this->Impl->Fields[key];
+      if (now.Updates < this->Updates)
+      {
+        if (now.Seen < MostDistances)
+        {
+          // After the first updates, a few of the probes at a time: distances take long to blend.
+          const int stride = now.Seen < AllDistances ? 1 : DistanceStride;
+          const int seen =
+            stride == 1 ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
+          now.Update.Blend(context, now.Maps, true, ShareAfter(seen), now.Seen % stride, stride);
+          ++now.Seen;
+        }
+        now.Update.Blend(context, now.Maps, false,
+          now.Total == 0 ? 1.0 : ShareOf(now.Updates, this->Hysteresis), 0, 1);
+        ++now.Updates;
+        ++now.Total;
+      }
+    });
+  frame.AddPass("ddgi")
+    .Read(Blended)
+    .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Read(resource::WindowDepth)
+    .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
+    .Execute([this, key](FrameContext& context) {
+      const Field& now = this->Impl->Fields[key];
+      Gather(context, now.Maps, now.Update.Uniforms, this->Intensity);
+    });
+}
+
+bool vtkGIDDGI::IsFinished(vtkRenderer* renderer)
+{
+  return this->GetUpdatesDone(renderer) >= this->Updates;
+}
+
+int vtkGIDDGI::GetUpdatesDone(vtkRenderer* renderer)
+{
+  const auto found = this->Impl->Fields.lower_bound({ renderer, 0 });
+  return found != this->Impl->Fields.end() && found->first.first == renderer ? found->second.Updates
+                                                                             : 0;
+}
+
+void vtkGIDDGI::GetGrid(vtkRenderer* renderer, int counts[3])
+{
+  const auto found = this->Impl->Fields.lower_bound({ renderer, 0 });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    counts[axis] = found != this->Impl->Fields.end() && found->first.first == renderer
+      ? found->second.Grid.Counts[axis]
+      : 0;
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGIDDGI
+ * @brief   diffuse indirect light by probes that rays update every frame
+ *
+ * A grid of probes fills the bounds of the visible props. In every update each probe traces some rays,
+ * whose ends are lit by the lights and by the probes themselves, so that light bounces without end; what
+ * the rays find is blended into two small maps of the probe, of light and of distances. A surface takes
+ * its indirect light from the eight probes around it, as far as they see it. Lights, geometry, colours and
+ * time steps may change at any time. Lights stay as they are: ambient occlusion takes no share of them
+ * where indirect light is known.
+ */
+#ifndef vtkGIDDGI_h
+#define vtkGIDDGI_h
+
+#include "vtkGIDDGIParameters.h"
+
+#include <memory> // for the state
+
+class vtkRenderer;
+
+class VTKRENDERINGGI_EXPORT vtkGIDDGI : public vtkGIDDGIParameters
+{
+public:
+  static vtkGIDDGI* New();
+  vtkTypeMacro(vtkGIDDGI, vtkGIDDGIParameters);
+
+  void Contribute(penumbra::FrameBuilder& frame) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  int GetRequiredFrames() override { return this->Updates; }
+  bool IsFinished(vtkRenderer* renderer) override;
+
+  /**
+   * Of a renderer's last frame: the probes along x, y and z, and all of them; updates since the scene
+   * changed.
+   */
+  void GetGrid(vtkRenderer* renderer, int counts[3]);
+  int GetUpdatesDone(vtkRenderer* renderer);
+
+protected:
+  vtkGIDDGI();
+  ~vtkGIDDGI() override;
+
+private:
+  vtkGIDDGI(const vtkGIDDGI&) = delete;
+  void operator=(const vtkGIDDGI&) = delete;
+
+  struct Field;
+  struct State;
+  std::unique_ptr<State> Impl;
+};
+
+#endif
