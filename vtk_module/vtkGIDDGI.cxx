@@ -33,7 +33,7 @@ constexpr const char* Blended = "ddgi.blended";
 
 // For so many updates after a change each one's share stays as large as hysteresis lets it be: light bounces
 // once in an update, so that much of a change takes several to arrive.
-constexpr int Agile = 24;
+constexpr int Agile = 48;
 
 // What came earlier weighs less, as it knew fewer bounces: the next of n updates takes the share 2 / (n + 2).
 double ShareAfter(int updates)

@@ -116,7 +116,7 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V)
       agreed += sees ? weights[j] * weights[j] : 0.0;
     }
     agreed /= max(total, 1e-30);
-    float weight = weights[i] * agreed * agreed;
+    float weight = weights[i] * (agreed * agreed) * (agreed * agreed);
     int probe = fieldIndex(min(base + corner, fieldCounts - 1));
     sum += weight * fieldFetch(fieldLight, probe, N, float(GI_FIELD_LIGHT)).rgb;
     all += weight;

@@ -115,14 +115,14 @@ protected:
 
 TEST_F(DDGI, ClosedEnclosureKeepsItsEnergy)
 {
-  this->Probes->SetProbes(216);
+  this->Probes->SetProbes(343);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
   for (const double albedo : { 0.2, 0.5, 0.8 })
   {
     constexpr double emission = 0.1;
     vtkActor* room = this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, albedo);
     room->GetProperty()->SetAmbient(emission);
-    const Values values = this->After(200);
+    const Values values = this->After(384);
     const double expected = emission / (1.0 - albedo);
     double most = 0.0;
     for (const double value : values)
@@ -176,10 +176,7 @@ TEST_F(DDGI, LightOnAndLightOffArriveAlikeSoon)
   this->Lamp->SetPosition(0.3, -0.2, 0.4);
   this->Lamp->SetIntensity(1.0);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
-  const auto indirect = [this] {
-    const Values with = this->After(1);
-    return Mean(with);
-  };
+  const auto indirect = [this] { return Mean(this->After(1)); };
   this->After(200);
   const double lit = indirect();
   this->Probes->EnabledOff();
