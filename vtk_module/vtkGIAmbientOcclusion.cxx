@@ -14,6 +14,7 @@ using namespace penumbra;
 namespace
 {
 constexpr const char* Raw = "ambient-occlusion.raw";
+constexpr const char* Places = "ambient-occlusion.depth";
 constexpr const char* Smoothed = "ambient-occlusion.smoothed";
 
 enum Methods
@@ -56,13 +57,14 @@ shared::OcclusionData MakeKernel(int samples)
 
 // Of the samples of the horizon method, so many lie in one slice, half of them to each side: the
 // filter averages slices over pixels, so that places along a slice are worth more than slices.
-constexpr int SamplesPerSlice = 16;
+constexpr int SamplesPerSlice = 32;
 
 struct Work
 {
   Buffer* KernelBlock;
   double Radius;
   double Bias;
+  double Thickness; ///< 0: unlimited
   int Method;
   int Samples;
   int Stride; ///< pixels of the window that a sampled one stands for, across and down
@@ -102,7 +104,23 @@ struct Work
     const int slices = std::max(1, this->Samples / SamplesPerSlice);
     defines["GI_SLICES"] = std::to_string(slices);
     defines["GI_STEPS"] = std::to_string(std::max(1, this->Samples / (2 * slices)));
+    if (this->Thickness > 0.0)
+    {
+      defines["GI_THICKNESS"] = "1";
+    }
     return context.Shaders().Fragment("ambient_occlusion/horizon.frag", defines);
+  }
+
+  void CopyDepth(FrameContext& context) const
+  {
+    ScopedState scope(context.State());
+    scope.Set(GL_BLEND, false);
+    scope.Set(GL_DEPTH_TEST, false);
+    scope.DepthMask(false);
+    context.BindTarget({ Places });
+    context.Use(context.Shaders().Fragment("ambient_occlusion/depth.frag"),
+      { context.Input(resource::WindowDepth) });
+    context.DrawFullscreen();
   }
 
   void Sample(FrameContext& context) const
@@ -111,11 +129,12 @@ struct Work
     this->Begin(context, scope, Raw, this->Stride);
     const Program& program = this->Sampler(context);
     context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(resource::Normal) });
+      { context.Input(Places), context.Input(resource::Normal) });
     this->KernelBlock->BindBase(GL_UNIFORM_BUFFER, 1);
     const double bias = this->Method == Hemisphere ? this->Bias * this->Radius : this->Bias;
     glUniform1f(program.Location("radius"), static_cast<GLfloat>(this->Radius));
     glUniform1f(program.Location("bias"), static_cast<GLfloat>(bias));
+    glUniform1f(program.Location("thickness"), static_cast<GLfloat>(this->Thickness));
     context.DrawFullscreen();
   }
 
@@ -176,12 +195,17 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     return;
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const Work work{ &this->Impl->KernelBlock, radius, this->Bias, this->Method, this->Samples, stride,
-    this->Filter };
+  const Work work{ &this->Impl->KernelBlock, radius, this->Bias, this->Thickness, this->Method,
+    this->Samples, stride, this->Filter };
   TextureDesc raw = frame.WindowTexture(GL_RG32UI);
   raw.Width = (raw.Width + stride - 1) / stride;
   raw.Height = (raw.Height + stride - 1) / stride;
+  frame.AddPass("ambient-occlusion-depth")
+    .Read(resource::WindowDepth)
+    .Write(Places, frame.WindowTexture(GL_R32F))
+    .Execute([work](FrameContext& context) { work.CopyDepth(context); });
   frame.AddPass("ambient-occlusion")
+    .Read(Places)
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
     .Read(resource::Normal)

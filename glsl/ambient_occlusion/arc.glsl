@@ -1,21 +1,25 @@
-// The light of an arc of a slice, by the cosine to the surface and the measure of directions around
-// the view: Jimenez et al. 2016, equation 7.
+// The light of an arc in a slice, by the cosine to the surface and the measure of directions around
+// the view: Jimenez et al. 2016, equation 7, to one side. n: cosine and sine of the angle by which
+// the normal leans to that side from the view direction.
 const float GI_ARC_PI = 3.14159265358979;
 
-// From the view direction to an angle h, for a normal tilted by `tilt`, n: its cosine and sine.
-float giArc(float h, float tilt, vec2 n)
+// The angle whose cosine is c, in [-1, 1], to 7e-5: Abramowitz and Stegun 1964, 4.4.45.
+float giArcAngle(float c)
 {
-  return 0.25 * (n.x - cos(2.0 * h - tilt) + 2.0 * h * n.y);
+  float x = abs(c);
+  float a = sqrt(max(1.0 - x, 0.0)) *
+    (1.5707288 + x * (-0.2121144 + x * (0.0742610 - x * 0.0187293)));
+  return c < 0.0 ? GI_ARC_PI - a : a;
 }
 
-// The same from horizon to horizon where nothing rises.
-float giOpenArc(float tilt, vec2 n)
+// From the view direction to one of cosine c and sine s, both above the tangent plane.
+float giArc(float c, float s, vec2 n)
 {
-  return n.x + tilt * n.y;
+  return 0.5 * (n.x * s * s + n.y * (giArcAngle(c) - s * c));
 }
 
-// Nothing below the tangent plane counts.
-float giClampArc(float h, float tilt)
+// From the view direction to the tangent plane.
+float giWholeArc(vec2 n)
 {
-  return tilt + clamp(h - tilt, -0.5 * GI_ARC_PI, 0.5 * GI_ARC_PI);
+  return giArc(-n.y, n.x, n);
 }

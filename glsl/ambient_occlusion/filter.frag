@@ -22,11 +22,11 @@ void main()
   ivec2 raw = ivec2(gl_FragCoord.xy);
   uvec2 centre = texelFetch(rawTexture, raw, 0).xy;
   float depth = giRawDepth(centre);
-  vec3 N = giRawNormal(centre);
+  vec2 normal = giRawNormal(centre);
   float openness = 1.0;
   if (depth < 1.0)
   {
-    GiSurfel here = giSurfel(vec2(giRawPixel(raw)) + 0.5, depth, N, float(GI_STRIDE));
+    GiSurfel here = giSurfel(vec2(giRawPixel(raw)) + 0.5, depth, normal, float(GI_STRIDE));
     ivec2 low = ivec2(view.Viewport.xy) / GI_STRIDE;
     ivec2 high = ivec2(view.Viewport.xy + view.Viewport.zw - 1.0) / GI_STRIDE;
     float sum = 0.0;
@@ -37,8 +37,8 @@ void main()
       {
         ivec2 at = clamp(raw + ivec2(x, y), low, high);
         uvec2 other = texelFetch(rawTexture, at, 0).xy;
-        vec3 S = giViewPosition(vec2(giRawPixel(at)) + 0.5, giRawDepth(other));
-        float weight = giAlike(here, S, giRawNormal(other));
+        vec2 offset = vec2((at - raw) * GI_STRIDE);
+        float weight = giAlike(here, offset, giRawDepth(other), giRawNormal(other));
         sum += weight * giRawOpenness(other);
         weights += weight;
       }
@@ -46,7 +46,7 @@ void main()
     openness = sum / max(weights, 1e-6);
   }
 #ifdef GI_PACKED
-  result = giPackRaw(openness, depth, N);
+  result = giPackRaw(openness, depth, normal);
 #else
   result = max(openness, 0.0);
 #endif

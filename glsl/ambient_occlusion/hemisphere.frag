@@ -24,11 +24,12 @@ void main()
   float depth = texelFetch(depthTexture, pixel, 0).r;
   if (depth >= 1.0)
   {
-    result = giPackRaw(1.0, depth, vec3(0.0, 0.0, 1.0));
+    result = giPackRaw(1.0, depth, vec2(0.5));
     return;
   }
   vec3 P = giViewPosition(vec2(pixel) + 0.5, depth);
-  vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
+  vec2 normal = texelFetch(normalTexture, pixel, 0).xy;
+  vec3 N = giDecodeOctahedral(normal);
 
   // Sixteen turns, which the filter averages.
   float turn = 6.28318531 * giRawSpread(raw).x;
@@ -64,5 +65,5 @@ void main()
     float near = 1.0 - clamp((seen - P.z) / radius - 1.0, 0.0, 1.0);
     hidden += ahead > bias ? near : 0.0;
   }
-  result = giPackRaw(1.0 - hidden / float(GI_SAMPLES), depth, N);
+  result = giPackRaw(1.0 - hidden / float(GI_SAMPLES), depth, normal);
 }

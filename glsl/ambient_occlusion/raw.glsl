@@ -1,5 +1,5 @@
 // What is sampled, before it is filtered: openness, depth and normal of one pixel in GI_STRIDE x
-// GI_STRIDE. Needs shared/view.h and lib/octahedral.glsl.
+// GI_STRIDE. Needs shared/view.h.
 
 // The pixel of its block that a texel stands for: another one each frame, so that still frames see
 // all of them.
@@ -19,22 +19,25 @@ ivec2 giRawPixel(ivec2 raw)
   return clamp(raw * GI_STRIDE + giRawOffset(), low, low + ivec2(view.Viewport.zw) - 1);
 }
 
-// Two numbers in [0, 1), spread evenly over every 4 x 4 texels and, there, over frames: a lattice of
-// rank 1, shifted from frame to frame by the sequence of Roberts 2018, The Unreasonable
-// Effectiveness of Quasirandom Sequences.
+// Two numbers in [0, 1), spread evenly over every 4 x 4 texels, within that over 4 x 4 such tiles, so
+// that no tile looks like its neighbours, and within that over frames: lattices of rank 1, shifted
+// by the sequence of Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences.
 vec2 giRawSpread(ivec2 raw)
 {
-  int tile = (raw.x & 3) * 4 + (raw.y & 3);
-  int index = (tile * 11 + view.Frame.x * 5) & 15;
-  vec2 shift = fract(float(view.Frame.x) * vec2(0.7548776662, 0.5698402910));
-  return vec2((float(index) + shift.x) / 16.0, fract((float((index * 7) & 15) + 0.5) / 16.0 + shift.y));
+  ivec2 within = raw & 3;
+  ivec2 tile = (raw >> 2) & 3;
+  int fine = ((within.x * 4 + within.y) * 11 + view.Frame.x * 5) & 15;
+  int coarse = ((tile.x * 4 + tile.y) * 11) & 15;
+  vec2 shift = vec2(coarse, (coarse * 7) & 15) / 16.0 + float(view.Frame.x) * vec2(0.7548776662, 0.5698402910);
+  return fract((vec2(fine, (fine * 7) & 15) + fract(shift)) / 16.0);
 }
 
 // Ten bits of openness, which reaches from -1 to 1 as a single slice may hold more than its share
-// of occlusion; the normal in eleven bits each.
-uvec2 giPackRaw(float openness, float depth, vec3 normal)
+// of occlusion; the octahedral normal in eleven
+// bits each.
+uvec2 giPackRaw(float openness, float depth, vec2 normal)
 {
-  uvec2 n = uvec2(giEncodeOctahedral(normal) * 2047.0 + 0.5);
+  uvec2 n = uvec2(normal * 2047.0 + 0.5);
   uint open = uint(clamp(openness * 0.5 + 0.5, 0.0, 1.0) * 1023.0 + 0.5);
   return uvec2(floatBitsToUint(depth), open << 22 | n.x << 11 | n.y);
 }
@@ -49,7 +52,8 @@ float giRawDepth(uvec2 word)
   return uintBitsToFloat(word.x);
 }
 
-vec3 giRawNormal(uvec2 word)
+// Octahedral.
+vec2 giRawNormal(uvec2 word)
 {
-  return giDecodeOctahedral(vec2((word.y >> 11) & 2047u, word.y & 2047u) / 2047.0);
+  return vec2((word.y >> 11) & 2047u, word.y & 2047u) / 2047.0;
 }

@@ -16,8 +16,8 @@ layout(location = 0) out float openness;
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  GiSurfel here = giSurfel(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r, N, 2.0);
+  float depth = texelFetch(depthTexture, pixel, 0).r;
+  GiSurfel here = giSurfel(gl_FragCoord.xy, depth, texelFetch(normalTexture, pixel, 0).xy, 2.0);
   ivec2 low = ivec2(view.Viewport.xy) / 2;
   ivec2 high = ivec2(view.Viewport.xy + view.Viewport.zw - 1.0) / 2;
   vec2 place = vec2(pixel - giRawOffset()) * 0.5;
@@ -32,12 +32,11 @@ void main()
     ivec2 offset = ivec2(i & 1, i >> 1);
     ivec2 at = clamp(corner + offset, low, high);
     uvec2 other = texelFetch(rawTexture, at, 0).xy;
-    vec3 S = giViewPosition(vec2(giRawPixel(at)) + 0.5, giRawDepth(other));
     vec2 near = mix(1.0 - part, part, vec2(offset));
-    float weight = (near.x * near.y + 1e-3) * giAlike(here, S, giRawNormal(other));
+    float weight = (near.x * near.y + 1e-3) * giAlike(here, vec2(giRawPixel(at) - pixel), giRawDepth(other), giRawNormal(other));
     sum += weight * giRawOpenness(other);
     weights += weight;
-    float off = distance(S, here.position);
+    float off = abs(giRawDepth(other) - depth);
     fallback = off < nearest ? giRawOpenness(other) : fallback;
     nearest = min(off, nearest);
   }

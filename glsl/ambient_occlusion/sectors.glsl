@@ -1,0 +1,33 @@
+// To one side of a slice, by sectors that hold alike much light: each thing closes those between its
+// front and its back. After Therrien, Levesque and Gilet 2023, Screen Space Indirect Lighting with
+// Visibility Bitmask, with the sectors spread by the closed form of the arc.
+uniform float thickness; // world units
+
+const uint SECTORS = 32u;
+
+// The light from the view direction to that of an offset (across, toward).
+float sectorLight(vec2 offset, vec2 n)
+{
+  vec2 d = offset * inversesqrt(max(dot(offset, offset), 1e-30));
+  return giArc(d.y, d.x, n);
+}
+
+float closedSide(Walk walk, WalkLine line)
+{
+  float whole = giWholeArc(line.n);
+  float scale = float(SECTORS) / max(whole, 1e-6);
+  uint closed = 0u;
+  for (int i = 0; i < GI_STEPS; ++i)
+  {
+    vec2 seen;
+    bool rises = walkStep(walk, line, i, seen);
+    vec2 front = vec2(seen.x, walkTop(seen));
+    vec2 back = vec2(seen.x, min(seen.y - thickness, front.y));
+    bool below = dot(back, line.n.yx) <= 0.0;
+    // Rounded by chance, so that what is smaller than a sector counts in part.
+    uint from = min(uint(sectorLight(front, line.n) * scale + walk.shift), SECTORS);
+    uint to = below ? SECTORS : min(uint(sectorLight(back, line.n) * scale + walk.shift), SECTORS);
+    closed |= rises && to > from ? (0xffffffffu >> (SECTORS - (to - from))) << from : 0u;
+  }
+  return whole * float(bitCount(closed)) / float(SECTORS);
+}
