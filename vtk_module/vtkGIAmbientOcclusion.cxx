@@ -58,6 +58,8 @@ shared::OcclusionData MakeKernel(int samples)
 // Of the samples of the horizon method, so many lie in one slice, half of them to each side: the
 // filter averages slices over pixels, so that places along a slice are worth more than slices.
 constexpr int SamplesPerSlice = 32;
+// Of the places to one side, one in so many looks for the end of the highest thing.
+constexpr int PlacesPerRefinement = 4;
 
 struct Work
 {
@@ -101,9 +103,6 @@ struct Work
       defines["GI_SAMPLES"] = std::to_string(this->Samples);
       return context.Shaders().Fragment("ambient_occlusion/hemisphere.frag", defines);
     }
-    const int slices = std::max(1, this->Samples / SamplesPerSlice);
-    defines["GI_SLICES"] = std::to_string(slices);
-    defines["GI_STEPS"] = std::to_string(std::max(1, this->Samples / (2 * slices)));
     if (this->Thickness > 0.0)
     {
       defines["GI_THICKNESS"] = "1";
@@ -131,6 +130,12 @@ struct Work
     context.Use(program,
       { context.Input(Places), context.Input(resource::Normal) });
     this->KernelBlock->BindBase(GL_UNIFORM_BUFFER, 1);
+    const int slices = std::max(1, this->Samples / SamplesPerSlice);
+    const int places = std::max(1, this->Samples / (2 * slices));
+    const int refinements = places / PlacesPerRefinement;
+    glUniform1i(program.Location("slices"), slices);
+    glUniform1i(program.Location("steps"), places - refinements);
+    glUniform1i(program.Location("refinements"), refinements);
     const double bias = this->Method == Hemisphere ? this->Bias * this->Radius : this->Bias;
     glUniform1f(program.Location("radius"), static_cast<GLfloat>(this->Radius));
     glUniform1f(program.Location("bias"), static_cast<GLfloat>(bias));

@@ -1,6 +1,6 @@
 #version 430 core
-// Openness of a pixel's surface by horizons: in GI_SLICES planes that contain the view direction,
-// GI_STEPS places to each side find how high the surroundings rise, and the light above them is
+// Openness of a pixel's surface by horizons: in planes that contain the view direction,
+// places to each side find how high the surroundings rise, and the light above them is
 // known in closed form. Jimenez, Wu, Pesce and Jarabo 2016, Practical Realtime Strategies for
 // Accurate Indirect Occlusion. Variants: GI_STRIDE (pixels of the window a texel here stands for),
 // GI_THICKNESS (things are only so deep: light passes behind them).
@@ -18,6 +18,8 @@
 #endif
 
 layout(binding = 1) uniform sampler2D normalTexture;
+
+uniform int slices;
 
 layout(location = 0) out uvec2 result;
 
@@ -37,9 +39,9 @@ void main()
   Walk walk = walkFrom(pixel, depth, N, spread.y);
   mat3 around = giBasis(walk.V);
   float closed = 0.0;
-  for (int i = 0; i < GI_SLICES; ++i)
+  for (int i = 0; i < slices; ++i)
   {
-    float turn = (float(i) + spread.x) * (GI_ARC_PI / float(GI_SLICES));
+    float turn = (float(i) + spread.x) * (GI_ARC_PI / float(slices));
     vec3 T = around[0] * cos(turn) + around[1] * sin(turn);
     // The normal's part in the slice.
     vec2 n = vec2(max(dot(N, walk.V), 1e-3), dot(N, T));
@@ -48,5 +50,5 @@ void main()
     closed += share * (closedSide(walk, walkAlong(walk, T, n, share)) +
       closedSide(walk, walkAlong(walk, -T, vec2(n.x, -n.y), share)));
   }
-  result = giPackRaw(1.0 - closed / float(GI_SLICES), depth, normal);
+  result = giPackRaw(1.0 - closed / float(slices), depth, normal);
 }

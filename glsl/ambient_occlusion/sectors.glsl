@@ -12,22 +12,36 @@ float sectorLight(vec2 offset, vec2 n)
   return giArc(d.y, d.x, n);
 }
 
+// The sectors that what is seen at a place closes; first: where they begin, or the last.
+uint sectorsAt(Walk walk, WalkLine line, float t, float scale, out uint first)
+{
+  vec2 seen;
+  bool rises = walkStep(walk, line, t, seen);
+  vec2 front = vec2(seen.x, walkTop(seen));
+  vec2 back = vec2(seen.x, min(seen.y - thickness, front.y));
+  bool below = dot(back, line.n.yx) <= 0.0;
+  // Rounded by chance, so that what is smaller than a sector counts in part.
+  first = min(uint(sectorLight(front, line.n) * scale + walk.shift), SECTORS);
+  uint last = below ? SECTORS : min(uint(sectorLight(back, line.n) * scale + walk.shift), SECTORS);
+  bool some = rises && last > first;
+  first = some ? first : SECTORS;
+  return some ? (0xffffffffu >> (SECTORS - (last - first))) << first : 0u;
+}
+
 float closedSide(Walk walk, WalkLine line)
 {
   float whole = giWholeArc(line.n);
   float scale = float(SECTORS) / max(whole, 1e-6);
   uint closed = 0u;
-  for (int i = 0; i < GI_STEPS; ++i)
+  uint highest = SECTORS;
+  Search search = walkSearch();
+  for (int i = 0; i < steps + refinements; ++i)
   {
-    vec2 seen;
-    bool rises = walkStep(walk, line, i, seen);
-    vec2 front = vec2(seen.x, walkTop(seen));
-    vec2 back = vec2(seen.x, min(seen.y - thickness, front.y));
-    bool below = dot(back, line.n.yx) <= 0.0;
-    // Rounded by chance, so that what is smaller than a sector counts in part.
-    uint from = min(uint(sectorLight(front, line.n) * scale + walk.shift), SECTORS);
-    uint to = below ? SECTORS : min(uint(sectorLight(back, line.n) * scale + walk.shift), SECTORS);
-    closed |= rises && to > from ? (0xffffffffu >> (SECTORS - (to - from))) << from : 0u;
+    float t = walkNext(walk, search, i);
+    uint first;
+    closed |= sectorsAt(walk, line, t, scale, first);
+    search.best = first < highest ? t : search.best;
+    highest = min(first, highest);
   }
   return whole * float(bitCount(closed)) / float(SECTORS);
 }

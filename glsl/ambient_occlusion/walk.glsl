@@ -3,6 +3,8 @@ layout(binding = 0) uniform sampler2D depthTexture;
 
 uniform float radius; // world units
 uniform float bias;   // sine of the elevation that counts as flat
+uniform int steps;
+uniform int refinements;
 
 struct Walk
 {
@@ -72,7 +74,7 @@ WalkLine walkAlong(Walk walk, vec3 T, vec2 n, float share)
   // Where the border is nearer than the next pixel, all places are the pixel itself.
   float border = walkToBorder(walk.place, line.direction);
   line.direction *= border > 1.0 ? 1.0 : 0.0;
-  line.reach = max(min(radius * pixels, border), 1.0);
+  line.reach = max(min(radius * pixels, border - 0.01), 1.0);
   line.n = n;
   // A texel's centre lies beside the slice: its height over the tangent plane counts, so that no
   // plane occludes itself.
@@ -85,12 +87,30 @@ WalkLine walkAlong(Walk walk, vec3 T, vec2 n, float share)
   return line;
 }
 
-// What is seen at the i-th place: its offset across the view and toward the eye; false where it does
-// not rise over the pixel's tangent plane.
-bool walkStep(Walk walk, WalkLine line, int i, out vec2 seen)
+// The places of a walk, from 0 to 1: `steps` evenly apart, then `refinements` that look for where the
+// highest thing so far ends, as things end between two places.
+struct Search
 {
-  // Places crowd near the pixel, where a small thing fills a large angle.
-  float t = (float(i) + walk.shift) / float(GI_STEPS);
+  float best;
+  float gap;
+};
+
+Search walkSearch()
+{
+  return Search(0.0, 1.0 / float(steps));
+}
+
+float walkNext(Walk walk, inout Search search, int i)
+{
+  search.gap *= i < steps ? 1.0 : 0.5;
+  return i < steps ? (float(i) + walk.shift) * search.gap : min(search.best + search.gap, 1.0);
+}
+
+// What is seen at the place t, in [0, 1): its offset across the view and toward the eye; false where
+// it does not rise over the pixel's tangent plane. Places crowd near the pixel, where a small thing
+// fills a large angle.
+bool walkStep(Walk walk, WalkLine line, float t, out vec2 seen)
+{
   ivec2 at = ivec2(walk.place + line.direction * (1.0 + (line.reach - 1.0) * t * t));
   float depth = texelFetch(depthTexture, at, 0).r;
   vec3 offset = vec3(at - walk.pixel, depth - walk.depth);

@@ -55,9 +55,9 @@ protected:
   void AddQuad(const Point& origin, const Point& a, const Point& b)
   {
     vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(origin.data());
-    plane->SetPoint1(a.data());
-    plane->SetPoint2(b.data());
+    plane->SetOrigin(origin[0], origin[1], origin[2]);
+    plane->SetPoint1(a[0], a[1], a[2]);
+    plane->SetPoint2(b[0], b[1], b[2]);
     White(this->Scene.Add(plane));
   }
 
@@ -68,8 +68,8 @@ protected:
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(0.5 * height);
-    camera->SetPosition(from.data());
-    camera->SetFocalPoint(at.data());
+    camera->SetPosition(from[0], from[1], from[2]);
+    camera->SetFocalPoint(at[0], at[1], at[2]);
     camera->SetViewUp(0.0, from[0] == at[0] && from[1] == at[1] ? 1.0 : 0.0,
       from[0] == at[0] && from[1] == at[1] ? 0.0 : 1.0);
     this->Scene.Renderer->ResetCameraClippingRange();
