@@ -21,11 +21,38 @@ struct Declared
   CLI::App* Options;
 };
 
+/// The command that was named, or the command of a command.
+CLI::App* Chosen(CLI::App& app)
+{
+  CLI::App* chosen = &app;
+  while (!chosen->get_subcommands().empty())
+  {
+    chosen = chosen->get_subcommands().front();
+  }
+  return chosen;
+}
+
+/// "penumbra lab shadow-bias"
+std::string FullName(const CLI::App* command)
+{
+  const CLI::App* parent = command->get_parent();
+  return parent ? FullName(parent) + " " + command->get_name() : command->get_name();
+}
+
+std::vector<std::string> Subcommands(const CLI::App* scope)
+{
+  std::vector<std::string> names;
+  for (const CLI::App* sub : scope->get_subcommands({}))
+  {
+    names.push_back(sub->get_name());
+  }
+  return names;
+}
+
 /// What CLI11 calls an unexpected argument, as a misspelt option or command.
 std::string UnexpectedArgument(CLI::App& app)
 {
-  const auto chosen = app.get_subcommands();
-  const CLI::App* scope = chosen.empty() ? &app : chosen.front();
+  const CLI::App* scope = Chosen(app);
   const auto rest = app.remaining(true);
   const std::string name = rest.empty() ? "" : rest.front().substr(0, rest.front().find('='));
   std::vector<std::string> known;
@@ -36,16 +63,9 @@ std::string UnexpectedArgument(CLI::App& app)
       known.push_back("--" + longName);
     }
   }
-  const bool command = name.rfind("-", 0) != 0 && chosen.empty();
-  if (command)
-  {
-    known.clear();
-    for (const CLI::App* sub : app.get_subcommands({}))
-    {
-      known.push_back(sub->get_name());
-    }
-  }
-  return UnknownName(command ? "command" : "option", name, "", known);
+  const std::vector<std::string> commands = Subcommands(scope);
+  const bool command = name.rfind("-", 0) != 0 && !commands.empty();
+  return UnknownName(command ? "command" : "option", name, "", command ? commands : known);
 }
 
 int ReportUsage(CLI::App& app, const CLI::ParseError& error, Console& console)
@@ -54,15 +74,15 @@ int ReportUsage(CLI::App& app, const CLI::ParseError& error, Console& console)
   {
     return app.exit(error); // --help and --version
   }
-  const auto chosen = app.get_subcommands();
-  const std::string help = chosen.empty()
-    ? "penumbra --help"
-    : fmt::format("penumbra {} --help", chosen.front()->get_name());
-  // Without a command the first argument is a misspelt one.
+  const CLI::App* chosen = Chosen(app);
+  const std::string help = FullName(chosen) + " --help";
+  const std::vector<std::string> commands = Subcommands(chosen);
+  // Where a command is missing the first argument is a misspelt one.
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
-    (chosen.empty() && !app.remaining().empty());
-  std::string reason = unexpected ? UnexpectedArgument(app) : error.what();
-  reason = chosen.empty() && !unexpected ? "name a command: render, info or compare" : reason;
+    (!commands.empty() && !app.remaining(true).empty());
+  std::string reason = unexpected ? UnexpectedArgument(app)
+    : commands.empty()            ? error.what()
+                                  : "name a command: " + Join(commands);
   reason.erase(reason.find_last_not_of(" .\n") + 1);
   console.Error(fmt::format("{}; '{}' lists what there is", reason, help));
   return Failure::Usage;
@@ -116,7 +136,7 @@ int RunCommandLine(int argc, char** argv)
              "  penumbra info --parameters\n"
              "  penumbra compare picture.png reference.png --max-relmse 0.01");
   std::vector<Declared> commands;
-  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand })
+  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeLabCommand })
   {
     auto command = make();
     CLI::App* options = command->Declare(app);

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIShadowMaps.h"
 
+#include "private/ChangeTimes.h"
 #include "private/Frame.h"
 #include "private/SceneCapture.h"
 #include "private/ScopedState.h"
-#include "private/ShadowViews.h"
+#include "private/ShadowPlan.h"
 
-#include "shadow.h"
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 
-#include "vtkProp.h"
+#include <map>
+#include <tuple>
 
 vtkStandardNewMacro(vtkGIShadowMaps);
 
@@ -17,48 +21,64 @@ using namespace penumbra;
 
 namespace
 {
-constexpr const char* Maps = "shadow-maps.maps";
+constexpr const char* Atlas = "shadow-maps.atlas";
 
-/// The maps of a frame and the lights that own them.
-struct Plan
+// In texels: a filter reads the neighbours of its outermost place as well.
+constexpr double HardwareMargin = 2.0;
+
+using TileKey = std::tuple<int, int, int>;
+/// What an atlas shows: of which casters, and each of its squares.
+struct Shown
 {
-  std::vector<ShadowView> Views;
-  std::vector<shared::ShadowMapData> MapData;
-  std::vector<shared::ShadowLightData> LightData;
-  std::vector<double> Signature; ///< of what the maps show
+  std::vector<double> Casters;
+  std::map<TileKey, std::vector<double>> Squares;
 };
 
-// Clip space [-1, 1] to a map's [0, 1].
-glm::dmat4 ToUnitCube()
+// When a prop or one of its parts moved or changed last.
+vtkMTimeType CastTime(vtkProp* prop)
 {
-  glm::dmat4 m(0.5);
-  m[3] = { 0.5, 0.5, 0.5, 1.0 };
-  return m;
-}
-
-void AddLight(Plan& plan, const Light& light, const View& view, int resolution, double radius)
-{
-  // The filter's disc, and a texel of hardware filtering around it.
-  const ShadowViews fitted = FitShadowViews(light, view.Bounds, resolution, radius + 2.0);
-  shared::ShadowLightData data;
-  data.Direction = glm::vec4(light.Direction, 0.0);
-  data.Position = glm::vec4(light.Position, light.Positional ? 1.0 : 0.0);
-  data.Texel = glm::vec4(fitted.Texel, radius, 0.0, 0.0);
-  data.Maps = glm::ivec4(plan.Views.size(), fitted.Views.size(), 0, 0);
-  plan.LightData.push_back(data);
-  for (const auto& map : fitted.Views)
+  vtkMTimeType time = prop->GetRedrawMTime();
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
   {
-    plan.Views.push_back(map);
-    plan.MapData.push_back(
-      { glm::mat4(ToUnitCube() * map.ViewToClip * map.WorldToView * view.ViewToWorld) });
-    for (const auto* matrix : { &map.WorldToView, &map.ViewToClip })
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    time = std::max(time, part->GetRedrawMTime());
+    if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      for (int i = 0; i < 16; ++i)
-      {
-        plan.Signature.push_back((*matrix)[i / 4][i % 4]);
-      }
+      time = std::max(time, LookTime(actor));
     }
   }
+  return time;
+}
+
+// The casters and when they changed last, as numbers.
+std::vector<double> SignCasters(const SceneCapture& scene)
+{
+  std::vector<double> signature;
+  for (vtkProp* prop : scene.Casters())
+  {
+    signature.push_back(static_cast<double>(CastTime(prop)));
+    signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
+  }
+  return signature;
+}
+
+void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, const ShadowMap& map)
+{
+  ScopedState scope(context.State());
+  context.BindTarget({}, { &atlas, -1 });
+  scope.Viewport(map.Tile.X, map.Tile.Y, map.Tile.Size, map.Tile.Size);
+  scope.Set(GL_SCISSOR_TEST, true);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_LEQUAL);
+  scope.DepthMask(true);
+  const GLfloat far = 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &far);
+  // Depths hold all casters; one that a rounding puts before them casts all the same.
+  glEnable(GL_DEPTH_CLAMP);
+  scene.DrawCasters(
+    context.Renderer(), map.Shown.WorldToView, map.Shown.ViewToClip, map.Shown.Parallel);
+  glDisable(GL_DEPTH_CLAMP);
 }
 }
 
@@ -66,7 +86,8 @@ struct vtkGIShadowMaps::Resources
 {
   Buffer MapBlock;
   Buffer LightBlock;
-  std::map<const Texture*, std::vector<double>> Drawn; ///< what each kept map array shows
+  std::map<const Texture*, Shown> Drawn; ///< by atlas: each view has its own
+  std::shared_ptr<ShadowPlan> Plan;
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()
@@ -81,105 +102,146 @@ void vtkGIShadowMaps::ReleaseGraphicsResources(vtkWindow*)
   *this->Impl = Resources();
 }
 
-void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
+bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
 {
   this->ShadowedLights = 0;
   this->UnshadowedLights = 0;
-  const View& view = frame.GetView();
-  if (view.Diagonal <= 0.0)
+  this->TexelWidth = 0.0;
+  if (frame.GetView().Diagonal <= 0.0)
   {
-    return;
+    return false;
   }
-  auto plan = std::make_shared<Plan>();
+  GLint widest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &widest);
+  ShadowOptions options;
+  options.Resolution = std::min(this->Resolution, static_cast<int>(widest));
+  options.Margin = this->FilterRadius + HardwareMargin;
+  const double texels = static_cast<double>(this->Memory) * (1 << 20) / sizeof(float);
+  const double along = widest / options.Resolution;
+  options.Squares = std::min(texels / options.Resolution / options.Resolution, along * along);
+  options.Cascades = this->Cascades;
+  options.Logarithmic = this->SplitBlend;
+  options.LightTangent = std::tan(glm::radians(0.5 * this->LightAngle));
+  options.LightRadius = this->LightRadius;
+
   const LightTable::Shadowed shadowed = frame.Lights().AssignMask(this->MaximumLights);
-  this->ShadowedLights = static_cast<int>(shadowed.With.size());
-  this->UnshadowedLights = shadowed.Without;
-  for (const std::size_t index : shadowed.With)
+  this->Impl->Plan = std::make_shared<ShadowPlan>(
+    PlanShadows(frame.Lights(), shadowed.With, frame.GetView(), options));
+  this->ShadowedLights = static_cast<int>(this->Impl->Plan->LightData.size());
+  const std::vector<ShadowMap>& maps = this->Impl->Plan->Maps;
+  this->TexelWidth = maps.empty() ? 0.0 : maps.front().Shown.Texel;
+  for (std::size_t i = this->ShadowedLights; i < shadowed.With.size(); ++i)
   {
-    AddLight(*plan, frame.Lights().Lights()[index], view, this->Resolution, this->FilterRadius);
+    frame.Lights().Lights()[shadowed.With[i]].MaskChannel = -1;
   }
+  const int homeless = static_cast<int>(shadowed.With.size()) - this->ShadowedLights;
+  this->UnshadowedLights = shadowed.Without + homeless;
   if (this->UnshadowedLights > 0)
   {
     frame.AddNote(std::to_string(this->UnshadowedLights) + " of " +
       std::to_string(this->UnshadowedLights + this->ShadowedLights) +
-      " lights cast no shadow: raise shadow-maps.maximum-lights for more.");
+      " lights cast no shadow: raise shadow-maps." + (homeless > 0 ? "memory" : "maximum-lights") +
+      " for more.");
   }
-  if (this->ShadowedLights == 0)
+  return this->ShadowedLights > 0;
+}
+
+void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
+{
+  if (!this->MakePlan(frame))
   {
     return;
   }
   SceneCapture& scene = frame.Capture();
-  for (vtkProp* prop : scene.Casters())
-  {
-    plan->Signature.push_back(static_cast<double>(prop->GetRedrawMTime()));
-    plan->Signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
-  }
-
-  const int layers = static_cast<int>(plan->Views.size());
-  const TextureDesc mapDesc = { GL_DEPTH_COMPONENT32F, this->Resolution, this->Resolution, layers };
-  const int maskLayers = (this->ShadowedLights + 3) / 4;
+  scene.Request(resource::Facet);
+  const int layers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
     .Read(resource::Albedo)
     .Read(resource::Normal)
-    .Write(resource::DirectVisibility, frame.WindowTexture(GL_RGBA8, maskLayers))
-    .Execute([this, plan, &scene, mapDesc, maskLayers](FrameContext& context) {
-      bool fresh = false;
-      Texture& maps = context.History(Maps, mapDesc, fresh);
-      if (fresh)
-      {
-        maps.SetParameter(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        maps.SetParameter(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-        maps.SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        maps.SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-      }
-      this->DrawnMaps = 0;
-      auto& shown = this->Impl->Drawn[&maps];
-      if (fresh || this->AlwaysRedraw || shown != plan->Signature)
-      {
-        shown = plan->Signature;
-        for (const auto& map : plan->Views)
-        {
-          ScopedState scope(context.State());
-          context.BindTarget({}, { &maps, this->DrawnMaps });
-          scope.Viewport(0, 0, mapDesc.Width, mapDesc.Height);
-          scope.Set(GL_DEPTH_TEST, true);
-          scope.DepthFunc(GL_LEQUAL);
-          scope.DepthMask(true);
-          const GLfloat far = 1.0f;
-          glClearBufferfv(GL_DEPTH, 0, &far);
-          scene.DrawCasters(context.Renderer(), map.WorldToView, map.ViewToClip, map.Parallel);
-          ++this->DrawnMaps;
-        }
-      }
-
-      this->Impl->MapBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan->MapData.data(),
-        plan->MapData.size() * sizeof(plan->MapData[0]));
-      this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan->LightData.data(),
-        plan->LightData.size() * sizeof(plan->LightData[0]));
-      const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag",
-        { { "GI_SAMPLES", std::to_string(this->FilterRadius > 0.0 ? this->FilterSamples : 1) } });
-      ScopedState scope(context.State());
-      scope.Set(GL_BLEND, false);
-      scope.Set(GL_DEPTH_TEST, true);
-      scope.DepthFunc(GL_GREATER);
-      scope.DepthMask(false);
-      for (int layer = 0; layer < maskLayers; ++layer)
-      {
-        context.BindTarget({ { context.Output(resource::DirectVisibility), layer } },
-          { context.Input(resource::Depth), -1 });
-        context.Use(program,
-          { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-            context.Input(resource::Normal), &maps });
-        this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
-        this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
-        glUniform1i(program.Location("firstLight"), layer * 4);
-        glUniform1i(program.Location("lightCount"),
-          std::min(4, static_cast<int>(plan->LightData.size()) - layer * 4));
-        glUniform2f(program.Location("bias"), static_cast<GLfloat>(this->ConstantBias),
-          static_cast<GLfloat>(this->SlopeBias));
-        context.DrawFullscreen();
-      }
+    .Read(resource::Facet)
+    .Write(resource::DirectVisibility, frame.WindowTexture(GL_RGBA8, layers))
+    .Execute([this, &scene, layers](FrameContext& context) {
+      const Texture& atlas = this->DrawMaps(context, scene);
+      this->DrawMask(context, atlas, layers);
     });
+}
+
+const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& scene)
+{
+  const ShadowPlan& plan = *this->Impl->Plan;
+  bool fresh = false;
+  const Texture& atlas =
+    context.History(Atlas, { GL_DEPTH_COMPONENT32F, plan.Width, plan.Height, 0 }, fresh);
+  Shown& before = this->Impl->Drawn[&atlas];
+  Shown now;
+  this->DrawnMaps = 0;
+  const bool stale = fresh || this->AlwaysRedraw || before.Casters != SignCasters(scene);
+  for (const auto& map : plan.Maps)
+  {
+    const TileKey key(map.Tile.X, map.Tile.Y, map.Tile.Size);
+    std::vector<double> signature = map.Signature();
+    const auto found = before.Squares.find(key);
+    if (stale || found == before.Squares.end() || found->second != signature)
+    {
+      DrawMap(context, scene, atlas, map);
+      ++this->DrawnMaps;
+    }
+    now.Squares[key] = std::move(signature);
+  }
+  // Signed after drawing, as that brings pipelines up to date.
+  now.Casters = SignCasters(scene);
+  // Squares that are no longer used are forgotten: others may be drawn over them.
+  before = std::move(now);
+  return atlas;
+}
+
+void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int layers)
+{
+  const ShadowPlan& plan = *this->Impl->Plan;
+  this->Impl->MapBlock.Upload(
+    GL_SHADER_STORAGE_BUFFER, plan.MapData.data(), plan.MapData.size() * sizeof(plan.MapData[0]));
+  this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.LightData.data(),
+    plan.LightData.size() * sizeof(plan.LightData[0]));
+  Defines variant;
+  for (const auto& light : plan.LightData)
+  {
+    if (light.Size.x > 0.0f)
+    {
+      variant["GI_SOFT"] = "1";
+    }
+    if (light.Maps.z != GI_SHADOW_SINGLE)
+    {
+      variant[light.Maps.z == GI_SHADOW_CUBE ? "GI_CUBE" : "GI_CASCADES"] = "1";
+    }
+  }
+  const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag", variant);
+  ScopedState scope(context.State());
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_GREATER);
+  scope.DepthMask(false);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    context.BindTarget({ { context.Output(resource::DirectVisibility), layer } },
+      { context.Input(resource::Depth), -1 });
+    context.Use(program,
+      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
+        context.Input(resource::Normal), context.Input(resource::Facet), &atlas });
+    this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
+    this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
+    glUniform1i(program.Location("firstLight"), layer * 4);
+    glUniform1i(program.Location("lightCount"),
+      std::min(4, static_cast<int>(plan.LightData.size()) - layer * 4));
+    glUniform3f(program.Location("bias"), static_cast<GLfloat>(this->ConstantBias),
+      static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
+    glUniform1i(program.Location("receiverPlane"), this->ReceiverPlane);
+    glUniform1f(program.Location("filterRadius"), static_cast<GLfloat>(this->FilterRadius));
+    glUniform1i(
+      program.Location("filterSamples"), this->FilterRadius > 0.0 ? this->FilterSamples : 1);
+    glUniform1i(program.Location("blockerSamples"), this->BlockerSamples);
+    glUniform1i(program.Location("penumbraSamples"), this->PenumbraSamples);
+    context.DrawFullscreen();
+  }
 }

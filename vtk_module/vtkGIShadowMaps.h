@@ -5,9 +5,11 @@
  * @brief   shadow maps for directional, cone and omnidirectional lights
  *
  * Every light but a headlight, whose shadows its own eye cannot see, gets a depth map (six if it
- * shines wider than a cone of 60 degrees half aperture), drawn by the props' own mappers: glyphs,
- * impostors, clipping and masked opacity cast what they show. A per-pixel pass filters the maps
- * into the direct light's visibility. Maps are kept until their light or a caster changes.
+ * shines wider than a cone of 60 degrees half aperture, up to four cascades if it is directional and
+ * the scene reaches from near to far), drawn by the props' own mappers: glyphs, impostors, clipping
+ * and masked opacity cast what they show. All lie in one atlas. A per-pixel pass filters them into the
+ * direct light's visibility, over a penumbra where lights have a size. Each map is kept until its
+ * light, a caster, or what it shows changes.
  */
 #ifndef vtkGIShadowMaps_h
 #define vtkGIShadowMaps_h
@@ -15,6 +17,13 @@
 #include "vtkGIShadowMapsParameters.h"
 
 #include <memory> // for the resources
+
+namespace penumbra
+{
+class FrameContext;
+class SceneCapture;
+class Texture;
+}
 
 class VTKRENDERINGGI_EXPORT vtkGIShadowMaps : public vtkGIShadowMapsParameters
 {
@@ -33,12 +42,18 @@ public:
   vtkBooleanMacro(AlwaysRedraw, bool);
 
   /**
-   * Of the last frame: lights that cast shadows, lights that would but exceeded MaximumLights, and
-   * maps that were drawn rather than kept.
+   * Of the last frame: lights that cast shadows, lights that would but exceeded MaximumLights or found
+   * no room in Memory, and maps that were drawn rather than kept.
    */
   vtkGetMacro(ShadowedLights, int);
   vtkGetMacro(UnshadowedLights, int);
   vtkGetMacro(DrawnMaps, int);
+
+  /**
+   * Of the last frame: width of a texel in the first map of the strongest light, in world units; at
+   * unit distance from the light where that is positional. 0 without a light that casts shadows.
+   */
+  vtkGetMacro(TexelWidth, double);
 
 protected:
   vtkGIShadowMaps();
@@ -49,11 +64,15 @@ private:
   void operator=(const vtkGIShadowMaps&) = delete;
 
   struct Resources;
+  bool MakePlan(penumbra::FrameBuilder& frame);
+  const penumbra::Texture& DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene);
+  void DrawMask(penumbra::FrameContext& context, const penumbra::Texture& atlas, int layers);
 
   bool AlwaysRedraw = false;
   int ShadowedLights = 0;
   int UnshadowedLights = 0;
   int DrawnMaps = 0;
+  double TexelWidth = 0.0;
   std::unique_ptr<Resources> Impl;
 };
 

@@ -12,3 +12,12 @@
   gl_FragData[3] = vec4(0.0, 0.0, 0.0, giWhole);
   gl_FragData[4] = vec4(0.0, 0.0, 0.0, giDrawn.a);
 #endif
+#ifdef GI_SURROUNDINGS
+  gl_FragData[GI_SURROUNDINGS] = vec4(0.0, 0.0, 0.0, giWhole);
+#endif
+#ifdef GI_FACET
+  gl_FragData[GI_FACET] = vec4(0.5, 0.5, 0.5, giWhole);
+#endif
+#ifdef GI_DISPLACEMENT
+  gl_FragData[GI_DISPLACEMENT] = vec4(giDisplacement, giWhole);
+#endif

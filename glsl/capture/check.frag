@@ -1,12 +1,14 @@
 #version 150
 // Stands in for VTK's template, to find out whether capture snippets from another folder compile:
 // VTK ends the program where they do not.
-#define GI_EXTENDED 1
+#define GI_FLAT 1
+vec4 vertexVC = vec4(gl_FragCoord.xyz, 1.0);
 vec3 normalVCVSOutput = vec3(0.0, 0.0, 1.0);
 vec3 diffuseColor = vec3(0.0);
 vec3 ambientColor = vec3(0.0);
 vec3 albedo = vec3(0.0);
 vec3 giSurrounding = vec3(0.0);
+vec3 iblSpecular = vec3(0.0);
 vec3 emissiveColor = vec3(0.0);
 float ao = 1.0;
 float aoStrengthUniform = 1.0;

@@ -7,10 +7,23 @@
 //   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
 //   4 emission: rgb radiance given off
+// and, where a technique asks for it, in this order (the targets' numbers are filled in, see
+// CaptureOutputs.h):
+//   surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
+//   displacement: xyz how far the point was from here one frame ago, within its prop, but in view
+//               coordinates
+//   facet:      rgb octahedral normal of the flat piece of surface, view coordinates, by giPack12
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.
 const float giOpaque = 254.5 / 255.0;
+#ifdef GI_DISPLACEMENT
+#ifdef GI_DEFORMS
+in vec3 giDisplacement;
+#else
+const vec3 giDisplacement = vec3(0.0);
+#endif
+#endif
 uniform int giMaterial;
 uniform int giBackMaterial;
 #include "lib/octahedral.glsl"

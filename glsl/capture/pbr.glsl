@@ -1,3 +1,4 @@
+#include "capture/facet.glsl"
   if (gl_FragData[0].a < giOpaque)
   {
 #include "capture/as_drawn.glsl"
@@ -11,5 +12,14 @@
 #ifdef GI_EXTENDED
     gl_FragData[3] = vec4(metallic, giOcclusion, roughness, 1.0);
     gl_FragData[4] = vec4(emissiveColor, 1.0);
+#endif
+#ifdef GI_SURROUNDINGS
+    gl_FragData[GI_SURROUNDINGS] = vec4(iblSpecular * giOcclusion, 1.0);
+#endif
+#ifdef GI_FACET
+    gl_FragData[GI_FACET] = vec4(giPack12(giEncodeOctahedral(giFacet)), 1.0);
+#endif
+#ifdef GI_DISPLACEMENT
+    gl_FragData[GI_DISPLACEMENT] = vec4(giDisplacement, 1.0);
 #endif
   }

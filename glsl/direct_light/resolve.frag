@@ -3,7 +3,7 @@
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
 // GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
-// radiance, not the colour as displayed).
+// radiance, not the colour as displayed), GI_LIT (write both).
 #include "shared/view.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -26,6 +26,9 @@ uniform int lightCount;
 uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
 
 layout(location = 0) out vec4 color;
+#ifdef GI_LIT
+layout(location = 1) out vec4 lit;
+#endif
 
 float visibility(ivec2 pixel, int channel)
 {
@@ -147,5 +150,8 @@ void main()
   color.a = 1.0;
 #ifdef GI_COVERAGE
   color.a = albedo.a;
+#endif
+#ifdef GI_LIT
+  lit = vec4(result, color.a);
 #endif
 }

@@ -6,6 +6,14 @@ vec3 giViewPosition(vec2 window, float depth)
   return p.xyz / p.w;
 }
 
+// z in view coordinates.
+float giViewDepth(float depth)
+{
+  float ndc = depth * 2.0 - 1.0;
+  return (view.ClipToView[2].z * ndc + view.ClipToView[3].z) /
+    (view.ClipToView[2].w * ndc + view.ClipToView[3].w);
+}
+
 // Unit vector from a point to the eye.
 vec3 giToEye(vec3 position)
 {

@@ -56,3 +56,19 @@ vec2 giSampleTriangle(vec2 u)
   float root = sqrt(u.x);
   return vec2(root * (1.0 - u.y), root * u.y);
 }
+
+// A normal of the GGX distribution of width a as seen from V (unit, z up): density
+// D max(0, V H) G1(V) / V.z (Heitz 2018, "Sampling the GGX Distribution of Visible Normals", JCGT 7:4).
+vec3 giSampleVisibleGGX(vec2 u, vec3 V, float a)
+{
+  vec3 stretched = normalize(vec3(a * V.xy, V.z));
+  float across = dot(stretched.xy, stretched.xy);
+  vec3 T1 = across > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) * inversesqrt(across) : vec3(1.0, 0.0, 0.0);
+  vec3 T2 = cross(stretched, T1);
+  // On the disc that V sees: the half of the hemisphere behind the horizon is squeezed away.
+  vec2 p = giSampleDisc(u);
+  float s = 0.5 * (1.0 + stretched.z);
+  p.y = (1.0 - s) * sqrt(max(0.0, 1.0 - p.x * p.x)) + s * p.y;
+  vec3 n = p.x * T1 + p.y * T2 + sqrt(max(0.0, 1.0 - dot(p, p))) * stretched;
+  return normalize(vec3(a * n.xy, max(n.z, 0.0)));
+}

@@ -21,7 +21,8 @@ using ivec4 = glm::ivec4;
 struct MaterialData
 {
   vec4 Specular; // Phong: rgb colour times coefficient, w power. PBR: rgb edge tint, w base F0
-  ivec4 Model;   // x: how light is reflected; y: 1 for lines and points, which rays do not meet
+  ivec4 Model;   // x: how light is reflected; y: 1 for lines and points, which rays do not meet;
+                 // z: row of the table of motions; w: a number of the prop that stays, below 2^24
 };
 
 #ifdef __cplusplus

@@ -20,7 +20,7 @@ struct ViewData
   mat4 ViewToWorld; // rotation and translation; precise near the camera only
   vec4 Viewport;    // x, y, width, height in pixels of the window
   vec4 Scene;       // x: diagonal of the visible bounds; y: 1 for a parallel projection
-  ivec4 Frame;      // x: frames since the scene changed; y: lights; z: frame number
+  ivec4 Frame;      // x: place in the sequences of noise; y: lights; z: frame number
 };
 
 #ifdef __cplusplus

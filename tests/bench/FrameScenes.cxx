@@ -88,12 +88,64 @@ std::vector<Variant> Variants()
   };
 }
 
+std::vector<Variant> TechniqueVariants()
+{
+  const auto nothing = [](vtkActor*) {};
+  const auto preset = [](const char* name, const std::string& technique, bool on) {
+    return [name, technique, on](vtkRenderer* renderer) {
+      vtkGIPass* pass = AddPass(renderer);
+      pass->SetPreset(name);
+      pass->GetTechnique("anti-aliasing")->EnabledOff();
+      if (!technique.empty())
+      {
+        pass->GetTechnique(technique.c_str())->SetEnabled(on);
+      }
+    };
+  };
+  std::vector<Variant> variants;
+  for (const char* name : { "off", "fast", "balanced", "high" })
+  {
+    variants.push_back({ name, preset(name, "", false), nothing });
+  }
+  vtkNew<vtkGIPass> pass;
+  pass->SetPreset("balanced");
+  for (int i = 0; i < pass->GetNumberOfTechniques(); ++i)
+  {
+    vtkGITechnique* technique = pass->GetTechnique(i);
+    const std::string name = technique->GetName();
+    variants.push_back({ "+" + name, preset("off", name, true), nothing });
+    if (technique->GetEnabled())
+    {
+      variants.push_back({ "-" + name, preset("balanced", name, false), nothing });
+    }
+  }
+  return variants;
+}
+
+std::vector<Cost> Costs(const std::vector<Variant>& variants)
+{
+  std::vector<Cost> costs;
+  for (const auto& variant : variants)
+  {
+    if (variant.Name[0] == '+')
+    {
+      costs.push_back({ variant.Name.substr(1) + " by itself", variant.Name, "off" });
+    }
+    else if (variant.Name[0] == '-')
+    {
+      costs.push_back({ variant.Name.substr(1) + " in balanced", "balanced", variant.Name });
+    }
+  }
+  return costs;
+}
+
 vtkSmartPointer<vtkPolyData> ReadHead(const std::string& file, double isovalue)
 {
   if (!std::ifstream(file))
   {
-    throw std::runtime_error(file + " cannot be read; install Debian's mricron-data, or name "
-                                    "another NIfTI volume with --volume=FILE.");
+    throw std::runtime_error(file +
+      " cannot be read; install Debian's mricron-data, or name "
+      "another NIfTI volume with --volume=FILE.");
   }
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(file.c_str());

@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include "Report.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -29,6 +31,13 @@ struct Variant
 /// Stock VTK and the pass: nothing, ambient occlusion of 32 samples, one redrawn shadow map of
 /// 1024 x 1024.
 std::vector<Variant> Variants();
+
+/// The presets; and each technique by itself, as "+name", and, where the balanced preset holds it, that
+/// preset without it, as "-name".
+std::vector<Variant> TechniqueVariants();
+
+/// What each technique adds to the preset off, and takes from the balanced one.
+std::vector<Cost> Costs(const std::vector<Variant>& variants);
 
 /// The head of an MRI volume as a surface, from NIfTI. Throws std::runtime_error where
 /// the file is missing.

@@ -22,6 +22,14 @@ struct Ratio
   double Limit;
 };
 
+/// What a way of drawing adds to a base.
+struct Cost
+{
+  std::string Meaning;
+  std::string Subject;
+  std::string Base;
+};
+
 /// Collects seconds per repetition; prints a table at the end.
 class Report : public benchmark::BenchmarkReporter
 {
@@ -29,9 +37,9 @@ public:
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// Print the table, and write it as JSON where a file is named. True if every ratio holds.
-  bool Conclude(const std::vector<Ratio>& ratios, const std::string& description,
-    const std::string& jsonFile) const;
+  /// Print the tables, and write them as JSON where a file is named. True if every ratio holds.
+  bool Conclude(const std::vector<Cost>& costs, const std::vector<Ratio>& ratios,
+    const std::string& description, const std::string& jsonFile) const;
 
 private:
   std::map<std::string, std::vector<double>> Seconds;

@@ -26,6 +26,7 @@ struct Options
   std::string Volume = "/usr/share/mricron/templates/ch2.nii.gz";
   double Isovalue = 10.0; // the skin, and little of what lies inside
   std::string Json;
+  bool Techniques = false;
   int Repetitions = 9;
   int Width = 1280;
   int Height = 720;
@@ -38,6 +39,8 @@ void Declare(CLI::App& app, Options& options)
     "ratios. Exit code 1 where a ratio is exceeded.");
   app.add_option("--volume", options.Volume, "a NIfTI volume (default: mricron-data's MRI head)");
   app.add_option("--isovalue", options.Isovalue, "value of the surface")->capture_default_str();
+  app.add_flag("--techniques", options.Techniques,
+    "what each preset and each technique costs, instead of the comparison with stock VTK");
   app.add_option("--json", options.Json, "also write the figures to this file");
   app.add_option("--repetitions", options.Repetitions, "frames per way of drawing")
     ->check(CLI::Range(1, 1000))
@@ -50,19 +53,20 @@ bool Run(const Options& options)
 {
   const auto head = bench::ReadHead(options.Volume, options.Isovalue);
   std::vector<std::unique_ptr<bench::Stage>> stages;
-  for (const auto& variant : bench::Variants())
+  const auto variants = options.Techniques ? bench::TechniqueVariants() : bench::Variants();
+  for (const auto& variant : variants)
   {
-    stages.push_back(
-      std::make_unique<bench::Stage>(variant, head, options.Width, options.Height));
+    stages.push_back(std::make_unique<bench::Stage>(variant, head, options.Width, options.Height));
     bench::Stage* stage = stages.back().get();
     stage->DrawFrame(); // compiles shaders
     stage->DrawFrame();
-    benchmark::RegisterBenchmark(variant.Name.c_str(), [stage](benchmark::State& state) {
-      for (auto _ : state)
-      {
-        state.SetIterationTime(stage->DrawFrame());
-      }
-    })
+    benchmark::RegisterBenchmark(variant.Name.c_str(),
+      [stage](benchmark::State& state) {
+        for (auto _ : state)
+        {
+          state.SetIterationTime(stage->DrawFrame());
+        }
+      })
       ->UseManualTime()
       ->Iterations(1)
       ->Repetitions(options.Repetitions);
@@ -80,7 +84,11 @@ bool Run(const Options& options)
   const std::string description = std::to_string(head->GetNumberOfPolys()) + " triangles, " +
     std::to_string(options.Width) + " x " + std::to_string(options.Height) + ", " +
     window->GetDescription() + ", median of " + std::to_string(options.Repetitions);
-  return report.Conclude(
+  if (options.Techniques)
+  {
+    return report.Conclude(bench::Costs(variants), {}, description, options.Json);
+  }
+  return report.Conclude({},
     {
       { "frame of the pass, techniques off / stock", "pass", "", "stock", "", 1.3 },
       { "added by occlusion of 32 samples / by vtkSSAOPass", "pass ssao", "pass", "stock ssao",

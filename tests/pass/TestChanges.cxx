@@ -50,38 +50,63 @@ const std::vector<Change> Changes = {
   { "background", [](Scene& s) { s.Renderer->SetBackground(0.8, 0.1, 0.1); } },
 };
 
-class ChangedScene : public testing::TestWithParam<std::tuple<Change, const char*>>
+struct Use
+{
+  const char* Name;
+  const char* Preset;
+  bool Accumulates; ///< temporal accumulation, which takes eight frames to forget
+};
+
+class ChangedScene : public testing::TestWithParam<std::tuple<Change, Use>>
 {
 };
 
+vtkSmartPointer<vtkGIPass> Prepare(Scene& scene, const Use& use)
+{
+  vtkGIPass* pass = scene.SetPass();
+  pass->SetPreset(use.Preset);
+  pass->GetTechnique("temporal-accumulation")->SetEnabled(use.Accumulates);
+  return pass;
+}
+
+Picture Settled(Scene& scene, const Use& use)
+{
+  for (int i = 0; use.Accumulates && i < 8; ++i)
+  {
+    scene.Window->Render();
+  }
+  return Shoot(scene.Window);
+}
+
 TEST_P(ChangedScene, LooksLikeANewOne)
 {
-  const auto& [change, preset] = GetParam();
+  const auto& [change, use] = GetParam();
   Scene changed;
-  vtkGIPass* pass = changed.SetPass();
-  pass->SetPreset(preset);
+  Prepare(changed, use);
   const Picture before = Shoot(changed.Window);
   changed.Window->Render();
   change.Apply(changed);
-  const Picture after = Shoot(changed.Window);
+  const Picture after = Settled(changed, use);
 
   Scene fresh;
   fresh.Window->SetMultiSamples(0);
   change.Apply(fresh);
-  vtkGIPass* other = fresh.SetPass();
-  other->SetPreset(preset);
+  Prepare(fresh, use);
   EXPECT_GT(1.0 - Compare(before, after, 2).Within, 0.002) << "nothing changed";
-  ExpectSame(Shoot(fresh.Window), after);
+  ExpectSame(Settled(fresh, use), after);
 }
 
-std::string Name(const testing::TestParamInfo<std::tuple<Change, const char*>>& info)
+std::string Name(const testing::TestParamInfo<std::tuple<Change, Use>>& info)
 {
-  std::string name = std::string(std::get<0>(info.param).Name) + "_" + std::get<1>(info.param);
+  std::string name = std::string(std::get<0>(info.param).Name) + "_" + std::get<1>(info.param).Name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Changes, ChangedScene,
-  testing::Combine(testing::ValuesIn(Changes), testing::Values("off", "balanced")), Name);
+  testing::Combine(testing::ValuesIn(Changes),
+    testing::Values(Use{ "off", "off", false }, Use{ "balanced", "balanced", false },
+      Use{ "accumulated", "balanced", true })),
+  Name);
 }
 }

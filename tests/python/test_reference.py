@@ -55,7 +55,10 @@ class Reference(unittest.TestCase):
         reference = grab(window, f"{name}-reference")
         for technique, least, values in (
                 ("ray-traced-shadows", 0.99, {"light_angle": 0}),
-                ("shadow-maps", maps, {"resolution": 8192, "filter_radius": 0})):
+                # Rays arrive on the round surface that the normals stand for; maps this fine would show
+                # the shadows that its facets cast on themselves, but for a texel's bias.
+                ("shadow-maps", maps, {"resolution": 8192, "filter_radius": 0, "constant_bias": 1,
+                                       "slope_bias": 1, "normal_bias": 1})):
             raster = penumbra.vtkGIPass()
             parameters(raster, technique, **values)
             renderer.SetPass(raster)
@@ -72,8 +75,8 @@ class Reference(unittest.TestCase):
 
     def test_terrain(self):
         # One map for the whole landscape moves the rims of shadows by up to a pixel, and the picture
-        # is full of rims: 97 % is what the best bias reaches with maps of 16384 texels.
-        self.agrees("terrain", 0.95)
+        # is full of rims.
+        self.agrees("terrain", 0.96)
 
 
 if __name__ == "__main__":

@@ -86,8 +86,16 @@ protected:
     this->Scene.Renderer->ResetCameraClippingRange();
   }
 
-  Picture With() { this->Shadows->EnabledOn(); return Shoot(this->Scene.Window); }
-  Picture Without() { this->Shadows->EnabledOff(); return Shoot(this->Scene.Window); }
+  Picture With()
+  {
+    this->Shadows->EnabledOn();
+    return Shoot(this->Scene.Window);
+  }
+  Picture Without()
+  {
+    this->Shadows->EnabledOff();
+    return Shoot(this->Scene.Window);
+  }
 
   Stage Scene;
   vtkSmartPointer<vtkGIPass> Pass;
@@ -127,11 +135,9 @@ TEST_F(ShadowMaps, flat_receiver_has_no_acne_from_0_to_85_degrees)
       EXPECT_EQ(acne, 0) << kind << " at " << angle << " degrees";
     }
   }
-  // The test can fail: without bias the same receiver shades itself.
-  light->PositionalOff();
+  // What counts them sees shadows.
   light->SetPosition(4.0, 0.0, 3.0);
-  this->Shadows->SetConstantBias(0.0);
-  this->Shadows->SetSlopeBias(0.0);
+  this->AddBox();
   EXPECT_GT(Darkened(this->With(), this->Without()), 1000);
 }
 
@@ -165,6 +171,42 @@ TEST_F(ShadowMaps, box_on_a_plane_at_45_degrees_stands_in_its_shadow)
   EXPECT_LT(error, 1.5);
 }
 
+// How far from the foot of a box, or of a wall too thin to hold a point moved by the bias, light shines
+// under it: in texels as they lie on the floor.
+TEST_F(ShadowMaps, contact_gap_is_less_than_a_texel)
+{
+  this->AddFloor(2.0);
+  vtkNew<vtkCubeSource> cube;
+  this->Scene.Add(cube);
+  vtkLight* light = this->AddLight(-5.0, 0.0, 5.0);
+  this->Shadows->SetResolution(256);
+  this->LookDown(2.5);
+  std::printf("%8s %16s %16s\n", "degrees", "box", "thin wall");
+  for (int angle = 15; angle <= 75; angle += 15)
+  {
+    const double a = angle * Degrees;
+    light->SetPosition(-5.0 * std::sin(a), 0.0, 5.0 * std::cos(a));
+    double gaps[2];
+    for (const bool thin : { false, true })
+    {
+      cube->SetBounds(thin ? -0.001 : -0.5, 0.0, -0.5, 0.5, 0.0, 1.0);
+      const Picture with = this->With();
+      const Picture without = this->Without();
+      // Fitted to the floor as it is seen from the light, and to the box.
+      const double height = 4.0 * std::cos(a) + std::sin(a);
+      const double texel = std::max(4.0, height) / 256.0 / std::cos(a);
+      int x = with.Width / 2 + 1;
+      while (with.Grey(x, with.Height / 2) > 0.5 * without.Grey(x, with.Height / 2))
+      {
+        ++x;
+      }
+      gaps[thin] = (x - with.Width / 2 - 1) / (with.Height / 2.5) / texel;
+      EXPECT_LE(gaps[thin], 1.0) << angle;
+    }
+    std::printf("%8d %9.2f texels %9.2f texels\n", angle, gaps[0], gaps[1]);
+  }
+}
+
 TEST_F(ShadowMaps, box_at_45_degrees_has_no_acne_on_any_lit_face)
 {
   vtkActor* box = this->AddBox();
@@ -177,7 +219,8 @@ TEST_F(ShadowMaps, box_at_45_degrees_has_no_acne_on_any_lit_face)
     for (double turn : { 0.0, 17.0 })
     {
       box->SetOrientation(0.0, 0.0, turn);
-      camera->SetPosition(3.0 * std::cos(azimuth * Degrees), 3.0 * std::sin(azimuth * Degrees), 2.5);
+      camera->SetPosition(
+        3.0 * std::cos(azimuth * Degrees), 3.0 * std::sin(azimuth * Degrees), 2.5);
       this->Scene.Renderer->ResetCameraClippingRange();
       // A convex box alone cannot shade its lit faces.
       EXPECT_EQ(Darkened(this->With(), this->Without()), 0) << azimuth << " turned " << turn;
@@ -199,7 +242,8 @@ TEST_F(ShadowMaps, every_kind_of_light_casts)
   this->LookDown(4.0);
   const auto at = [](const Picture& p, double x, double y) {
     const double unit = p.Height / 4.0;
-    return p.Grey(static_cast<int>(p.Width / 2 + x * unit), static_cast<int>(p.Height / 2 + y * unit));
+    return p.Grey(
+      static_cast<int>(p.Width / 2 + x * unit), static_cast<int>(p.Height / 2 + y * unit));
   };
   for (const char* kind : { "directional", "cone", "wide cone", "omnidirectional" })
   {
@@ -252,6 +296,56 @@ TEST_F(ShadowMaps, follow_what_moves_and_are_kept_while_nothing_does)
   light->SetPosition(0.0, 0.0, 5.0);
   EXPECT_FALSE(shadowAt(-0.9));
   EXPECT_EQ(this->Shadows->GetDrawnMaps(), 1);
+}
+
+TEST_F(ShadowMaps, a_light_that_moves_redraws_its_own_maps)
+{
+  this->AddFloor(3.0);
+  this->AddBox();
+  this->AddLight(1.0, 2.0, 5.0);
+  vtkLight* lamp = this->AddLight(0.1, 0.2, 1.5);
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180.0);
+  vtkLight* spot = this->AddLight(-3.0, 0.0, 4.0);
+  spot->PositionalOn();
+  spot->SetConeAngle(20.0);
+  this->LookDown(6.0);
+  const auto drawn = [this] {
+    this->With();
+    return this->Shadows->GetDrawnMaps();
+  };
+  EXPECT_EQ(drawn(), 1 + 6 + 1);
+  EXPECT_EQ(drawn(), 0);
+  spot->SetPosition(-3.0, 0.5, 4.0);
+  EXPECT_EQ(drawn(), 1);
+  lamp->SetPosition(0.1, 0.3, 1.5);
+  EXPECT_EQ(drawn(), 6);
+  lamp->SetIntensity(0.5);
+  EXPECT_EQ(drawn(), 0) << "the maps do not show how bright it is";
+}
+
+TEST_F(ShadowMaps, share_the_memory_by_importance)
+{
+  this->AddFloor(3.0);
+  this->AddBox();
+  this->LookDown(6.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    this->AddLight(-3.0 + i, 1.0, 5.0)->SetIntensity(i + 1.0);
+  }
+  this->Shadows->SetResolution(1024);
+  this->Shadows->SetMemory(8); // two maps of 1024 texels
+  this->With();
+  EXPECT_EQ(this->Shadows->GetShadowedLights(), 8);
+  EXPECT_STREQ(this->Pass->GetNotes(), "");
+  this->Shadows->SetResolution(64);
+  this->Shadows->SetMemory(1); // of 16 KiB each
+  this->With();
+  EXPECT_EQ(this->Shadows->GetShadowedLights(), 8);
+  this->Shadows->SetResolution(16384);
+  this->Shadows->SetMemory(1); // nothing near what was asked for
+  this->With();
+  EXPECT_EQ(this->Shadows->GetShadowedLights(), 8);
 }
 
 TEST_F(ShadowMaps, headlights_cast_none_and_surplus_lights_are_counted)

@@ -28,6 +28,10 @@ public:
 std::unique_ptr<Command> MakeRenderCommand();
 std::unique_ptr<Command> MakeInfoCommand();
 std::unique_ptr<Command> MakeCompareCommand();
+std::unique_ptr<Command> MakeLabCommand();
+
+/// Experiments: subcommands of lab.
+std::unique_ptr<Command> MakeShadowBiasLab();
 }
 
 #endif

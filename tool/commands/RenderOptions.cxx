@@ -3,6 +3,7 @@
 #include "RenderOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace penumbra::tool
 {
@@ -92,9 +93,19 @@ void DeclareLook(CLI::App& command, RenderOptions& options)
     ->group(group);
 }
 
+constexpr const char* TechniqueGroup = "Global illumination";
+constexpr const char* OutputGroup = "Output";
+
+void DeclareParameters(CLI::App& command, RenderOptions& options)
+{
+  command.add_option("--set", options.Set, "TECHNIQUE.PARAMETER=VALUE; may be repeated")
+    ->allow_extra_args(false)
+    ->group(TechniqueGroup);
+}
+
 void DeclareTechniques(CLI::App& command, RenderOptions& options)
 {
-  const char* group = "Global illumination";
+  const char* group = TechniqueGroup;
   command
     .add_option(
       "--preset", options.Preset, "off, fast, balanced (default), high or reference (path tracing)")
@@ -105,21 +116,30 @@ void DeclareTechniques(CLI::App& command, RenderOptions& options)
   command.add_option("--off", options.Off, "switch a technique off; may be repeated")
     ->allow_extra_args(false)
     ->group(group);
-  command.add_option("--set", options.Set, "TECHNIQUE.PARAMETER=VALUE; may be repeated")
-    ->allow_extra_args(false)
-    ->group(group);
+  DeclareParameters(command, options);
   command.add_flag("--stock", options.Stock, "draw as VTK does without Penumbra")->group(group);
+}
+
+void DeclareDrawing(CLI::App& command, RenderOptions& options, const char* size)
+{
+  command.add_option("--size", options.Size, fmt::format("WIDTHxHEIGHT of the picture [{}]", size))
+    ->group(OutputGroup);
+  command.add_option("--backend", options.Backend, "egl, osmesa, x11 or auto")
+    ->capture_default_str()
+    ->group(OutputGroup);
+  command.add_flag("--stats", options.Statistics, "print statistics and timings as JSON on stdout")
+    ->group(OutputGroup);
+  command.add_flag("-q,--quiet", options.Quiet, "no notes, no progress")->group(OutputGroup);
+  command.add_flag("--verbose", options.Verbose, "let libraries print")->group(OutputGroup);
 }
 
 void DeclareOutput(CLI::App& command, RenderOptions& options)
 {
-  const char* group = "Output";
+  const char* group = OutputGroup;
   command
     .add_option("-o,--output", options.Output,
       "picture: .png, .jpg, .tif, or .exr and .hdr with linear radiance")
     ->required()
-    ->group(group);
-  command.add_option("--size", options.Size, "WIDTHxHEIGHT of the picture [1280x720]")
     ->group(group);
   command.add_option("--frames", options.Frames, "still frames to accumulate [16]")->group(group);
   command
@@ -134,14 +154,16 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
     .add_option("--checkpoint", options.Checkpoint,
       "file (.vti) that keeps what was traced: where it exists tracing goes on from it")
     ->group(group);
-  command.add_option("--backend", options.Backend, "egl, osmesa, x11 or auto")
-    ->capture_default_str()
-    ->group(group);
-  command.add_flag("--stats", options.Statistics, "print statistics and timings as JSON on stdout")
-    ->group(group);
-  command.add_flag("-q,--quiet", options.Quiet, "no notes, no progress")->group(group);
-  command.add_flag("--verbose", options.Verbose, "let libraries print")->group(group);
+  DeclareDrawing(command, options, "1280x720");
 }
+}
+
+void DeclareSceneOptions(CLI::App& command, RenderOptions& options, const char* size)
+{
+  DeclareData(command, options);
+  DeclareLook(command, options);
+  DeclareParameters(command, options);
+  DeclareDrawing(command, options, size);
 }
 
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options)

@@ -58,6 +58,9 @@ struct RenderOptions
   bool Verbose = false;
 };
 
+/// What says which scene is drawn and where, without which pictures are made of it: data, look,
+/// parameters, size, backend. size: the default, in words.
+void DeclareSceneOptions(CLI::App& command, RenderOptions& options, const char* size);
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// The scene of the files or the scene file, with what the options say on top. Throws a Failure for an

@@ -3,10 +3,16 @@
 #include "private/CaptureHooks.h"
 
 #include "private/MaterialTable.h"
+#include "private/Matrices.h"
+#include "private/MotionTable.h"
 #include "private/ShaderLibrary.h"
 
 #include "vtkActor.h"
+#include "vtkMapper.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkOpenGLState.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
@@ -31,11 +37,11 @@ void vtkGICaptureHooks::SetTables(
   this->Shaders = shaders;
 }
 
-void vtkGICaptureHooks::SetExtended(bool extended)
+void vtkGICaptureHooks::SetOutputs(const penumbra::CaptureOutputs& outputs)
 {
-  if (this->Extended != extended)
+  if (!(this->Outputs == outputs))
   {
-    this->Extended = extended;
+    this->Outputs = outputs;
     this->Renew();
   }
 }
@@ -46,25 +52,30 @@ void vtkGICaptureHooks::Renew()
   this->StageTime = this->GetMTime();
 }
 
-std::string vtkGICaptureHooks::Snippet(const char* name) const
+std::string vtkGICaptureHooks::Snippet(
+  const char* name, const penumbra::CaptureOutputs& outputs, penumbra::Defines variant) const
 {
-  penumbra::Defines defines;
-  if (this->Extended)
-  {
-    defines["GI_EXTENDED"] = "1";
-  }
-  return this->Shaders->Source(std::string("capture/") + name, defines);
+  variant.merge(outputs.SnippetDefines());
+  std::string text = this->Shaders->Source(std::string("capture/") + name, variant);
+  outputs.NumberTargets(text);
+  return text;
 }
 
 void vtkGICaptureHooks::CheckSnippets() const
 {
+  penumbra::CaptureOutputs all;
+  all.Extended = true;
+  for (const auto& optional : penumbra::CaptureOutputs::All)
+  {
+    all.Request(optional.Resource);
+  }
   for (const char* name : { "phong.glsl", "pbr.glsl", "as_drawn.glsl" })
   {
-    std::string text = this->Shaders->Source("capture/check.frag");
-    vtkShaderProgram::Substitute(text, Marker, this->Snippet(name), false);
+    std::string text = this->Shaders->Source("capture/check.frag", all.SnippetDefines());
+    vtkShaderProgram::Substitute(text, Marker, this->Snippet(name, all), false);
     // As VTK does with its outputs.
     std::string outputs;
-    for (int i = 0; i < 5; ++i)
+    for (std::size_t i = 0; i < all.Resources().size(); ++i)
     {
       const std::string number = std::to_string(i);
       vtkShaderProgram::Substitute(text, "gl_FragData[" + number + "]", "fragOutput" + number);
@@ -75,13 +86,28 @@ void vtkGICaptureHooks::CheckSnippets() const
   }
 }
 
-bool vtkGICaptureHooks::PreReplaceShaderValues(std::string&, std::string&,
-  std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
+bool vtkGICaptureHooks::PreReplaceShaderValues(std::string& vertexShader,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
 {
+  penumbra::Defines variant;
+  // A geometry shader in between would have to pass it on.
+  if (this->Outputs.Has(penumbra::resource::Displacement) && geometryShader.empty() &&
+    std::string(mapper->GetClassName()) == "vtkOpenGLPolyDataMapper")
+  {
+    variant["GI_DEFORMS"] = "1";
+    for (const char* part : { "Dec", "Impl" })
+    {
+      const std::string tag = std::string("//VTK::PositionVC::") + part;
+      const char* text = *part == 'D' ? "displacement_declarations.glsl" : "displacement.glsl";
+      vtkShaderProgram::Substitute(
+        vertexShader, tag, tag + "\n" + this->Snippet(text, this->Outputs), false);
+    }
+  }
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Output::Dec",
-    "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl"), false);
+    "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl", this->Outputs, variant), false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::TCoord::Impl",
-    this->Snippet("before_texture.glsl") + "//VTK::TCoord::Impl\n" + Marker + "\n", false);
+    this->Snippet("before_texture.glsl", this->Outputs) + "//VTK::TCoord::Impl\n" + Marker + "\n",
+    false);
   return true;
 }
 
@@ -98,8 +124,8 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
   const bool unlit = !Contains(fragmentShader, "normalVCVSOutput") ||
     Contains(fragmentShader, "vec4(ambientColor + diffuseColor, opacity)");
   const bool pbr = Contains(fragmentShader, "roughnessUniform");
-  const bool layered =
-    Contains(fragmentShader, "#define ANISOTROPY") || Contains(fragmentShader, "#define CLEAR_COAT");
+  const bool layered = Contains(fragmentShader, "#define ANISOTROPY") ||
+    Contains(fragmentShader, "#define CLEAR_COAT");
   const std::string direct = "  color += Lo;\n";
   const char* snippet = "as_drawn.glsl";
   if (!unlit && pbr && !layered && actor && Contains(fragmentShader, direct.c_str()))
@@ -113,8 +139,39 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
   {
     snippet = "phong.glsl";
   }
-  vtkShaderProgram::Substitute(fragmentShader, Marker, this->Snippet(snippet), false);
+  penumbra::Defines variant;
+  // Impostors shade and place each pixel by themselves: their normal is the surface's.
+  if (Contains(fragmentShader, "vertexVC") && !Contains(fragmentShader, "gl_FragDepth"))
+  {
+    variant["GI_FLAT"] = "1";
+  }
+  vtkShaderProgram::Substitute(
+    fragmentShader, Marker, this->Snippet(snippet, this->Outputs, variant), false);
   return true;
+}
+
+void vtkGICaptureHooks::SetTextureUnit(int unit, vtkOpenGLRenderer* renderer)
+{
+  this->TextureUnit = unit;
+  this->Renderer = renderer;
+}
+
+void vtkGICaptureHooks::SetDisplacement(vtkShaderProgram* program, vtkActor* actor)
+{
+  const penumbra::Deformations* shapes = this->Motion ? &this->Motion->Shapes() : nullptr;
+  const GLuint texture = shapes ? shapes->TextureOf(actor) : 0;
+  program->SetUniformi("giDeforms", texture != 0);
+  // Whether it is read or not, its unit may hold no texture of another kind.
+  program->SetUniformi("giPointDisplacements", this->TextureUnit);
+  if (texture == 0)
+  {
+    return;
+  }
+  const glm::mat3 toView(this->Motion->WorldToView() * penumbra::ToMatrix(actor->GetMatrix()));
+  program->SetUniformMatrix3x3("giPropToView", const_cast<float*>(&toView[0][0]));
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
+  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->TextureUnit));
+  glBindTexture(GL_TEXTURE_BUFFER, texture);
 }
 
 bool vtkGICaptureHooks::SetShaderParameters(
@@ -125,14 +182,20 @@ bool vtkGICaptureHooks::SetShaderParameters(
     program->SetUniformi("giParallel", this->Parallel ? 1 : 0);
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
+  if (actor && program->IsUniformUsed("giDeforms"))
+  {
+    this->SetDisplacement(program, actor);
+  }
   if (actor && program->IsUniformUsed("giMaterial"))
   {
-    const int front = this->Materials->Find(actor->GetProperty());
+    const penumbra::MaterialTable::Owner owner =
+      this->Motion ? this->Motion->Find(actor) : penumbra::MaterialTable::Owner();
+    const int front = this->Materials->Find(actor->GetProperty(), owner);
     program->SetUniformi("giMaterial", front);
     if (program->IsUniformUsed("giBackMaterial"))
     {
       vtkProperty* back = actor->GetBackfaceProperty();
-      program->SetUniformi("giBackMaterial", back ? this->Materials->Find(back) : front);
+      program->SetUniformi("giBackMaterial", back ? this->Materials->Find(back, owner) : front);
     }
   }
   return true;

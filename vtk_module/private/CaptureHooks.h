@@ -6,13 +6,19 @@
  */
 #pragma once
 
+#include "private/CaptureOutputs.h"
+
 #include "vtkOpenGLRenderPass.h"
 
 #include <string>
 
+class vtkActor;
+class vtkOpenGLRenderer;
+
 namespace penumbra
 {
 class MaterialTable;
+class MotionTable;
 class ShaderLibrary;
 }
 
@@ -24,9 +30,8 @@ public:
 
   void SetTables(penumbra::MaterialTable* materials, const penumbra::ShaderLibrary* shaders);
 
-  /// Whether to write the G-buffer's extended set (textures, PBR). Mappers rebuild their shaders
-  /// when this changes.
-  void SetExtended(bool extended);
+  /// Which targets to write. Mappers rebuild their shaders when this changes.
+  void SetOutputs(const penumbra::CaptureOutputs& outputs);
 
   /// Have mappers build their shaders anew.
   void Renew();
@@ -37,6 +42,12 @@ public:
 
   /// The kind of projection of the draws that follow, whatever the active camera's is.
   void SetParallel(bool parallel) { this->Parallel = parallel; }
+
+  /// Have the motion of what is drawn recorded; nullptr: nobody asks.
+  void SetMotion(penumbra::MotionTable* motion) { this->Motion = motion; }
+
+  /// A texture unit that nobody else uses while props are drawn, and the view they are drawn in.
+  void SetTextureUnit(int unit, vtkOpenGLRenderer* renderer);
 
   /// Put this pass on the props' list of passes, and take it off.
   void Attach(const vtkRenderState* state) { this->PreRender(state); }
@@ -56,14 +67,20 @@ protected:
   ~vtkGICaptureHooks() override = default;
 
 private:
+  void SetDisplacement(vtkShaderProgram* program, vtkActor* actor);
+
   vtkGICaptureHooks(const vtkGICaptureHooks&) = delete;
   void operator=(const vtkGICaptureHooks&) = delete;
 
-  std::string Snippet(const char* name) const;
+  std::string Snippet(const char* name, const penumbra::CaptureOutputs& outputs,
+    penumbra::Defines variant = {}) const;
 
   penumbra::MaterialTable* Materials = nullptr;
+  penumbra::MotionTable* Motion = nullptr;
+  int TextureUnit = 0;
+  vtkOpenGLRenderer* Renderer = nullptr; ///< of the draws that follow
   const penumbra::ShaderLibrary* Shaders = nullptr;
-  bool Extended = false;
+  penumbra::CaptureOutputs Outputs;
   bool Parallel = false;
   vtkMTimeType StageTime = 1;
 };

@@ -29,9 +29,10 @@ struct Resolve
   MaterialTable* Materials;
   bool Extended;
   bool Radiance;
+  bool Lit;     ///< write the linear radiance beside the colour
   double Share; ///< of the lights' strength that is spread over all directions
 
-  Defines Variant(const FrameContext& context, bool radiance) const
+  Defines Variant(const FrameContext& context, bool radiance, bool lit) const
   {
     Defines defines;
     const auto flag = [&defines](const char* name, bool set) {
@@ -48,6 +49,7 @@ struct Resolve
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
     flag("GI_COVERAGE", this->Materials->CoverInPart());
     flag("GI_RADIANCE", radiance);
+    flag("GI_LIT", lit);
     return defines;
   }
 
@@ -61,24 +63,31 @@ struct Resolve
     if (this->Radiance)
     {
       CopyWindow(context, resource::Radiance);
-      this->Draw(context, resource::Radiance);
+      this->Draw(context, { resource::Radiance });
     }
-    this->Draw(context, resource::Color);
+    if (this->Lit && this->Materials->CoverInPart())
+    {
+      CopyWindow(context, resource::LitRadiance);
+    }
+    // Whoever asks for the lit radiance changes the picture by it, so that both are textures here.
+    this->Draw(context,
+      this->Lit ? std::vector<const char*>{ resource::Color, resource::LitRadiance }
+                : std::vector<const char*>{ resource::Color });
   }
 
-  void Draw(FrameContext& context, const char* target) const
+  void Draw(FrameContext& context, const std::vector<const char*>& targets) const
   {
     ScopedState scope(context.State());
     scope.Set(GL_BLEND, this->Materials->CoverInPart());
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    context.BindTarget({ target }, resource::Depth);
+    context.BindTarget(targets, resource::Depth);
     // The triangle lies at the far plane: only pixels with something nearer are resolved.
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_GREATER);
     scope.DepthMask(false);
-    const Program& program = context.Shaders().Fragment(
-      "direct_light/resolve.frag", this->Variant(context, target == resource::Radiance));
+    const Program& program = context.Shaders().Fragment("direct_light/resolve.frag",
+      this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1));
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Ambient),
@@ -136,7 +145,12 @@ void ContributeDirectLight(
   {
     pass.Write(resource::Radiance, frame.WindowTexture(GL_RGBA32F));
   }
-  pass.Execute(Resolve{ &lights, &materials, extended, radiance, frame.GetSpreadShare() });
+  const bool lit = frame.WantsLitRadiance();
+  if (lit)
+  {
+    pass.Write(resource::LitRadiance, frame.WindowTexture(radiance ? GL_RGBA32F : GL_RGBA16F));
+  }
+  pass.Execute(Resolve{ &lights, &materials, extended, radiance, lit, frame.GetSpreadShare() });
   frame.AddPass("present")
     .Read(resource::Color)
     .Read(resource::WindowDepth)

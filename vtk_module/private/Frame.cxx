@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/Frame.h"
 
+#include "private/MotionTable.h"
+#include "private/SceneCapture.h"
 #include "private/rays/RayProps.h"
+
+#include "vtkOpenGLRenderer.h"
+#include "vtkTexture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -16,6 +21,24 @@ RayProps& FrameBuilder::Rays()
     this->WorldReady = true;
   }
   return this->World;
+}
+
+MotionTable& FrameBuilder::Motion()
+{
+  this->Motions.Begin(this->CurrentView);
+  this->Scene.SetMotion(&this->Motions);
+  return this->Motions;
+}
+
+void FrameBuilder::RequestLitRadiance()
+{
+  this->LitRadianceWanted = true;
+  // Environments light PBR only, and PBR needs the extended set.
+  if (this->Renderer->GetUseImageBasedLighting() && this->Renderer->GetEnvironmentTexture() &&
+    this->Scene.IsExtended())
+  {
+    this->Scene.Request(resource::Surroundings);
+  }
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)

@@ -21,24 +21,55 @@ class vtkOpenGLState;
 
 namespace penumbra
 {
+class MotionTable;
 class RayProps;
 class SceneCapture;
 
 /// Names of the resources that passes share. A technique meets the others only through these.
 namespace resource
 {
-constexpr const char* Depth = "depth";                          ///< the depth buffer, to test against
-constexpr const char* Albedo = "gbuffer.albedo";                ///< rgb, a: 1 where captured
-constexpr const char* Normal = "gbuffer.normal";                ///< octahedral, material
-constexpr const char* WindowDepth = "gbuffer.depth";           ///< a copy of it, to read meanwhile
-constexpr const char* Ambient = "gbuffer.ambient";              ///< ambient light reflected
-constexpr const char* Surface = "gbuffer.surface";              ///< see capture/gbuffer.glsl
-constexpr const char* Emission = "gbuffer.emission";            ///< radiance not due to light
-constexpr const char* DirectVisibility = "visibility.direct";   ///< a channel per shadowed light
+constexpr const char* Depth = "depth";                        ///< the depth buffer, to test against
+constexpr const char* Albedo = "gbuffer.albedo";              ///< rgb, a: 1 where captured
+constexpr const char* Normal = "gbuffer.normal";              ///< octahedral, material
+constexpr const char* Facet = "gbuffer.facet";                ///< see capture/declarations.glsl
+constexpr const char* WindowDepth = "gbuffer.depth";          ///< a copy of it, to read meanwhile
+constexpr const char* Ambient = "gbuffer.ambient";            ///< ambient light reflected
+constexpr const char* Surface = "gbuffer.surface";            ///< see capture/gbuffer.glsl
+constexpr const char* Emission = "gbuffer.emission";          ///< radiance not due to light
+constexpr const char* Displacement =
+  "gbuffer.displacement"; ///< how far a point of a deforming surface was from here, one frame ago
+constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
+constexpr const char* Surroundings =
+  "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
+constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
+constexpr const char* Reflection = "reflection"; ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";                          ///< the picture, as displayed
 constexpr const char* Radiance = "radiance";                    ///< the picture, linear
 }
+
+/// Results of few samples that share the noise of a frame, in the order of their names: what
+/// accumulates over frames.
+struct NoisyResource
+{
+  const char* Name;
+  bool PerLight; ///< a channel for each shadowed light, else of the scene as a whole
+  bool Looks;    ///< depends on what surfaces look like, not only on where they are
+};
+namespace resource
+{
+constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false },
+  { DirectVisibility, true, false }, { Reflection, false, true } };
+}
+
+/// What differs from the frame before.
+struct SceneChanges
+{
+  bool Any = true;
+  bool Lights = true;
+  bool Props = true; ///< one moved, came or went, or looks different
+  bool Looks = true; ///< shapes, colours
+};
 
 /// The camera and the window of a frame, in double precision where it matters.
 struct View
@@ -49,13 +80,15 @@ struct View
   glm::dmat4 ViewToWorld{ 1.0 };
   glm::dmat4 ViewToClip{ 1.0 }; ///< with jitter
   bool Parallel = false;
-  glm::dvec2 Jitter{ 0.0 }; ///< in pixels
+  glm::dvec2 Jitter{ 0.0 };                                ///< in pixels
   std::array<double, 6> Bounds{ { 1, -1, 1, -1, 1, -1 } }; ///< of all visible props, world
   double Diagonal = 0.0;                                   ///< of Bounds
   int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
   int FrameNumber = 0;
-  GLenum DepthFormat = 0; ///< of the window, so that depth can be copied; 0 if it cannot
-  bool KeepsRadiance = false; ///< values above 1 matter
+  int Sequence = 0; ///< place in the sequences of noise
+  SceneChanges Changes;
+  GLenum DepthFormat = 0;         ///< of the window, so that depth can be copied; 0 if it cannot
+  bool KeepsRadiance = false;     ///< values above 1 matter
   bool WantsAntiAliasing = false; ///< the window is multisampled, or the renderer asks for FXAA
 };
 
@@ -102,12 +135,13 @@ class FrameBuilder
 {
 public:
   FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene,
-    RayProps& rays, vtkOpenGLRenderer* renderer)
+    RayProps& rays, MotionTable& motion, vtkOpenGLRenderer* renderer)
     : Graph(graph)
     , CurrentView(view)
     , CurrentLights(lights)
     , Scene(scene)
     , World(rays)
+    , Motions(motion)
     , Renderer(renderer)
   {
   }
@@ -119,11 +153,17 @@ public:
   /// The scene for rays, brought up to date when first asked for in a frame.
   RayProps& Rays();
 
+  /// Where things were in the frame before, recorded while the frame is captured.
+  MotionTable& Motion();
+
   /// The shape of a texture of the window's size.
   TextureDesc WindowTexture(GLenum format, int layers = 0) const
   {
     return { format, this->CurrentView.WindowSize.x, this->CurrentView.WindowSize.y, layers };
   }
+
+  /// Other noise every frame, also while things change: a technique averages over them.
+  void ChangeNoise() { this->CurrentView.Sequence = this->CurrentView.FrameNumber; }
 
   /// Shift this frame's picture by a part of a pixel.
   void SetJitter(const glm::dvec2& pixels);
@@ -135,6 +175,10 @@ public:
   /// Rays draw all that they see, translucent props too: VTK is not to draw those over them.
   void SetDrawnByRays() { this->DrawnByRays = true; }
   bool IsDrawnByRays() const { return this->DrawnByRays; }
+
+  /// Have resource::LitRadiance written, and resource::Surroundings where the environment lights.
+  void RequestLitRadiance();
+  bool WantsLitRadiance() const { return this->LitRadianceWanted; }
 
   /// Take a share of the lights' strength and spread it evenly over all directions.
   void SpreadLight(double share) { this->Share = share; }
@@ -150,10 +194,12 @@ private:
   LightTable& CurrentLights;
   SceneCapture& Scene;
   RayProps& World;
+  MotionTable& Motions;
   vtkOpenGLRenderer* Renderer;
   bool WorldReady = false;
   bool Averaged = false;
   bool DrawnByRays = false;
+  bool LitRadianceWanted = false;
   double Share = 0.0;
   std::vector<std::string> Notes;
 };

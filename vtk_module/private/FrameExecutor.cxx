@@ -44,7 +44,7 @@ void FrameExecutor::UploadView()
   data.ViewToWorld = glm::mat4(view.ViewToWorld);
   data.Viewport = glm::vec4(view.Viewport);
   data.Scene = glm::vec4(view.Diagonal, view.Parallel ? 1.0 : 0.0, 0.0, 0.0);
-  data.Frame = glm::ivec4(view.StillFrames, 0, view.FrameNumber, 0);
+  data.Frame = glm::ivec4(view.Sequence, 0, view.FrameNumber, 0);
   this->ViewBlock.Upload(GL_UNIFORM_BUFFER, &data, sizeof(data));
 }
 

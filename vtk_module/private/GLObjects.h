@@ -107,6 +107,7 @@ class Buffer
 public:
   void Upload(GLenum target, const void* data, std::size_t bytes);
   void BindBase(GLenum target, GLuint index) const;
+  GLuint Get() const { return this->Name.Get(); }
 
 private:
   Handle<gl::DeleteBuffer> Name;

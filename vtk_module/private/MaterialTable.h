@@ -24,9 +24,16 @@ public:
   MaterialTable() { this->Clear(); }
   void Clear();
 
+  /// Which prop an entry is of, where that matters: the row of its motion, and a number that stays.
+  struct Owner
+  {
+    int Motion = 0;
+    int Number = 0;
+  };
+
   /// The entry of a property, made on first sight. The G-buffer holds 16 bits: materials past
   /// 65535 different ones in a frame share the last.
-  int Find(vtkProperty* property);
+  int Find(vtkProperty* property, const Owner& owner);
 
   bool HasPBR() const { return this->PBR; }
   bool HasSpecular() const { return this->Specular; }
@@ -41,7 +48,7 @@ public:
 
 private:
   std::vector<shared::MaterialData> Entries;
-  std::map<std::array<float, 6>, int> Index;
+  std::map<std::array<float, 8>, int> Index;
   bool PBR = false;
   bool Specular = false;
   bool PartCover = false;

@@ -97,9 +97,11 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
       view.Bounds[3] - view.Bounds[2], view.Bounds[5] - view.Bounds[4]));
   }
   const SceneSignature signature = this->Sign(renderer, view);
-  memory.StillFrames = signature == memory.Signature ? memory.StillFrames : 0;
+  view.Changes = signature.ChangesSince(memory.Signature);
+  memory.StillFrames = view.Changes.Any ? 0 : memory.StillFrames;
   memory.WindowSize = view.WindowSize;
   view.StillFrames = memory.StillFrames;
+  view.Sequence = memory.StillFrames;
   view.FrameNumber = memory.FrameNumber;
   return view;
 }
@@ -184,8 +186,7 @@ std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound
 }
 }
 
-void vtkGIPass::Internals::DrawFrame(
-  vtkGIPass* self, const vtkRenderState* state, Memory& memory)
+void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -197,7 +198,7 @@ void vtkGIPass::Internals::DrawFrame(
   const View unshifted = view;
   FrameGraph graph;
   RayProps& rays = this->Worlds[renderer];
-  FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, renderer);
+  FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, memory.Motion, renderer);
   for (auto& technique : this->Techniques)
   {
     if (technique->GetEnabled())

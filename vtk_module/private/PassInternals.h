@@ -9,6 +9,7 @@
 #include "vtkGIPass.h"
 
 #include "private/FrameExecutor.h"
+#include "private/MotionTable.h"
 #include "private/SceneCapture.h"
 #include "private/SceneSignature.h"
 #include "private/TechniqueRegistry.h"
@@ -36,6 +37,7 @@ public:
     vtkWeakPointer<vtkRenderer> Renderer;
     std::string Name; ///< of its textures in the pool
     penumbra::SceneSignature Signature;
+    penumbra::MotionTable Motion;
     int StillFrames = 0;
     int FrameNumber = 0;
     glm::ivec2 WindowSize{ 0 };

@@ -6,17 +6,21 @@
 #include "private/CaptureHooks.h"
 #include "private/Frame.h"
 #include "private/Matrices.h"
+#include "private/MotionTable.h"
 #include "private/ScopedState.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkPropCollection.h"
 #include "vtkProp3DCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkShaderProperty.h"
+#include "vtkTextureUnitManager.h"
 
 namespace penumbra
 {
@@ -94,6 +98,45 @@ bool NeedsExtended(vtkProp* prop)
 
 namespace
 {
+// The most that a property's highlight reflects of light from all around, facing the eye.
+double HighlightOf(vtkProperty* property)
+{
+  if (!property || !property->GetLighting())
+  {
+    return 0.0;
+  }
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    const bool metal = property->GetMetallic() > 0.0 || property->GetNumberOfTextures() > 0;
+    return metal || property->GetBaseIOR() > 1.0 ? 1.0 : 0.0;
+  }
+  const double* color = property->GetSpecularColor();
+  return 2.0 * property->GetSpecular() * std::max(color[0], std::max(color[1], color[2])) /
+    (property->GetSpecularPower() + 1.0);
+}
+
+bool ReflectsShare(vtkProp* prop, double share)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (ReflectsShare(part, share))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor &&
+    std::max(HighlightOf(actor->GetProperty()), HighlightOf(actor->GetBackfaceProperty())) >=
+    std::max(share, 1e-6);
+}
+
 // Whether a prop's opaque fragments may have an alpha below one: VTK looks at neither where the
 // actor is forced opaque, nor at the textures of its property.
 bool MayCoverInPart(vtkProp* prop)
@@ -162,6 +205,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Others.clear();
   this->All.clear();
   this->Table.Clear();
+  this->SetMotion(nullptr);
   bool extended = false;
   bool part = false;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
@@ -184,41 +228,57 @@ void SceneCapture::Collect(const vtkRenderState* state)
     }
   }
   this->Table.SetCoverInPart(part);
-  this->Extended = extended;
-  this->Hooks->SetExtended(extended);
+  this->Outputs = CaptureOutputs();
+  this->Outputs.Extended = extended;
+}
+
+bool SceneCapture::Reflects(double share) const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(),
+    [share](vtkProp* prop) { return ReflectsShare(prop, share); });
+}
+
+void SceneCapture::SetMotion(MotionTable* motion)
+{
+  this->Motion = motion;
+  this->Hooks->SetMotion(motion);
 }
 
 void SceneCapture::Contribute(FrameBuilder& frame)
 {
+  if (this->Motion && this->Motion->Deform(this->All))
+  {
+    this->Outputs.Request(resource::Displacement);
+  }
+  this->Hooks->SetOutputs(this->Outputs);
   // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
   // its linear values need more.
   auto& pass = frame.AddPass("capture");
-  const GLenum reflectance = this->Extended ? GL_RGBA16 : GL_RGBA8;
+  const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as VTK's are.
   const bool wide =
-    this->Extended || (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
+    this->Outputs.Extended || (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
     .Write(resource::Ambient, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
     .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
-  if (this->Extended)
+  if (this->Outputs.Extended)
   {
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
       .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
+  }
+  for (const CaptureOutputs::Optional* optional : this->Outputs.Chosen())
+  {
+    pass.Write(optional->Resource, frame.WindowTexture(optional->Format));
   }
   pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
 }
 
 void SceneCapture::Draw(FrameContext& context)
 {
-  std::vector<const char*> outputs = { resource::Albedo, resource::Normal, resource::Ambient };
-  if (this->Extended)
-  {
-    outputs.push_back(resource::Surface);
-    outputs.push_back(resource::Emission);
-  }
+  const std::vector<const char*> outputs = this->Outputs.Resources();
   ScopedState scope(context.State());
   GLint bound = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -267,6 +327,10 @@ int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& 
   vtkRenderState state(renderer);
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Hooks->Attach(&state);
+  vtkTextureUnitManager* units =
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetTextureUnitManager();
+  const int unit = units->Allocate();
+  this->Hooks->SetTextureUnit(unit, renderer);
   int drawn = 0;
   for (vtkProp* prop : props)
   {
@@ -277,6 +341,7 @@ int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& 
     drawn += prop->RenderOpaqueGeometry(renderer);
   }
   this->Hooks->Detach(&state);
+  units->Free(unit);
   return drawn;
 }
 

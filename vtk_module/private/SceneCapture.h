@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "private/CaptureOutputs.h"
 #include "private/MaterialTable.h"
 
 #include "vtkSmartPointer.h"
@@ -23,6 +24,7 @@ namespace penumbra
 {
 class FrameBuilder;
 class FrameContext;
+class MotionTable;
 class ShaderLibrary;
 
 class SceneCapture
@@ -39,6 +41,15 @@ public:
   /// all visible ones, in view or not, that may cast shadows.
   void Collect(const vtkRenderState* state);
 
+  /// Record the motion of what is drawn, in this frame.
+  void SetMotion(MotionTable* motion);
+
+  /// Have an optional resource written in this frame. Ask while techniques contribute.
+  void Request(const char* resource) { this->Outputs.Request(resource); }
+
+  /// Whether the highlight of any prop in view reflects this share of the incoming light or more.
+  bool Reflects(double share) const;
+
   /// Add the pass that writes the G-buffer.
   void Contribute(FrameBuilder& frame);
 
@@ -51,7 +62,7 @@ public:
 
   const std::vector<vtkProp*>& Casters() const { return this->All; }
   MaterialTable& Materials() { return this->Table; }
-  bool IsExtended() const { return this->Extended; }
+  bool IsExtended() const { return this->Outputs.Extended; }
   int CapturedProps() const { return this->Drawn; }
 
   /// Whether a prop's mapper writes the G-buffer through the render pass hooks.
@@ -66,7 +77,8 @@ private:
   std::vector<vtkProp*> Captured;
   std::vector<vtkProp*> Others;
   std::vector<vtkProp*> All;
-  bool Extended = false;
+  CaptureOutputs Outputs;
+  MotionTable* Motion = nullptr; ///< of this frame's view, where anybody asks
   int Drawn = 0;
 };
 }

@@ -2,105 +2,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/SceneSignature.h"
 
+#include "private/ChangeTimes.h"
 #include "private/rays/TexturePixels.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithm.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMapper.h"
-#include "vtkPlane.h"
-#include "vtkPlaneCollection.h"
+#include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkPropCollection.h"
-#include "vtkProperty.h"
-#include "vtkScalarsToColors.h"
 #include "vtkTexture.h"
 
 namespace penumbra
 {
 namespace
 {
-vtkMTimeType DataTime(vtkDataObject* data)
+double AsNumber(vtkMTimeType time)
 {
-  vtkMTimeType time = data ? data->GetMTime() : 0;
-  if (auto* tree = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    auto iterator = vtk::TakeSmartPointer(tree->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      time = std::max(time, iterator->GetCurrentDataObject()->GetMTime());
-    }
-  }
-  return time;
+  return static_cast<double>(time); // exact up to 2^53
+}
 }
 
-// A prop's own time counts a mapper's first input only where that is one dataset, and neither other
-// inputs (glyphs' shapes) nor what clipping planes are.
-vtkMTimeType MapperTime(vtkMapper* mapper)
+void SceneSignature::Add(Group group, const double* values, int count)
 {
-  vtkMTimeType time = mapper->GetMTime();
-  for (int port = 0; port < mapper->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < mapper->GetNumberOfInputConnections(port); ++i)
-    {
-      if (!mapper->GetStatic())
-      {
-        mapper->GetInputAlgorithm(port, i)->Update();
-      }
-      time = std::max(time, DataTime(mapper->GetInputDataObject(port, i)));
-    }
-  }
-  if (vtkScalarsToColors* table =
-        mapper->GetScalarVisibility() ? mapper->GetLookupTable() : nullptr)
-  {
-    time = std::max(time, table->GetMTime());
-  }
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
-  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
-  {
-    time = std::max(time, planes->GetItem(i)->GetMTime());
-  }
-  return time;
+  this->Values[group].insert(this->Values[group].end(), values, values + count);
 }
 
-vtkMTimeType PicturesTime(vtkActor* actor)
+void SceneSignature::AddProp(vtkProp* prop)
 {
-  vtkMTimeType time = actor->GetTexture() ? TextureTime(actor->GetTexture()) : 0;
-  for (vtkProperty* property : { actor->GetProperty(), actor->GetBackfaceProperty() })
+  const bool visible = prop->GetVisibility() != 0;
+  for (const Group group : { Props, Looks })
   {
-    if (property)
-    {
-      for (const auto& named : property->GetAllTextures())
-      {
-        time = std::max(time, named.second ? TextureTime(named.second) : 0);
-      }
-    }
+    this->Values[group].push_back(visible);
   }
-  return time;
-}
-
-// Of what a prop is made of: an assembly's time does not count its parts' data.
-vtkMTimeType PartsTime(vtkProp* prop)
-{
-  vtkMTimeType time = 0;
+  if (!visible)
+  {
+    return;
+  }
+  vtkMTimeType moved = prop->GetRedrawMTime();
+  vtkMTimeType look = 0;
   prop->InitPathTraversal();
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {
     vtkProp* part = path->GetLastNode()->GetViewProp();
-    time = std::max(time, part->GetRedrawMTime());
+    moved = std::max(moved, part->GetRedrawMTime());
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      time = std::max(time, PicturesTime(actor));
-      time = std::max(time, actor->GetMapper() ? MapperTime(actor->GetMapper()) : 0);
+      look = std::max(look, LookTime(actor));
     }
   }
-  return time;
-}
+  this->Values[Props].push_back(AsNumber(std::max(moved, look)));
+  this->Values[Looks].push_back(AsNumber(look));
 }
 
 SceneSignature SceneSignature::Of(
@@ -109,28 +63,23 @@ SceneSignature SceneSignature::Of(
   SceneSignature signature;
   for (const auto* matrix : { &view.WorldToView, &view.ViewToClip })
   {
-    for (int i = 0; i < 16; ++i)
-    {
-      signature.Numbers.push_back((*matrix)[i / 4][i % 4]);
-    }
+    signature.Add(Camera, &(*matrix)[0][0], 16);
   }
-  for (int i = 0; i < 4; ++i)
-  {
-    signature.Numbers.push_back(view.Viewport[i]);
-  }
+  const glm::dvec4 viewport(view.Viewport);
+  signature.Add(Camera, &viewport[0], 4);
   for (const double* color : { renderer->GetBackground(), renderer->GetBackground2() })
   {
-    signature.Numbers.insert(signature.Numbers.end(), color, color + 3);
+    signature.Add(Looks, color, 3);
   }
-  signature.Numbers.push_back(renderer->GetGradientBackground());
-  signature.Times.push_back(techniques);
+  signature.Values[Looks].push_back(renderer->GetGradientBackground());
+  signature.Values[Techniques].push_back(AsNumber(techniques));
   if (vtkTexture* environment = renderer->GetEnvironmentTexture())
   {
-    signature.Times.push_back(TextureTime(environment));
-    signature.Numbers.push_back(renderer->GetUseImageBasedLighting());
+    signature.Values[Lights].push_back(AsNumber(TextureTime(environment)));
+    signature.Values[Lights].push_back(renderer->GetUseImageBasedLighting());
     for (const double* axis : { renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight() })
     {
-      signature.Numbers.insert(signature.Numbers.end(), axis, axis + 3);
+      signature.Add(Lights, axis, 3);
     }
   }
   vtkCollectionSimpleIterator cookie;
@@ -138,20 +87,27 @@ SceneSignature SceneSignature::Of(
   lights->InitTraversal(cookie);
   while (vtkLight* light = lights->GetNextLight(cookie))
   {
-    signature.Times.push_back(light->GetMTime());
-    signature.Numbers.push_back(light->GetSwitch());
+    signature.Values[Lights].push_back(AsNumber(light->GetMTime()));
+    signature.Values[Lights].push_back(light->GetSwitch());
   }
   vtkPropCollection* props = renderer->GetViewProps();
   props->InitTraversal(cookie);
   while (vtkProp* prop = props->GetNextProp(cookie))
   {
-    signature.Numbers.push_back(prop->GetVisibility());
-    if (prop->GetVisibility())
-    {
-      signature.Times.push_back(prop->GetRedrawMTime());
-      signature.Times.push_back(PartsTime(prop));
-    }
+    signature.AddProp(prop);
   }
   return signature;
+}
+
+SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
+{
+  const auto differs = [&](Group group) { return this->Values[group] != before.Values[group]; };
+  SceneChanges changes;
+  changes.Lights = differs(Lights);
+  changes.Props = differs(Props);
+  changes.Looks = differs(Looks);
+  changes.Any =
+    changes.Lights || changes.Props || changes.Looks || differs(Camera) || differs(Techniques);
+  return changes;
 }
 }

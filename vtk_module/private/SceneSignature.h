@@ -10,6 +10,11 @@
 
 #include <vtkType.h>
 
+#include <array>
+#include <vector>
+
+class vtkProp;
+
 namespace penumbra
 {
 class SceneSignature
@@ -18,13 +23,22 @@ public:
   /// Of a frame about to be drawn. techniques: their latest modification time.
   static SceneSignature Of(vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques);
 
-  bool operator==(const SceneSignature& other) const
-  {
-    return this->Numbers == other.Numbers && this->Times == other.Times;
-  }
+  /// What differs between two frames.
+  SceneChanges ChangesSince(const SceneSignature& before) const;
 
 private:
-  std::vector<double> Numbers;
-  std::vector<vtkMTimeType> Times;
+  enum Group
+  {
+    Camera,
+    Lights,
+    Props, ///< all of them: where they are, and how they look
+    Looks, ///< shapes and colours, wherever the props are
+    Techniques,
+    Groups
+  };
+  void Add(Group group, const double* values, int count);
+  void AddProp(vtkProp* prop);
+
+  std::array<std::vector<double>, Groups> Values; ///< times too
 };
 }

@@ -1,0 +1,250 @@
+// Shadow bias by hand: bias_laboratory SCENE.json [--headless OUT.png]
+// Sliders set each bias of the shadow maps, in texels; the numbers are measured against rays.
+#include "lab/BiasStudy.h"
+#include "lab/ShadowBench.h"
+#include "scene/Failure.h"
+#include "scene/SceneBuilder.h"
+#include "scene/SceneFile.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkGITechnique.h>
+#include <vtkGenericRenderWindowInteractor.h>
+#include <vtkInteractorObserver.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkSliderRepresentation2D.h>
+#include <vtkSliderWidget.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+using namespace penumbra::tool;
+
+namespace
+{
+constexpr double Most = 5; // texels: beyond it shadows leave what casts them in every scene
+
+class Laboratory
+{
+public:
+  Laboratory(vtkRenderWindow* window, vtkRenderer* renderer, vtkRenderWindowInteractor* interactor,
+    const TechniqueSettings& settings)
+    : Window(window)
+    , Interactor(interactor)
+    , Bench(window, renderer, settings)
+  {
+    this->Words->GetTextProperty()->SetFontSize(18);
+    this->Words->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+    this->Words->GetTextProperty()->SetBackgroundColor(1, 1, 1);
+    this->Words->GetTextProperty()->SetBackgroundOpacity(0.75);
+    this->Words->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    this->Words->SetPosition(0.02, 0.84);
+    renderer->AddViewProp(this->Words);
+    const std::vector<std::string> kinds = BiasKinds(this->Bench.Maps());
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+    {
+      this->AddSlider(kinds[i] + "-bias", double(i) / kinds.size(), double(i + 1) / kinds.size());
+    }
+    this->Moved->SetClientData(this);
+    this->Moved->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Laboratory*>(self)->LookAgain();
+    });
+    interactor->GetInteractorStyle()->AddObserver(vtkCommand::EndInteractionEvent, this->Moved);
+    this->LookAgain();
+  }
+
+  /// From where the camera is now: true shadows first, then the map's errors.
+  void LookAgain()
+  {
+    try
+    {
+      this->Hide(true);
+      this->TraceTruth();
+      this->Measure();
+    }
+    catch (const Failure& failure)
+    {
+      this->Judge.reset();
+      this->Say(failure.what());
+    }
+  }
+
+private:
+  struct Slider
+  {
+    vtkSmartPointer<vtkSliderWidget> Widget;
+    vtkSmartPointer<vtkCallbackCommand> Changed;
+    std::string Parameter;
+  };
+
+  void AddSlider(const std::string& parameter, double left, double right)
+  {
+    vtkNew<vtkSliderRepresentation2D> look;
+    look->SetMinimumValue(0);
+    look->SetMaximumValue(Most);
+    look->SetValue(this->Bench.Maps()->GetParameter(parameter.c_str()));
+    look->SetTitleText((parameter + ", texels").c_str());
+    look->SetLabelFormat("%.2f");
+    look->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+    look->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+    look->GetPoint1Coordinate()->SetValue(left + 0.03, 0.1);
+    look->GetPoint2Coordinate()->SetValue(right - 0.03, 0.1);
+    for (vtkTextProperty* text : { look->GetTitleProperty(), look->GetLabelProperty() })
+    {
+      text->SetColor(0.1, 0.1, 0.1);
+      text->ShadowOff();
+      text->BoldOff();
+    }
+    look->GetTubeProperty()->SetColor(0.5, 0.5, 0.5);
+    Slider slider{ vtkSmartPointer<vtkSliderWidget>::New(),
+      vtkSmartPointer<vtkCallbackCommand>::New(), parameter };
+    slider.Widget->SetInteractor(this->Interactor);
+    slider.Widget->SetRepresentation(look);
+    slider.Widget->EnabledOn();
+    slider.Changed->SetClientData(this);
+    slider.Changed->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Laboratory*>(self)->Measure();
+    });
+    slider.Widget->AddObserver(vtkCommand::InteractionEvent, slider.Changed);
+    this->Sliders.push_back(slider);
+  }
+
+  void TraceTruth()
+  {
+    vtkGITechnique* maps = this->Bench.Maps();
+    for (const Slider& slider : this->Sliders)
+    {
+      maps->SetParameter(slider.Parameter.c_str(), 0);
+    }
+    if (!this->Chosen)
+    {
+      const double pixel = MedianPixelWidth(this->Bench.TraceTruth());
+      const int resolution = static_cast<int>(maps->GetParameter("resolution"));
+      maps->SetParameter("resolution", ChooseResolution(pixel, resolution));
+      this->Chosen = true;
+    }
+    LitView truth = this->Bench.TraceTruth();
+    const double band = BiasJudge::EdgeBand + maps->GetParameter("filter-radius");
+    this->Judge = std::make_unique<BiasJudge>(std::move(truth), this->Bench.DrawMask(), band);
+  }
+
+  void Measure()
+  {
+    if (!this->Judge)
+    {
+      return;
+    }
+    for (const Slider& slider : this->Sliders)
+    {
+      this->Bench.Maps()->SetParameter(slider.Parameter.c_str(),
+        slider.Widget->GetSliderRepresentation()->GetValue());
+    }
+    this->Hide(true);
+    const BiasErrors errors = this->Judge->Measure(this->Bench.DrawMask());
+    const BiasLimits limits;
+    this->Say(fmt::format(
+      "acne {:.3g} %{}\ngap {:.2f} texels, {:.3g} at contact{}\nmap of {:g} texels a side",
+      100 * errors.Acne, errors.Acne > limits.Acne ? ": too much" : "", errors.Gap(),
+      errors.Contact.World, errors.Gap() > limits.Gap ? ": too wide" : "",
+      this->Bench.Maps()->GetParameter("resolution")));
+  }
+
+  void Say(const std::string& words)
+  {
+    this->Words->SetInput(words.c_str());
+    this->Hide(false);
+    this->Window->Render();
+  }
+
+  /// Sliders and words would stand in the depth that places are read from.
+  void Hide(bool hidden)
+  {
+    hidden ? this->Window->SwapBuffersOff() : this->Window->SwapBuffersOn();
+    this->Words->SetVisibility(!hidden);
+    for (const Slider& slider : this->Sliders)
+    {
+      slider.Widget->GetRepresentation()->SetVisibility(!hidden);
+    }
+  }
+
+  vtkRenderWindow* Window;
+  vtkRenderWindowInteractor* Interactor;
+  ShadowBench Bench;
+  std::unique_ptr<BiasJudge> Judge; ///< none where the light shines on nothing in view
+  bool Chosen = false;              ///< the map's resolution
+  std::vector<Slider> Sliders;
+  vtkNew<vtkTextActor> Words;
+  vtkNew<vtkCallbackCommand> Moved;
+};
+
+bool WritePicture(vtkRenderWindow* window, const char* path)
+{
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  picture->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetFileName(path);
+  writer->Write();
+  return writer->GetErrorCode() == 0;
+}
+
+int Run(const char* sceneFile, const char* picture)
+{
+  const Scene scene = ReadSceneFile(sceneFile);
+  Reporter silent;
+  const BuiltScene built = BuildScene(scene, {}, silent);
+  vtkNew<vtkRenderWindow> window;
+  ConfigureWindow(scene, built, window);
+  window->SetMultiSamples(0); // a mask has one value for each pixel
+  window->SetWindowName("Bias laboratory");
+  vtkSmartPointer<vtkRenderWindowInteractor> interactor;
+  if (picture)
+  {
+    window->SetOffScreenRendering(1);
+    interactor = vtkSmartPointer<vtkGenericRenderWindowInteractor>::New();
+  }
+  else
+  {
+    interactor = vtkSmartPointer<vtkRenderWindowInteractor>::New();
+  }
+  interactor->SetRenderWindow(window);
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  interactor->SetInteractorStyle(style);
+  window->Render();
+  Laboratory laboratory(window, built.Renderer, interactor, scene.Techniques);
+  if (picture)
+  {
+    return WritePicture(window, picture) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  interactor->Start();
+  return EXIT_SUCCESS;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const bool headless = argc == 4 && std::string(argv[2]) == "--headless";
+  if (argc != 2 && !headless)
+  {
+    std::cerr << "usage: bias_laboratory SCENE.json [--headless OUT.png]\n";
+    return 2;
+  }
+  try
+  {
+    return Run(argv[1], headless ? argv[3] : nullptr);
+  }
+  catch (const Failure& failure)
+  {
+    std::cerr << "bias_laboratory: " << failure.what() << '\n';
+    return failure.GetExitStatus();
+  }
+}

@@ -1,0 +1,96 @@
+#version 430 core
+// The picture with reflections: what was found on the screen takes the place of the surroundings' light
+// that VTK reflects there. Variants: GI_EXTENDED (textures, PBR), GI_SURROUNDINGS (VTK's image-based
+// reflection is kept apart), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear, not as displayed), GI_DEBUG
+// (paint how rays ended).
+#include "shared/view.h"
+#include "shared/material.h"
+#include "shared/reflection.h"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/pbr.glsl"
+#include "lib/sampling.glsl"
+#include "screen_space_reflections/lobe.glsl"
+
+layout(binding = 5) uniform sampler2D before;  // the picture
+layout(binding = 6) uniform sampler2D litTexture;
+layout(binding = 7) uniform sampler2D reflectionTexture;
+#ifdef GI_SURROUNDINGS
+layout(binding = 8) uniform sampler2D surroundingsTexture;
+#endif
+#ifdef GI_AMBIENT_VISIBILITY
+layout(binding = 9) uniform sampler2D ambientVisibility;
+#endif
+#ifdef GI_DEBUG
+layout(binding = 10) uniform sampler2D endTexture;
+uniform int debugMode; // 1: reasons, 2: confidence
+#endif
+
+uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
+uniform float keep;        // 1: the surroundings' light fills in what is missing; 0: nothing does
+
+layout(location = 0) out vec4 color;
+
+vec3 withReflection(ivec2 window, vec3 radiance, Lobe lobe)
+{
+  vec4 reflection = texelFetch(reflectionTexture, window, 0);
+  float known = mix(1.0, reflection.a, keep);
+  float openness = 1.0;
+#ifdef GI_AMBIENT_VISIBILITY
+  openness = texelFetch(ambientVisibility, window, 0).r;
+#endif
+  vec3 surroundings = vec3(0.0); // as direct_light/resolve.frag has added it
+#ifdef GI_SURROUNDINGS
+  surroundings = texelFetch(surroundingsTexture, window, 0).rgb;
+#endif
+#ifdef GI_EXTENDED
+  float occlusion = texelFetch(surfaceTexture, window, 0).g;
+  surroundings += lobe.pbr ? occlusion * ambientLight / GI_PI * lobe.f0 : vec3(0.0);
+#endif
+  vec3 missing = lobe.pbr ? vec3(0.0) : (1.0 - known) * lobe.color * ambientLight;
+  return max(
+    radiance + lobe.color * reflection.rgb + openness * (missing - known * surroundings), 0.0);
+}
+
+#ifdef GI_DEBUG
+// The legend: docs/techniques/screen-space-reflections.md.
+const vec3 LEGEND[GI_REFLECTION_ENDS] = vec3[](vec3(0.0), vec3(0.1, 0.7, 0.1), vec3(0.9, 0.2, 0.2),
+  vec3(0.6, 0.2, 0.8), vec3(1.0, 1.0, 1.0), vec3(0.5, 0.35, 0.2), vec3(0.95, 0.85, 0.1),
+  vec3(0.2, 0.4, 0.95), vec3(0.95, 0.55, 0.1), vec3(0.35, 0.35, 0.35), vec3(0.0, 0.0, 0.0),
+  vec3(0.1, 0.8, 0.85));
+
+vec3 painted(ivec2 window, vec3 shown)
+{
+  vec4 end = texelFetch(endTexture, window, 0);
+  int reason = int(end.z);
+  vec3 grey = vec3(0.25 + 0.35 * dot(shown, vec3(0.2126, 0.7152, 0.0722)));
+  return debugMode == 2 ? vec3(texelFetch(reflectionTexture, window, 0).a)
+    : reason == GI_REFLECTION_NONE ? grey
+    : LEGEND[reason] * (reason == GI_REFLECTION_HIT ? 0.3 + 0.7 * end.w : 1.0);
+}
+#endif
+
+void main()
+{
+  ivec2 window = ivec2(gl_FragCoord.xy);
+  color = texelFetch(before, window, 0);
+  if (texelFetch(albedoTexture, window, 0).a == 0.0)
+  {
+    return;
+  }
+  vec3 P = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, window, 0).r);
+  Lobe lobe = lobeAt(window, P);
+#ifdef GI_DEBUG
+  color.rgb = painted(window, color.rgb);
+  return;
+#endif
+  if (isTraced(lobe))
+  {
+    vec3 radiance = withReflection(window, texelFetch(litTexture, window, 0).rgb, lobe);
+#ifdef GI_RADIANCE
+    color.rgb = radiance;
+#else
+    color.rgb = lobe.pbr ? pow(radiance, vec3(1.0 / 2.2)) : radiance;
+#endif
+  }
+}

@@ -1,0 +1,71 @@
+// What a ray through the scene brings back where the screen does not show it: the direct light of the
+// surface that it meets, and where the environment lights PBR surfaces, one sample of it, unshadowed as
+// VTK's. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h, lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl,
+// rays/passage.glsl, path_tracing/reflection.glsl.
+#ifdef GI_RAY_SKY
+#include "rays/sky.glsl"
+#endif
+uniform mat3 viewToScene;
+uniform vec3 eye;          // relative to the scene's origin
+uniform int lightCount;
+uniform float lampShare;   // of the lights' strength that comes from them
+uniform vec3 ambientLight; // what a white diffuse surface reflects of the rest
+
+// Lamps shadow here where they do in the picture.
+bool reaches(LightData lamp, RaySurfacePoint at, inout uint state)
+{
+  if (lamp.Kind.y < 0)
+  {
+    return true;
+  }
+  bool local = lamp.Kind.z != 0 || lamp.Kind.x == GI_LIGHT_POSITIONAL;
+  vec3 target = lamp.Kind.z != 0 ? eye : lamp.Position.xyz;
+  vec3 toward = local ? target - at.position : -lamp.Direction.xyz;
+  bool closed;
+  vec3 origin = rayArrive(at, normalize(toward), closed);
+  vec3 path = local ? toward + (at.position - origin) : toward;
+  return !closed && !blocked(Ray(origin, 0.0, path, local ? 1.0 : RAY_FAR), state);
+}
+
+// False where the ray meets nothing. P, N, L: in view coordinates.
+bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
+{
+  // The depth buffer knows the place to about a millionth of the distance; slopes need more.
+  vec3 origin = eye + viewToScene * (P + 1e-4 * length(P) * N);
+  Ray ray = Ray(origin, 0.0, viewToScene * L, RAY_FAR);
+  RaySurfacePoint at;
+  float first;
+  radiance = vec3(0.0);
+  if (traceThrough(ray, at, first, state).instance < 0)
+  {
+    return false;
+  }
+  radiance = at.emission;
+  int model = raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL;
+  if (model == GI_SURFACE_UNLIT)
+  {
+    return true;
+  }
+  GiReflector r = giReflector(at, model, -ray.direction);
+  radiance += ambientLight * (r.pbr ? (1.0 - r.metallic) * r.occlusion / GI_PI : 1.0) * r.albedo;
+  for (int i = 0; i < lightCount; ++i)
+  {
+    GiIncident incident = giIncident(lights[i], at.position);
+    vec3 reflected = lights[i].Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI) *
+      giReflect(r, -incident.Travel);
+    if (dot(reflected, vec3(1.0)) > 0.0 && reaches(lights[i], at, state))
+    {
+      radiance += lampShare * reflected;
+    }
+  }
+#ifdef GI_RAY_SKY
+  if (r.pbr)
+  {
+    float density;
+    vec3 S = raySkySample(vec2(giRandom(state), giRandom(state)), density);
+    float share = density > 0.0 ? (1.0 - r.metallic) * r.occlusion / (GI_PI * density) : 0.0;
+    radiance += share * max(dot(r.N, S), 0.0) * (1.0 - r.f0) * r.albedo * raySkyRadiance(S);
+  }
+#endif
+  return true;
+}

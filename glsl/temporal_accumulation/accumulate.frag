@@ -1,0 +1,84 @@
+#version 430 core
+// The mean of a result over the frames in which its surface was seen. Variants: GI_LAYERS (an array
+// texture), GI_STILL (nothing moves), GI_CLAMP (something changed: what was is held within what the neighbourhood now shows;
+// Karis 2014, High-Quality Temporal Supersampling; Salvi 2016, An Excursion in Temporal
+// Supersampling).
+#include "shared/view.h"
+
+#ifdef GI_LAYERS
+#define GI_TEXTURE sampler2DArray
+#define GI_AT(pixel) ivec3(pixel, layer)
+uniform int layer;
+#else
+#define GI_TEXTURE sampler2D
+#define GI_AT(pixel) (pixel)
+#endif
+
+layout(binding = 0) uniform sampler2D reprojection; // see reproject.frag
+layout(binding = 1) uniform GI_TEXTURE current;
+layout(binding = 2) uniform GI_TEXTURE history;
+
+uniform vec4 most;        // frames that each channel's mean may count, this one included
+uniform float clampWidth; // in standard deviations
+
+layout(location = 0) out vec4 mean;  // kept
+layout(location = 1) out vec4 shown;
+
+vec4 before(ivec2 pixel, vec4 moved)
+{
+#ifdef GI_STILL
+  return texelFetch(history, GI_AT(pixel), 0);
+#else
+  vec2 place = vec2(pixel) + moved.xy;
+  vec2 corner = floor(place);
+  vec2 weight = place - corner;
+  vec4 sum = vec4(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    if ((int(moved.w) >> i & 1) != 0)
+    {
+      ivec2 offset = ivec2(i & 1, i >> 1);
+      vec2 share = mix(1.0 - weight, weight, vec2(offset));
+      sum += share.x * share.y * texelFetch(history, GI_AT(ivec2(corner) + offset), 0);
+      weights += share.x * share.y;
+    }
+  }
+  return sum / weights;
+#endif
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 now = texelFetch(current, GI_AT(pixel), 0);
+  vec4 moved = texelFetch(reprojection, pixel, 0);
+  mean = now;
+  if (int(moved.w) != 0)
+  {
+    vec4 old = before(pixel, moved);
+#ifdef GI_CLAMP
+    ivec2 low = ivec2(view.Viewport.xy);
+    ivec2 high = low + ivec2(view.Viewport.zw) - 1;
+    vec4 first = vec4(0.0);
+    vec4 second = vec4(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 9; ++i)
+    {
+      ivec2 at = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), low, high);
+      if (texelFetch(reprojection, at, 0).z > 0.0) // a surface
+      {
+        vec4 near = texelFetch(current, GI_AT(at), 0);
+        first += near;
+        second += near * near;
+        count += 1.0;
+      }
+    }
+    first /= count;
+    vec4 width = clampWidth * sqrt(max(second / count - first * first, 0.0));
+    old = clamp(old, first - width, first + width);
+#endif
+    mean = mix(old, now, 1.0 / max(min(vec4(moved.z), most), 1.0));
+  }
+  shown = mean;
+}

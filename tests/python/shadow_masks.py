@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What of a light reaches each pixel of the demo's scenes, by shadow maps and by rays."""
+import pathlib
+import sys
+
+import numpy as np
+import penumbra
+from scipy.spatial import cKDTree
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkRenderingCore import vtkLight
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
+import scenes  # noqa: E402 the demo's
+
+LIGHTS = ("directional", "cone", "omnidirectional", "camera")
+
+
+def one_light(renderer, kind):
+    """Take the scene's key light, or one of another kind at a place like its, as the only light."""
+    key = next(light for light in renderer.GetLights() if not light.LightTypeIsHeadlight())
+    toward = np.subtract(key.GetPosition(), key.GetFocalPoint())
+    bounds = np.reshape(renderer.ComputeVisiblePropBounds(), (3, 2))
+    size = np.linalg.norm(bounds[:, 1] - bounds[:, 0])
+    focus = bounds.mean(axis=1)
+    renderer.RemoveAllLights()
+    renderer.AutomaticLightCreationOff()
+    light = vtkLight()
+    light.SetIntensity(1.0)
+    if kind == "camera":  # over the photographer's left shoulder
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(-0.9, 0.7, 1.0)
+    else:
+        light.SetLightTypeToSceneLight()
+        light.SetFocalPoint(focus)
+        # Outside of the scene, yet near enough for shadows to spread.
+        light.SetPosition(focus + toward / np.linalg.norm(toward) * size * 0.75)
+        light.SetPositional(kind != "directional")
+        light.SetConeAngle({"cone": 40.0}.get(kind, 180.0))
+    renderer.AddLight(light)
+    return light
+
+
+class Shot:
+    """The mean radiance of still frames of a renderer with one technique."""
+
+    def __init__(self, renderer, window, technique=None, frames=1, **values):
+        gi = penumbra.vtkGIPass()
+        if technique:
+            found = gi.GetTechnique(technique)
+            found.EnabledOn()
+            for name, value in values.items():
+                if not found.SetParameter(name.replace("_", "-"), value):
+                    raise ValueError(found.GetLastError())
+        gi.KeepRadianceOn()
+        renderer.SetPass(gi)
+        self.radiance = 0.0
+        for _ in range(frames):
+            window.Render()
+            self.radiance = self.radiance + penumbra.radiance(gi, renderer)[..., :3].max(axis=2)
+        self.radiance /= frames
+        gi.ReleaseGraphicsResources(window)
+
+
+def positions(renderer, window):
+    """World coordinates of each pixel's surface, top row first; NaN where there is none."""
+    width, height = window.GetSize()
+    depth = vtkFloatArray()
+    window.GetZbufferData(0, 0, width - 1, height - 1, depth)
+    z = vtk_to_numpy(depth).reshape(height, width)[::-1].astype(float)
+    matrix = renderer.GetActiveCamera().GetCompositeProjectionTransformMatrix(
+        renderer.GetTiledAspectRatio(), -1, 1)
+    matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+    x = (np.arange(width) + 0.5) / width * 2 - 1
+    y = 1 - (np.arange(height) + 0.5) / height * 2
+    clip = np.stack(np.broadcast_arrays(x[None, :], y[:, None], 2 * z - 1, 1.0), axis=-1)
+    world = clip @ np.linalg.inv(matrix).T
+    world = world[..., :3] / world[..., 3:]
+    world[z >= 1.0] = np.nan
+    return world
+
+
+def across(light, points, bounds, resolution):
+    """Places of points across the light, in texels of a map that holds the scene."""
+    origin = np.array(light.GetTransformedPosition())
+    axis = np.array(light.GetTransformedFocalPoint()) - origin
+    axis /= np.linalg.norm(axis)
+    side = np.cross(axis, (0.0, 0.0, 1.0) if abs(axis[2]) < 0.9 else (0.0, 1.0, 0.0))
+    side /= np.linalg.norm(side)
+    basis = np.stack((side, np.cross(side, axis)))
+    if not light.GetPositional():
+        corners = np.array(np.meshgrid(*bounds)).reshape(3, -1).T @ basis.T
+        texel = (corners.max(axis=0) - corners.min(axis=0)).max() / resolution
+        return points @ basis.T / texel
+    # Of the unit sphere around the light; the maps of a lamp are half as wide.
+    cone = light.GetConeAngle() < 60
+    texel = 2 * np.tan(np.radians(light.GetConeAngle())) / resolution if cone else 4 / resolution
+    toward = points - origin
+    return toward / np.linalg.norm(toward, axis=1, keepdims=True) / texel
+
+
+def compare(rays, maps, lit, world, light, bounds, resolution, band=1.5):
+    """Pixels in the light's reach, and of those the ones whose masks differ, in all, and outside of a
+    band of so many texels or pixels around where the rays' shadows end."""
+    shadow = rays < 0.5
+    edge = np.zeros_like(shadow)
+    for axis in (0, 1):
+        # Depth breaks off there too: the texels behind the rim show the other surface.
+        change = np.diff(shadow.astype(int), axis=axis) != 0
+        first = [slice(None)] * 2
+        second = [slice(None)] * 2
+        first[axis], second[axis] = slice(None, -1), slice(1, None)
+        edge[tuple(first)] |= change
+        edge[tuple(second)] |= change
+    differ = lit & (np.abs(rays - maps) > 0.5)
+    pixels = cKDTree(np.argwhere(edge)) if edge.any() else None
+    outside = np.argwhere(differ)
+    if pixels and len(outside):
+        outside = outside[pixels.query(outside)[0] > band]
+    seen = edge & ~np.isnan(world[..., 0])
+    if seen.any() and len(outside):
+        texels = cKDTree(across(light, world[seen], bounds, resolution))
+        there = across(light, world[tuple(outside.T)], bounds, resolution)
+        outside = outside[texels.query(there)[0] > band]
+    return lit.sum(), differ.sum(), outside, shadow

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What screen-space reflections add to the picture: the light that the path tracer finds, the
+ * surroundings once, and nothing where nothing reflects.
+ */
+#include "ReflectionStage.h"
+
+#include <vtkSphereSource.h>
+
+#include <cstdio>
+
+using namespace penumbra_test;
+
+namespace
+{
+using ReflectedLight = ReflectionStage;
+}
+
+// Where nothing on the screen is reflected, the surroundings' light is there once, as VTK draws it.
+TEST_F(ReflectedLight, the_environment_counts_once)
+{
+  this->AddEnvironment();
+  vtkNew<vtkSphereSource> ball;
+  ball->SetCenter(0.0, 0.0, 0.5);
+  ball->SetRadius(1.0);
+  ball->SetThetaResolution(64);
+  ball->SetPhiResolution(64);
+  this->Scene.Renderer->RemoveActor(this->Floor);
+  vtkActor* lone = this->Scene.Add(ball);
+  lone->SetProperty(this->Floor->GetProperty());
+  this->Mirror(0.3);
+  vtkNew<vtkLight> weak;
+  weak->SetLightTypeToHeadlight();
+  weak->SetIntensity(0.01);
+  this->Scene.Renderer->AddLight(weak);
+  this->Pass->CollectStatisticsOn();
+  this->Look(0, -6, 2.5, false, false);
+  const Picture on = Shoot(this->Scene.Window);
+  EXPECT_TRUE(this->Ran());
+  this->Reflections->SetParameterFromText("fallback", "none");
+  const Picture none = Shoot(this->Scene.Window);
+  this->Reflections->EnabledOff();
+  const Picture off = Shoot(this->Scene.Window);
+  // Half floats hold the radiance to a part in two thousand.
+  EXPECT_EQ(Compare(on, off, 1).Within, 1.0);
+  const double lit = off.Grey(200, 150);
+  std::printf("grey with the environment %.1f, without %.1f\n", lit, none.Grey(200, 150));
+  EXPECT_LT(none.Grey(200, 150), 0.7 * lit);
+}
+
+// A view in a part of the window reflects as one in a window of its own.
+TEST_F(ReflectedLight, a_part_of_a_window_reflects_the_same)
+{
+  this->AddThings();
+  this->Scene.Window->SetSize(200, 150);
+  this->Look(0, -6, 2.5, false, false);
+  const Picture whole = Shoot(this->Scene.Window);
+  this->Scene.Window->SetSize(400, 300);
+  this->Scene.Renderer->SetViewport(0.5, 0.5, 1.0, 1.0);
+  const Picture part = Shoot(this->Scene.Window);
+  int differ = 0;
+  for (int y = 0; y < 150; ++y)
+  {
+    for (int x = 0; x < 200; ++x)
+    {
+      differ += std::abs(whole.Grey(x, y) - part.Grey(200 + x, 150 + y)) > 2.0;
+    }
+  }
+  EXPECT_LE(differ, 30) << "of 30000 pixels; rounding of window coordinates moves a few";
+}
+
+// The floor's reflection against the path tracer's, one reflection long; the floor is all highlight.
+namespace
+{
+class GlossyFloor : public ReflectionStage
+{
+protected:
+  void SetUp() override
+  {
+    ReflectionStage::SetUp();
+    this->Scene.Window->SetSize(160, 120);
+    this->AddThings();
+    vtkNew<vtkLight> lamp;
+    lamp->SetPosition(-3.0, -5.0, 6.0);
+    lamp->SetFocalPoint(0.0, 0.0, 0.0);
+    this->Scene.Renderer->AddLight(lamp);
+    this->Pass->GetTechnique("ray-traced-shadows")->EnabledOn();
+    this->Pass->GetTechnique("ray-traced-shadows")->SetParameter("light-angle", 0.0);
+    this->Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
+    this->Look(0, -6, 2.5, false, false);
+  }
+
+  void Reference(int samples)
+  {
+    vtkGITechnique* tracer = this->Pass->GetTechnique("path-tracing");
+    tracer->SetParameter("bounces", 1);
+    tracer->SetParameter("samples", samples);
+    tracer->EnabledOn();
+    this->Truth = this->Radiance(samples);
+    tracer->EnabledOff();
+    this->Reflections->SetParameterFromText("debug-view", "reasons");
+    this->Radiance(1);
+    this->Reasons = this->Ends();
+    this->Reflections->SetParameterFromText("debug-view", "off");
+  }
+
+  // mean((x - r)^2 / (r^2 + 0.01)) over the pixels that reflect.
+  double RelMse(const std::vector<float>& picture) const
+  {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < this->Reasons.size(); ++i)
+    {
+      if (static_cast<int>(this->Reasons[i].z) == GI_REFLECTION_NONE)
+      {
+        continue;
+      }
+      for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
+      {
+        const double off = picture[c] - this->Truth[c];
+        sum += off * off / (this->Truth[c] * this->Truth[c] + 0.01);
+        ++count;
+      }
+    }
+    return sum / count;
+  }
+
+  void Compare(const char* floor, int samples, double share)
+  {
+    this->Reference(samples);
+    this->Reflections->EnabledOff();
+    const double before = this->RelMse(this->Radiance(16));
+    this->Reflections->EnabledOn();
+    const double first = this->RelMse(this->Radiance(1));
+    const double still = this->RelMse(this->Radiance(16));
+    this->Reflections->SetParameter("filter", 0.0);
+    const double unfiltered = this->RelMse(this->Radiance(1));
+    this->Reflections->SetParameter("filter", 1.0);
+    this->Reflections->SetParameterFromText("fallback", "rays");
+    const double rays = this->RelMse(this->Radiance(16));
+    std::printf(
+      "%-22s without %.4f; one frame %.4f, unfiltered %.4f; 16 frames %.4f, with rays %.4f\n",
+      floor, before, first, unfiltered, still, rays);
+    EXPECT_LT(still, share * before);
+    EXPECT_LT(first, unfiltered);
+    EXPECT_LT(rays, still);
+  }
+
+  std::vector<float> Truth;
+  std::vector<glm::vec4> Reasons;
+};
+}
+
+TEST_F(GlossyFloor, of_metal_is_nearer_to_the_path_tracer)
+{
+  this->Mirror(0.25);
+  this->Compare("metal, roughness 0.25", 64, 0.3);
+}
+
+TEST_F(GlossyFloor, of_rough_metal_is_nearer_to_the_path_tracer)
+{
+  this->Mirror(0.5);
+  this->Compare("metal, roughness 0.5", 64, 0.3);
+}
+
+TEST_F(GlossyFloor, of_phong_is_nearer_to_the_path_tracer)
+{
+  this->Floor->GetProperty()->SetInterpolationToPhong();
+  this->Floor->GetProperty()->SetDiffuse(0.0);
+  this->Floor->GetProperty()->SetSpecular(1.0);
+  this->Floor->GetProperty()->SetSpecularPower(6.0);
+  this->Compare("Phong, power 6", 64, 0.5);
+}
+
+// The noise of one ray a pixel is averaged where the resource "reflection" is accumulated.
+TEST_F(GlossyFloor, is_accumulated_over_frames)
+{
+  this->Mirror(0.5);
+  this->Reference(64);
+  this->Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "off");
+  this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
+  const double first = this->RelMse(this->Radiance(1));
+  const double still = this->RelMse(this->Radiance(16));
+  std::printf("one frame %.4f, 16 accumulated %.4f\n", first, still);
+  EXPECT_LT(still, 0.6 * first);
+}

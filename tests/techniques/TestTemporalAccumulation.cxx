@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Accumulation over frames: the noise of still and of moving pictures falls, nothing old stays.
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkGITechnique.h"
+
+#include "vtkImageData.h"
+
+#include <vtkConeSource.h>
+#include <vtkCubeSource.h>
+#include <vtkPlaneSource.h>
+#include <vtkSphereSource.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace penumbra_test;
+
+namespace
+{
+using Values = std::vector<double>;
+
+// Things on a floor under a sun of eight degrees, and ambient light.
+struct Studio
+{
+  explicit Studio(bool accumulates, int samples = 1, int width = 160)
+  {
+    this->Scene.Window->SetSize(width, width * 2 / 3);
+    vtkNew<vtkPlaneSource> floor;
+    floor->SetOrigin(-6.0, -6.0, 0.0);
+    floor->SetPoint1(6.0, -6.0, 0.0);
+    floor->SetPoint2(-6.0, 6.0, 0.0);
+    this->Scene.Add(floor)->GetProperty()->SetColor(0.8, 0.8, 0.8);
+    vtkNew<vtkCubeSource> cube;
+    this->Box = this->Scene.Add(cube);
+    this->Box->SetPosition(0.0, 0.0, 0.5);
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetThetaResolution(48);
+    sphere->SetPhiResolution(24);
+    sphere->SetRadius(0.6);
+    this->Ball = this->Scene.Add(sphere);
+    this->Ball->SetPosition(1.6, 0.2, 0.6);
+    vtkNew<vtkConeSource> cone;
+    cone->SetDirection(0.0, 0.0, 1.0);
+    cone->SetHeight(1.6);
+    cone->SetResolution(32);
+    this->Scene.Add(cone)->SetPosition(-1.5, 0.6, 0.8);
+    vtkRenderer* renderer = this->Scene.Renderer;
+    renderer->AutomaticLightCreationOff();
+    this->Sun->SetLightTypeToSceneLight();
+    this->Sun->SetPosition(4.0, -5.0, 6.0);
+    this->Sun->SetIntensity(0.9);
+    renderer->AddLight(this->Sun);
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->SetPosition(0.0, -8.0, 4.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.4);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    renderer->ResetCameraClippingRange();
+    vtkGIPass* pass = this->Pass = this->Scene.SetPasses().front();
+    pass->SetPreset("off");
+    pass->KeepRadianceOn();
+    this->Shadows = pass->GetTechnique("ray-traced-shadows");
+    this->Shadows->EnabledOn();
+    this->Shadows->SetParameter("light-angle", 8.0);
+    this->Shadows->SetParameter("samples", samples);
+    this->Occlusion = pass->GetTechnique("ambient-occlusion");
+    this->Occlusion->EnabledOn();
+    this->Occlusion->SetParameter("samples", std::min(256, 8 * samples));
+    pass->GetTechnique("temporal-accumulation")->SetEnabled(accumulates);
+    pass->GetTechnique("anti-aliasing")->EnabledOff();
+  }
+
+  Values Frame()
+  {
+    this->Scene.Window->Render();
+    return this->Last();
+  }
+
+  Values Last()
+  {
+    vtkNew<vtkImageData> radiance;
+    this->Pass->GetRadiance(this->Scene.Renderer, radiance);
+    const auto* pixels = static_cast<const float*>(radiance->GetScalarPointer());
+    Values values;
+    for (int i = 0; i < radiance->GetNumberOfPoints(); ++i)
+    {
+      const float* rgb = pixels + 4 * i;
+      values.push_back(255.0 * (rgb[0] + rgb[1] + rgb[2]) / 3.0);
+    }
+    return values;
+  }
+
+  void AddSheet()
+  {
+    vtkNew<vtkPlaneSource> plane;
+    plane->SetOrigin(-4.0, -4.0, 0.0);
+    plane->SetPoint1(4.0, -4.0, 0.0);
+    plane->SetPoint2(-4.0, 4.0, 0.0);
+    plane->SetResolution(80, 80);
+    plane->Update();
+    this->Sheet = plane->GetOutput();
+    this->Sheet->GetPointData()->Initialize();
+    this->Scene.Add(this->Sheet.Get())->GetProperty()->SetColor(0.9, 0.9, 0.9);
+  }
+
+  // The sheet at a time: hills that travel, over the floor.
+  void Wave(double time, bool inPlace)
+  {
+    vtkPoints* old = this->Sheet->GetPoints();
+    vtkSmartPointer<vtkPoints> points = old;
+    if (!inPlace)
+    {
+      points = vtkSmartPointer<vtkPoints>::New();
+      points->DeepCopy(old);
+    }
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p;
+      points->GetPoint(i, p.data());
+      p[2] = 0.5 + 0.4 * std::sin(2.0 * p[0] + 3.0 * time) * std::cos(1.5 * p[1] - 2.0 * time);
+      points->SetPoint(i, p.data());
+    }
+    points->Modified();
+    points->GetData()->Modified();
+    this->Sheet->SetPoints(points);
+    this->Sheet->Modified();
+  }
+
+  Values Frames(int count)
+  {
+    Values last;
+    for (int i = 0; i < count; ++i)
+    {
+      last = this->Frame();
+    }
+    return last;
+  }
+
+  Stage Scene;
+  vtkSmartPointer<vtkGIPass> Pass;
+  vtkNew<vtkLight> Sun;
+  vtkActor* Box = nullptr;
+  vtkActor* Ball = nullptr;
+  vtkSmartPointer<vtkPolyData> Sheet;
+  vtkGITechnique* Shadows = nullptr;
+  vtkGITechnique* Occlusion = nullptr;
+};
+
+double Error(const Values& a, const Values& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return std::sqrt(sum / a.size());
+}
+
+// How much of what told one picture from another is in a third: noise has no share in it.
+double Share(const Values& with, const Values& without, const Values& now)
+{
+  double shared = 0.0;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+  {
+    const double pattern = with[i] - without[i];
+    shared += (now[i] - without[i]) * pattern;
+    whole += pattern * pattern;
+  }
+  return shared / whole;
+}
+
+double Slope(const std::vector<std::pair<double, double>>& points)
+{
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const auto& point : points)
+  {
+    const double a = std::log(point.first);
+    const double b = std::log(point.second);
+    x += a;
+    y += b;
+    xx += a * a;
+    xy += a * b;
+  }
+  const double n = static_cast<double>(points.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+}
+
+TEST(TemporalAccumulation, StillErrorFallsAsTheSquareRoot)
+{
+  // The mean of frames with other noise than the ones measured.
+  constexpr int others = 256;
+  Studio reference(false);
+  Values truth = reference.Frames(64);
+  std::fill(truth.begin(), truth.end(), 0.0);
+  for (int frame = 0; frame < others; ++frame)
+  {
+    const Values values = reference.Frame();
+    std::transform(values.begin(), values.end(), truth.begin(), truth.begin(),
+      [](double value, double sum) { return sum + value / others; });
+  }
+  Studio studio(true);
+  std::vector<std::pair<double, double>> points;
+  for (int frame = 1; frame <= 64; ++frame)
+  {
+    const double error = Error(studio.Frame(), truth);
+    if ((frame & (frame - 1)) == 0)
+    {
+      points.emplace_back(frame, error);
+      std::printf("still frame %2d: rms error %.3f / 255\n", frame, error);
+    }
+  }
+  const double slope = Slope(points);
+  std::printf("slope %.3f\n", slope);
+  EXPECT_LE(slope, -0.4);
+}
+
+TEST(TemporalAccumulation, NothingStaysOfAPropThatLeft)
+{
+  Studio still(true, 16);
+  const Values with = still.Frames(16);
+  still.Ball->VisibilityOff();
+  const Values without = still.Frames(48);
+
+  Studio studio(true);
+  studio.Frames(24);
+  studio.Ball->VisibilityOff();
+  double ghost = 1.0;
+  for (int frame = 1; frame <= 8; ++frame)
+  {
+    ghost = Share(with, without, studio.Frame());
+    std::printf("frame %d after a ball left: %.2f %% of it stays\n", frame, 100.0 * ghost);
+  }
+  EXPECT_LT(std::abs(ghost), 0.02);
+}
+
+TEST(TemporalAccumulation, ALightThatMovesLeavesNoShadowBehind)
+{
+  Studio still(true, 16);
+  const Values with = still.Frames(16);
+  still.Sun->SetPosition(-5.0, -4.0, 6.0);
+  const Values without = still.Frames(32);
+
+  Studio studio(true);
+  studio.Frames(24);
+  studio.Sun->SetPosition(-5.0, -4.0, 6.0);
+  const double ghost = Share(with, without, studio.Frame());
+  std::printf("first frame after the light moved: %.2f %% of the old light stays\n", 100.0 * ghost);
+  EXPECT_LT(std::abs(ghost), 0.02);
+}
+
+// A prop that moves carries what was found of it along.
+TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
+{
+  const auto orbit = [](Studio& s) { s.Scene.Renderer->GetActiveCamera()->Azimuth(2.0); };
+  const auto props = [](Studio& s) {
+    s.Ball->AddPosition(-0.08, -0.08, 0.0);
+    s.Box->RotateZ(3.0);
+  };
+  // A sheet that waves over all of the scene: its points are new ones with every step, or the same
+  // array written anew.
+  int step = 0;
+  const auto wave = [&step](Studio& s, bool inPlace) {
+    if (!s.Sheet)
+    {
+      s.AddSheet();
+    }
+    s.Wave(0.1 * step, inPlace);
+  };
+  const auto renewed = [&wave](Studio& s) { wave(s, false); };
+  const auto rewritten = [&wave](Studio& s) { wave(s, true); };
+  using Move = std::function<void(Studio&)>;
+  for (const auto& [name, move] :
+    { std::pair<const char*, Move>("camera", orbit), std::pair<const char*, Move>("props", props),
+      std::pair<const char*, Move>("points", renewed),
+      std::pair<const char*, Move>("points in place", rewritten) })
+  {
+    // Large enough for penumbrae of several pixels.
+    Studio truth(false, 16, 300);
+    Studio raw(false, 1, 300);
+    Studio accumulated(true, 1, 300);
+    for (int frame = 0; frame < 8; ++frame)
+    {
+      step = frame;
+      for (Studio* studio : { &truth, &raw, &accumulated })
+      {
+        move(*studio);
+      }
+      accumulated.Scene.Window->Render();
+    }
+    const Values expected = truth.Frame();
+    const double before = Error(raw.Frame(), expected);
+    const double after = Error(accumulated.Last(), expected);
+    std::printf("%s moves: rms error %.2f, accumulated %.2f / 255\n", name, before, after);
+    EXPECT_LT(after, 0.6 * before);
+  }
+}
+
+namespace
+{
+// What is seen of points on the floor, by their places in the picture; -1 where outside.
+Values Track(Studio& studio, const Values& frame, int width)
+{
+  vtkRenderer* renderer = studio.Scene.Renderer;
+  Values seen;
+  for (double y = -2.5; y <= 2.5; y += 0.05)
+  {
+    for (double x = -3.0; x <= 3.0; x += 0.05)
+    {
+      renderer->SetWorldPoint(x, y, 0.0, 1.0);
+      renderer->WorldToDisplay();
+      const double* place = renderer->GetDisplayPoint();
+      const double u = place[0] - 0.5;
+      const double v = place[1] - 0.5;
+      const int i = static_cast<int>(std::floor(u));
+      const int j = static_cast<int>(std::floor(v));
+      if (i < 0 || j < 0 || i + 1 >= width || j + 1 >= width * 2 / 3)
+      {
+        seen.push_back(-1.0);
+        continue;
+      }
+      const double* corner = &frame[static_cast<std::size_t>(j) * width + i];
+      const double low = corner[0] + (u - i) * (corner[1] - corner[0]);
+      const double high = corner[width] + (u - i) * (corner[width + 1] - corner[width]);
+      seen.push_back(low + (v - j) * (high - low));
+    }
+  }
+  return seen;
+}
+}
+
+// Between two frames of an orbit, what is seen of a point changes hardly more than it truly does.
+TEST(TemporalAccumulation, AnOrbitDoesNotFlicker)
+{
+  constexpr int width = 300;
+  constexpr int frames = 12;
+  constexpr double edge = 8.0; // of 255: what came out of or went behind something
+  Studio truth(false, 16, width);
+  Studio raw(false, 1, width);
+  Studio accumulated(true, 1, width);
+  const std::array<Studio*, 3> studios = { { &truth, &raw, &accumulated } };
+  std::array<double, 3> flicker{};
+  std::array<Values, 3> before;
+  int count = 0;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    std::array<Values, 3> now;
+    for (int i = 0; i < 3; ++i)
+    {
+      studios[i]->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+      now[i] = Track(*studios[i], studios[i]->Frame(), width);
+    }
+    for (std::size_t p = 0; frame > 4 && p < now[0].size(); ++p)
+    {
+      if (now[0][p] >= 0.0 && before[0][p] >= 0.0 && std::abs(now[0][p] - before[0][p]) < edge)
+      {
+        ++count;
+        for (int i = 0; i < 3; ++i)
+        {
+          flicker[i] += (now[i][p] - before[i][p]) * (now[i][p] - before[i][p]);
+        }
+      }
+    }
+    before = now;
+  }
+  for (double& value : flicker)
+  {
+    value = std::sqrt(value / count);
+  }
+  std::printf("flicker in an orbit: converged %.3f, one frame %.3f, accumulated %.3f / 255\n",
+    flicker[0], flicker[1], flicker[2]);
+  // The visibility is held in eight bits, twice: a rounding in each frame.
+  const double rounding = std::sqrt(2.0 * 2.0 / 12.0);
+  EXPECT_GT(count, 10000);
+  EXPECT_GT(flicker[1], 2.0 * flicker[2]);
+  EXPECT_LT(flicker[2], 1.2 * flicker[0] + rounding);
+}

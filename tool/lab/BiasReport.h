@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What a study of the bias found, for machines and for people.
+#ifndef penumbra_tool_BiasReport_h
+#define penumbra_tool_BiasReport_h
+
+#include "BiasStudy.h"
+
+#include <nlohmann/json.hpp>
+
+namespace penumbra::tool
+{
+/// All numbers of the study.
+nlohmann::ordered_json DescribeStudy(const BiasStudy& study);
+
+/// "constant bias: safe from 1 to 2.5 texels; take 1.5, ..." for each kind, then the defaults; a line
+/// each.
+std::string SummarizeStudy(const BiasStudy& study);
+
+/// "safe from 1 to 2.5 texels; take 1.5": of one kind.
+std::string SummarizeWindow(const BiasSweep& sweep, const BiasLimits& limits);
+}
+
+#endif
