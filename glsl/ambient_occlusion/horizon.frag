@@ -38,6 +38,7 @@ void main()
   vec2 spread = giRawSpread(raw);
   Walk walk = walkFrom(pixel, depth, N, spread.y);
   mat3 around = giBasis(walk.V);
+  vec3 rise = walkAxis(walk, N);
   float closed = 0.0;
   for (int i = 0; i < slices; ++i)
   {
@@ -47,8 +48,8 @@ void main()
     vec2 n = vec2(max(dot(N, walk.V), 1e-3), dot(N, T));
     float share = length(n);
     n /= share;
-    closed += share * (closedSide(walk, walkAlong(walk, T, n, share)) +
-      closedSide(walk, walkAlong(walk, -T, vec2(n.x, -n.y), share)));
+    WalkLine line = walkAlong(walk, T, n, rise / share);
+    closed += share * (closedSide(walk, line) + closedSide(walk, walkBack(line)));
   }
   result = giPackRaw(1.0 - closed / float(slices), depth, normal);
 }

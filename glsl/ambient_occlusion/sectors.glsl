@@ -13,10 +13,10 @@ float sectorLight(vec2 offset, vec2 n)
 }
 
 // The sectors that what is seen at a place closes; first: where they begin, or the last.
-uint sectorsAt(Walk walk, WalkLine line, float t, float scale, out uint first)
+uint sectorsAt(Walk walk, WalkLine line, Search search, float t, float scale, out uint first)
 {
   vec2 seen;
-  bool rises = walkStep(walk, line, t, seen);
+  bool rises = walkStep(walk, line, search, t, seen);
   vec2 front = vec2(seen.x, walkTop(seen));
   vec2 back = vec2(seen.x, min(seen.y - thickness, front.y));
   bool below = dot(back, line.n.yx) <= 0.0;
@@ -34,12 +34,12 @@ float closedSide(Walk walk, WalkLine line)
   float scale = float(SECTORS) / max(whole, 1e-6);
   uint closed = 0u;
   uint highest = SECTORS;
-  Search search = walkSearch();
+  Search search = walkSearch(walk, line);
   for (int i = 0; i < steps + refinements; ++i)
   {
     float t = walkNext(walk, search, i);
     uint first;
-    closed |= sectorsAt(walk, line, t, scale, first);
+    closed |= sectorsAt(walk, line, search, t, scale, first);
     search.best = first < highest ? t : search.best;
     highest = min(first, highest);
   }

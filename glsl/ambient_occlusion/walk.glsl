@@ -17,6 +17,7 @@ struct Walk
   vec3 V; // to the eye
   vec4 clip;
   float w; // of the homogeneous position that clip coordinates give
+  vec3 perOffset; // what an offset in the window adds to w
 };
 
 Walk walkFrom(ivec2 pixel, float depth, vec3 N, float shift)
@@ -31,6 +32,8 @@ Walk walkFrom(ivec2 pixel, float depth, vec3 N, float shift)
   walk.V = normalize(giViewPosition(walk.place, 0.0) - giViewPosition(walk.place, 1.0));
   walk.clip = view.ViewToClip * vec4(walk.P, 1.0);
   walk.w = 1.0 / walk.clip.w;
+  walk.perOffset = vec3(view.ClipToView[0].w, view.ClipToView[1].w, view.ClipToView[2].w) *
+    vec3(2.0 / view.Viewport.zw, 2.0);
   return walk;
 }
 
@@ -39,12 +42,11 @@ Walk walkFrom(ivec2 pixel, float depth, vec3 N, float shift)
 // positions, so that both are ratios of functions linear in the offsets of those.
 struct WalkLine
 {
-  vec2 direction;
-  float reach; // pixels to the last place
-  vec2 n;      // cosine and sine of the angle by which the normal leans this way
+  vec2 direction; // on the screen
+  float pixels;   // to the radius
+  vec2 n;         // cosine and sine of the angle by which the normal leans this way
   vec3 across;
   vec3 toward;
-  vec3 w;
 };
 
 // Pixels from a place to the viewport's border.
@@ -63,41 +65,46 @@ vec3 walkAxis(Walk walk, vec3 axis)
 }
 
 // T: a direction of the view, at right angles to V. n: cosine and sine of the angle to that of the
-// normal's part in the slice, which is `share` long.
-WalkLine walkAlong(Walk walk, vec3 T, vec2 n, float share)
+// normal's part in the slice. rise: walkAxis() of that part.
+WalkLine walkAlong(Walk walk, vec3 T, vec2 n, vec3 rise)
 {
   WalkLine line;
   vec4 along = view.ViewToClip * vec4(T, 0.0);
   vec2 perUnit = 0.5 * view.Viewport.zw * (along.xy - walk.clip.xy * walk.w * along.w) * walk.w;
   float pixels = max(length(perUnit), 1e-30);
   line.direction = perUnit / pixels;
-  // Where the border is nearer than the next pixel, all places are the pixel itself.
-  float border = walkToBorder(walk.place, line.direction);
-  line.direction *= border > 1.0 ? 1.0 : 0.0;
-  line.reach = max(min(radius * pixels, border - 0.01), 1.0);
+  line.pixels = radius * pixels;
   line.n = n;
   // A texel's centre lies beside the slice: its height over the tangent plane counts, so that no
   // plane occludes itself.
-  vec3 rise = walkAxis(walk, walk.N) / share;
   vec3 run = walkAxis(walk, n.x * T - n.y * walk.V);
   line.across = rise * n.y + run * n.x;
   line.toward = rise * n.x - run * n.y;
-  line.w = vec3(view.ClipToView[0].w, view.ClipToView[1].w, view.ClipToView[2].w) *
-    vec3(2.0 / view.Viewport.zw, 2.0);
   return line;
+}
+
+// The other side of its slice.
+WalkLine walkBack(WalkLine line)
+{
+  return WalkLine(-line.direction, line.pixels, vec2(line.n.x, -line.n.y), -line.across, line.toward);
 }
 
 // The places of a walk, from 0 to 1: `steps` evenly apart, then `refinements` that look for where the
 // highest thing so far ends, as things end between two places.
 struct Search
 {
+  vec2 direction; // on the screen
+  float reach;    // pixels to the last place
   float best;
   float gap;
 };
 
-Search walkSearch()
+Search walkSearch(Walk walk, WalkLine line)
 {
-  return Search(0.0, 1.0 / float(steps));
+  // Where the border is nearer than the next pixel, all places are the pixel itself.
+  float border = walkToBorder(walk.place, line.direction);
+  vec2 direction = border > 1.0 ? line.direction : vec2(0.0);
+  return Search(direction, max(min(line.pixels, border - 0.01), 1.0), 0.0, 1.0 / float(steps));
 }
 
 float walkNext(Walk walk, inout Search search, int i)
@@ -109,12 +116,12 @@ float walkNext(Walk walk, inout Search search, int i)
 // What is seen at the place t, in [0, 1): its offset across the view and toward the eye; false where
 // it does not rise over the pixel's tangent plane. Places crowd near the pixel, where a small thing
 // fills a large angle.
-bool walkStep(Walk walk, WalkLine line, float t, out vec2 seen)
+bool walkStep(Walk walk, WalkLine line, Search search, float t, out vec2 seen)
 {
-  ivec2 at = ivec2(walk.place + line.direction * (1.0 + (line.reach - 1.0) * t * t));
+  ivec2 at = ivec2(walk.place + search.direction * (1.0 + (search.reach - 1.0) * t * t));
   float depth = texelFetch(depthTexture, at, 0).r;
   vec3 offset = vec3(at - walk.pixel, depth - walk.depth);
-  float scale = 1.0 / (walk.w + dot(line.w, offset));
+  float scale = 1.0 / (walk.w + dot(walk.perOffset, offset));
   seen = vec2(max(dot(line.across, offset), 0.0), dot(line.toward, offset)) * scale;
   float rise = dot(seen, line.n.yx);
   return depth < 1.0 && rise > 0.0 && rise * rise > bias * bias * dot(seen, seen);
