@@ -193,6 +193,7 @@ void vtkGIAmbientOcclusion::ReleaseGraphicsResources(vtkWindow*)
 void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
 {
   frame.SpreadLight(this->AmbientShare);
+  frame.SetInterreflection(this->Interreflection);
   const double radius =
     this->Radius > 0.0 ? this->Radius : AutomaticRadius * frame.GetView().Diagonal;
   if (radius <= 0.0)

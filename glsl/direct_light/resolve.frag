@@ -2,6 +2,7 @@
 // The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
 // GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
+// GI_INTERREFLECTION (what hides a surface from ambient light reflects it too),
 // GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
 // radiance, not the colour as displayed), GI_LIT (write both).
 #include "shared/view.h"
@@ -12,6 +13,7 @@
 #include "lib/phong.glsl"
 #include "lib/pbr.glsl"
 #include "lib/lights.glsl"
+#include "lib/interreflection.glsl"
 
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
@@ -23,6 +25,7 @@ layout(binding = 6) uniform sampler2DArray directVisibility;
 layout(binding = 7) uniform sampler2D ambientVisibility;
 
 uniform int lightCount;
+uniform float interreflection; // share of the surfaces' reflectance
 uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
 
 layout(location = 0) out vec4 color;
@@ -39,6 +42,16 @@ float visibility(ivec2 pixel, int channel)
   }
 #endif
   return 1.0;
+}
+
+// What ambient light is multiplied by.
+vec3 ambientReaching(float openness, vec3 reflectance)
+{
+#ifdef GI_INTERREFLECTION
+  return giInterreflected(openness, interreflection * reflectance);
+#else
+  return vec3(openness);
+#endif
 }
 
 void main()
@@ -127,18 +140,20 @@ void main()
   if (pbr)
   {
     // VTK's PBR reflects 1 / pi of what its Phong materials do.
-    vec3 surroundings = ambientLight / GI_PI * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
-    result = openness * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
+    vec3 reflectance = (1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0;
+    vec3 surroundings = ambientLight / GI_PI * reflectance;
+    result = ambientReaching(openness, reflectance) * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
     color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
   }
   else
   {
-    result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light +
-      material.Specular.rgb * surface.rgb * gloss + emission;
+    result = ambientReaching(openness, albedo.rgb) * (ambient + albedo.rgb * ambientLight) +
+      albedo.rgb * light + material.Specular.rgb * surface.rgb * gloss + emission;
     color.rgb = result;
   }
 #else
-  vec3 result = openness * (ambient + albedo.rgb * ambientLight) + albedo.rgb * light;
+  vec3 result = ambientReaching(openness, albedo.rgb) * (ambient + albedo.rgb * ambientLight) +
+    albedo.rgb * light;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;
 #endif

@@ -1,128 +1,116 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How open the surfaces of a scene are, by rays through VTK's own cell locator: a truth for ambient
-occlusion that shares no code with what it judges."""
-import math
+"""Ambient occlusion beside vtkSSAOPass, on the demo's scenes in white: how far it is from openness by
+rays, and what it costs. Exit code 1 where a method of Penumbra's that is held to it has more than half of
+vtkSSAOPass's error, or takes longer."""
+import argparse
+import os
+import random
+import statistics
+import sys
+import time
 
-import numpy as np
-from vtkmodules.vtkCommonCore import mutable
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
-from vtkmodules.util.numpy_support import vtk_to_numpy
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
 
-GOLDEN = math.pi * (3 - math.sqrt(5))
+import numpy as np  # noqa: E402
+import openness_by_rays  # noqa: E402
+import openness_scenes as drawn  # noqa: E402
 
-
-def triangles(renderer):
-    """All actors' surfaces as triangles in the world."""
-    together = vtkAppendPolyData()
-    for actor in renderer.GetActors():
-        actor.GetMapper().Update()
-        place = vtkTransform()
-        place.SetMatrix(actor.GetMatrix())
-        moved = vtkTransformPolyDataFilter()
-        moved.SetTransform(place)
-        moved.SetInputData(actor.GetMapper().GetInput())
-        triangulated = vtkTriangleFilter()
-        triangulated.SetInputConnection(moved.GetOutputPort())
-        triangulated.Update()
-        surface = vtkPolyData()
-        surface.ShallowCopy(triangulated.GetOutput())
-        together.AddInputData(surface)
-    together.Update()
-    return together.GetOutput()
+RADIUS = 0.1  # in diagonals of the scene, of ours and of the truth that is cut off
+VTK_RADII = (0.02, 0.035, 0.05, 0.07, 0.1, 0.14)
+DEFAULT = "horizon"
+OURS = {
+    "horizon": {},
+    "horizon, 64 samples": {"samples": 64},
+    "horizon, thick 0.05": {"thickness": 0.05},
+    "horizon, half": {"resolution": "half"},
+    "horizon, half, 32 samples": {"resolution": "half", "samples": 32},
+    "hemisphere": {"method": "hemisphere"},
+    "hemisphere, 32 samples": {"method": "hemisphere", "samples": 32},
+    "hemisphere, half": {"method": "hemisphere", "resolution": "half"},
+}
 
 
-class Truth:
-    """The surface of a scene, asked at pixels of a picture."""
-
-    def __init__(self, renderer):
-        self.surface = triangles(renderer)
-        self.points = vtk_to_numpy(self.surface.GetPoints().GetData()).astype(float)
-        normals = self.surface.GetPointData().GetNormals()
-        self.normals = vtk_to_numpy(normals).astype(float) if normals else None
-        self.cells = vtk_to_numpy(self.surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-        self.diagonal = self.surface.GetLength()
-        self.locator = vtkStaticCellLocator()
-        self.locator.SetDataSet(self.surface)
-        self.locator.BuildLocator()
-
-    def nearest(self, start, end):
-        """Where a line first meets the surface: its part of the way, the cell and the weights of its
-        corners; None where it meets nothing."""
-        part, place, weights = mutable(0.0), [0.0] * 3, [0.0] * 3
-        piece, cell = mutable(0), mutable(0)
-        if not self.locator.IntersectWithLine(start, end, 0.0, part, place, weights, piece, cell):
-            return None
-        return float(part), int(cell), (1 - weights[0] - weights[1], weights[0], weights[1])
-
-    def seen(self, start, end):
-        """Position, normals of shading and of the triangle, both toward the eye; None for nothing."""
-        met = self.nearest(start, end)
-        if met is None:
-            return None
-        part, cell, weights = met
-        corners = self.points[self.cells[cell]]
-        flat = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        flat /= max(np.linalg.norm(flat), 1e-30)
-        smooth = weights @ self.normals[self.cells[cell]] if self.normals is not None else flat
-        smooth /= max(np.linalg.norm(smooth), 1e-30)
-        eye = start - end
-        return (start + part * (end - start), smooth if smooth @ eye > 0 else -smooth,
-                flat if flat @ eye > 0 else -flat)
-
-    def openness(self, position, normal, flat, rays, turn, radii):
-        """Parts of the cosine-weighted hemisphere that are free up to each radius."""
-        helper = np.array([1.0, 0, 0]) if abs(normal[0]) < 0.9 else np.array([0, 1.0, 0])
-        across = np.cross(normal, helper)
-        across /= np.linalg.norm(across)
-        other = np.cross(normal, across)
-        start = position + 1e-5 * self.diagonal * flat
-        reach = np.full(rays, math.inf)
-        for i in range(rays):
-            height = math.sqrt(1 - (i + 0.5) / rays)
-            side, angle = math.sqrt((i + 0.5) / rays), GOLDEN * i + turn
-            direction = side * (math.cos(angle) * across + math.sin(angle) * other) + height * normal
-            if direction @ flat <= 0:
-                reach[i] = 0
-                continue
-            met = self.nearest(start, start + 2 * self.diagonal * direction)
-            if met:
-                reach[i] = 2 * self.diagonal * met[0]
-        return [float(np.mean(reach >= radius)) if math.isfinite(radius) else float(np.mean(np.isinf(reach)))
-                for radius in radii]
+def options():
+    """From the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("scenes", nargs="*", default=["head", "protein", "terrain"])
+    parser.add_argument("--size", default="640x360", help="of the pictures that are compared")
+    parser.add_argument("--spp", type=int, default=256, help="paths through each pixel")
+    parser.add_argument("--points", type=int, default=1500, help="pixels by chance for the truth within a radius")
+    parser.add_argument("--rays", type=int, default=256, help="from each of those")
+    parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
+    parser.add_argument("--timing-size", default="1280x720", help="of the pictures that are timed")
+    parser.add_argument("--repetitions", type=int, default=9, help="pictures of each way; 0: no times")
+    return parser.parse_args()
 
 
-def pixel_rays(renderer, size, pixels):
-    """Start and end, between the clipping planes, of the eye's rays through pixels' centres (column,
-    row from the top)."""
-    camera = renderer.GetActiveCamera()
-    width, height = size
-    matrix = camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
-    inverse = np.linalg.inv([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-
-    def place(column, row, depth):
-        x, y = 2 * (column + 0.5) / width - 1, 1 - 2 * (row + 0.5) / height
-        p = inverse @ np.array([x, y, depth, 1.0])
-        return p[:3] / p[3]
-    return [(place(x, y, -1.0), place(x, y, 1.0)) for x, y in pixels]
+def size_of(text):
+    """WIDTHxHEIGHT as two numbers."""
+    return tuple(int(part) for part in text.split("x"))
 
 
-def sample(renderer, size, count, rays, radii, seed=1):
-    """Openness at pixels by chance: their columns and rows, and for each radius a row of values."""
-    truth = Truth(renderer)
-    chance = np.random.default_rng(seed)
-    pixels, values = [], []
-    for _ in range(20 * count):
-        if len(pixels) == count:
-            break
-        pixel = (int(chance.integers(size[0])), int(chance.integers(size[1])))
-        start, end = pixel_rays(renderer, size, [pixel])[0]
-        surface = truth.seen(start, end)
-        if surface:
-            pixels.append(pixel)
-            values.append(truth.openness(*surface, rays, chance.uniform(0, 2 * math.pi), radii))
-    columns, rows = np.array(pixels).T
-    return columns, rows, np.array(values).T
+def times(name, size, repetitions):
+    """Median milliseconds that each way adds to a picture without it, drawn in turn by chance."""
+    ways = {"stock": drawn.by_vtk(name, size, 0), "pass": drawn.by_penumbra(name, size, None),
+            "vtkSSAOPass": drawn.by_vtk(name, size, RADIUS)}
+    ways.update((label, drawn.by_penumbra(name, size, what)) for label, what in OURS.items())
+    taken = {label: [] for label in ways}
+    for _, window in ways.values():
+        window.Render()
+        window.Render()
+    for i in range(repetitions):
+        for label, (renderer, window) in random.sample(list(ways.items()), len(ways)):
+            renderer.GetActiveCamera().Azimuth(0.5 if i % 2 else -0.5)
+            begin = time.perf_counter()
+            window.Render()
+            window.WaitForCompletion()
+            taken[label].append(1000 * (time.perf_counter() - begin))
+    median = {label: statistics.median(values) for label, values in taken.items()}
+    return {label: median[label] - median["stock" if label == "vtkSSAOPass" else "pass"]
+            for label in ways if label not in ("stock", "pass")}
+
+
+def main():
+    given = options()
+    if given.keep:
+        os.makedirs(given.keep, exist_ok=True)
+    size, fine = size_of(given.size), True
+    for name in given.scenes:
+        truth, covered = drawn.traced(name, size, given.spp, given.keep)
+        renderer = drawn.white(name, ambient=True)
+        columns, rows, by_rays = openness_by_rays.sample(
+            renderer, size, given.points, given.rays, [np.inf, RADIUS * drawn.diagonal(renderer)])
+        # Edges are smoothed in the traced picture only.
+        inner = covered[rows, columns]
+        columns, rows, by_rays = columns[inner], rows[inner], by_rays[:, inner]
+        apart = np.abs(truth[rows, columns] - by_rays[0]).mean()
+        print(f"\n{name}: mean openness {truth[covered].mean():.3f}; path traced and by VTK's locator: "
+              f"{apart:.4f} apart")
+        cost = times(name, size_of(given.timing_size), given.repetitions) if given.repetitions else {}
+
+        def errors(label, way, timed):
+            seen = drawn.picture(way)
+            off = (seen - truth)[covered]
+            within = np.abs(seen[rows, columns] - by_rays[1]).mean()
+            spent = f"{cost[timed]:8.1f} {cost[timed] / cost['vtkSSAOPass']:6.2f}" if timed in cost else ""
+            print(f"  {label:28s} {np.abs(off).mean():.4f} {off.mean():+.4f}   {within:.4f} {spent}", flush=True)
+            return np.abs(off).mean(), within
+
+        print(f"  {'mean absolute error':28s} to any distance, within {RADIUS}; added ms, of vtkSSAOPass's")
+        stock = {radius: errors(f"vtkSSAOPass, radius {radius}", drawn.by_vtk(name, size, radius),
+                                "vtkSSAOPass" if radius == RADIUS else None) for radius in VTK_RADII}
+        ours = {label: errors(label, drawn.by_penumbra(name, size, {"radius": RADIUS, **what}), label)
+                for label, what in OURS.items()}
+        best = min(error for error, _ in stock.values())
+        ratios = ours[DEFAULT][0] / best, ours[DEFAULT][1] / stock[RADIUS][1]
+        print(f"  {DEFAULT} / vtkSSAOPass: {ratios[0]:.2f} of the error at its best radius, "
+              f"{ratios[1]:.2f} of that within {RADIUS}")
+        fine &= max(ratios) <= 0.5 and (not cost or cost[DEFAULT] <= cost["vtkSSAOPass"])
+    return 0 if fine else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

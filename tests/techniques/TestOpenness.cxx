@@ -45,6 +45,7 @@ protected:
     ASSERT_NE(this->Occlusion, nullptr);
     this->Occlusion->EnabledOn();
     this->Occlusion->SetParameter("ambient-share", 1.0);
+    this->Occlusion->SetParameter("interreflection", 0.0);
     this->Occlusion->SetParameter("radius", Endless);
     this->Occlusion->SetParameter("thickness", Endless);
     this->Occlusion->SetParameter("samples", 64);
@@ -63,10 +64,10 @@ protected:
 
   static void White(vtkActor* actor) { actor->GetProperty()->SetColor(1.0, 1.0, 1.0); }
 
-  void Look(const Point& from, const Point& at, double height)
+  void Look(const Point& from, const Point& at, double height, bool parallel = true)
   {
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
+    camera->SetParallelProjection(parallel);
     camera->SetParallelScale(0.5 * height);
     camera->SetPosition(from[0], from[1], from[2]);
     camera->SetFocalPoint(at[0], at[1], at[2]);
@@ -94,7 +95,7 @@ protected:
   void Expect(const char* what, const Point& p, double openness)
   {
     const double measured = this->At(p);
-    std::printf("%-52s %-4s openness %.3f, expected %.3f, off %+.3f\n", what, this->GetParam(),
+    std::printf("%-56s %-4s openness %.3f, expected %.3f, off %+.3f\n", what, this->GetParam(),
       measured, openness, measured - openness);
     EXPECT_NEAR(measured, openness, Limit) << what;
   }
@@ -218,6 +219,82 @@ TEST_P(Openness, below_a_thin_bar)
     std::snprintf(name, sizeof(name), "beside a thin bar, at distance %g", d);
     const auto sine = [height](double y) { return y / std::sqrt(y * y + height * height); };
     this->Expect(name, { { 0.0, -d, 0.0 } }, 1.0 - 0.5 * (sine(d + half) - sine(d - half)));
+  }
+}
+
+// Light reflected within a spherical hollow is the same everywhere: E = openness / (1 - reflectance
+// (1 - openness)).
+TEST_P(Openness, between_reflecting_walls)
+{
+  vtkNew<vtkSphereSource> pit;
+  pit->SetRadius(1.0);
+  pit->SetThetaResolution(180);
+  pit->SetPhiResolution(90);
+  pit->SetStartPhi(90.0);
+  vtkActor* actor = this->Scene.Add(pit);
+  this->Occlusion->SetParameter("interreflection", 1.0);
+  for (double reflectance : { 0.2, 0.5, 0.9 })
+  {
+    actor->GetProperty()->SetColor(reflectance, reflectance, reflectance);
+    this->Look({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 2.2);
+    char name[64];
+    std::snprintf(name, sizeof(name), "pit that reflects %g: light reflected", reflectance);
+    this->Expect(name, { { 0.3, 0.0, -std::sqrt(1.0 - 0.09) } },
+      reflectance * 0.5 / (1.0 - 0.5 * reflectance));
+  }
+}
+
+// A wall in windows of any shape, in viewports of odd sizes at odd places.
+TEST_P(Openness, in_any_viewport)
+{
+  this->AddFloor();
+  this->AddQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.0 } });
+  const std::array<std::array<double, 6>, 5> shapes{ { { { 301, 417, 0.0, 0.0, 1.0, 1.0 } },
+    { { 803, 301, 0.0, 0.0, 1.0, 1.0 } }, { { 641, 479, 0.37, 0.21, 1.0, 1.0 } },
+    { { 641, 479, 0.0, 0.0, 0.73, 0.61 } }, { { 640, 480, 0.11, 0.13, 0.87, 0.91 } } } };
+  for (const auto& shape : shapes)
+  {
+    this->Scene.Window->SetSize(static_cast<int>(shape[0]), static_cast<int>(shape[1]));
+    this->Scene.Renderer->SetViewport(shape[2], shape[3], shape[4], shape[5]);
+    this->Look({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 6.0);
+    for (double d : { 0.25, 1.0 })
+    {
+      char name[64];
+      std::snprintf(name, sizeof(name), "%g x %g from %g, %g to %g, %g: wall at %g", shape[0],
+        shape[1], shape[2], shape[3], shape[4], shape[5], d);
+      this->Expect(name, { { 0.0, -d, 0.0 } }, 0.5 + 0.5 * d / std::sqrt(d * d + 1.0));
+    }
+  }
+}
+
+// A sphere on a plane once more, in perspective, and far from the origin.
+TEST_P(Openness, in_perspective_and_far_away)
+{
+  for (double away : { 0.0, 1e6 })
+  {
+    this->Scene.Renderer->RemoveAllViewProps();
+    vtkNew<vtkPlaneSource> floor;
+    floor->SetOrigin(-30.0, -30.0, 0.0);
+    floor->SetPoint1(30.0, -30.0, 0.0);
+    floor->SetPoint2(-30.0, 30.0, 0.0);
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(1.0);
+    sphere->SetCenter(0.0, 0.0, 1.0);
+    sphere->SetThetaResolution(180);
+    sphere->SetPhiResolution(90);
+    for (vtkAlgorithm* source : { static_cast<vtkAlgorithm*>(floor), static_cast<vtkAlgorithm*>(sphere) })
+    {
+      vtkActor* actor = this->Scene.Add(source);
+      White(actor);
+      actor->SetPosition(away, away, 0.0);
+    }
+    this->Look({ { away, away - 9.0, 3.0 } }, { { away, away - 1.0, 0.5 } }, 5.0, false);
+    for (double x : { 0.5, 1.0, 2.0 })
+    {
+      char name[64];
+      std::snprintf(name, sizeof(name), "sphere in perspective, %g from the origin, %g", away, x);
+      this->Expect(name, { { away, away - x, 0.0 } }, 1.0 - std::pow(x * x + 1.0, -1.5));
+    }
   }
 }
 

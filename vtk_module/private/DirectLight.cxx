@@ -31,6 +31,7 @@ struct Resolve
   bool Radiance;
   bool Lit;     ///< write the linear radiance beside the colour
   double Share; ///< of the lights' strength that is spread over all directions
+  double Interreflection; ///< share of colours that ambient light is reflected by in hollows
 
   Defines Variant(const FrameContext& context, bool radiance, bool lit) const
   {
@@ -47,6 +48,8 @@ struct Resolve
     flag("GI_POSITIONAL", this->Lights->HasPositional());
     flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
+    flag("GI_INTERREFLECTION",
+      context.Input(resource::AmbientVisibility) && this->Interreflection > 0.0);
     flag("GI_COVERAGE", this->Materials->CoverInPart());
     flag("GI_RADIANCE", radiance);
     flag("GI_LIT", lit);
@@ -98,6 +101,8 @@ struct Resolve
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
     const glm::vec3 ambient(this->Share * this->Lights->TotalColor());
     glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
+    glUniform1f(
+      program.Location("interreflection"), static_cast<GLfloat>(this->Interreflection));
     context.DrawFullscreen();
   }
 };
@@ -150,7 +155,8 @@ void ContributeDirectLight(
   {
     pass.Write(resource::LitRadiance, frame.WindowTexture(radiance ? GL_RGBA32F : GL_RGBA16F));
   }
-  pass.Execute(Resolve{ &lights, &materials, extended, radiance, lit, frame.GetSpreadShare() });
+  pass.Execute(Resolve{ &lights, &materials, extended, radiance, lit, frame.GetSpreadShare(),
+    frame.GetInterreflection() });
   frame.AddPass("present")
     .Read(resource::Color)
     .Read(resource::WindowDepth)

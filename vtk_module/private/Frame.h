@@ -184,6 +184,11 @@ public:
   void SpreadLight(double share) { this->Share = share; }
   double GetSpreadShare() const { return this->Share; }
 
+  /// Take surfaces that hide one another from ambient light for reflecting it too, by so much of
+  /// their colour.
+  void SetInterreflection(double share) { this->Interreflection = share; }
+  double GetInterreflection() const { return this->Interreflection; }
+
   /// Tell the user something about this frame, in one sentence.
   void AddNote(const std::string& sentence) { this->Notes.push_back(sentence); }
   const std::vector<std::string>& GetNotes() const { return this->Notes; }
@@ -201,6 +206,7 @@ private:
   bool DrawnByRays = false;
   bool LitRadianceWanted = false;
   double Share = 0.0;
+  double Interreflection = 0.0;
   std::vector<std::string> Notes;
 };
 }
