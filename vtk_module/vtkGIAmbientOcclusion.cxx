@@ -15,6 +15,7 @@ namespace
 {
 constexpr const char* Raw = "ambient-occlusion.raw";
 constexpr const char* Places = "ambient-occlusion.depth";
+constexpr const char* AlongRows = "ambient-occlusion.along-rows";
 constexpr const char* Smoothed = "ambient-occlusion.smoothed";
 
 enum Methods
@@ -143,18 +144,22 @@ struct Work
     context.DrawFullscreen();
   }
 
-  void Smooth(FrameContext& context, const char* output) const
+  void Smooth(FrameContext& context, const char* input, const char* output) const
   {
     ScopedState scope(context.State());
     this->Begin(context, scope, output, this->Stride);
     Defines defines = this->Variant();
-    defines["GI_TAPS"] = this->Filter ? "4" : "1";
-    if (this->Stride > 1)
+    defines["GI_REACH"] = this->Filter ? "3" : "0";
+    if (input != Raw)
+    {
+      defines["GI_DOWN"] = "1";
+    }
+    if (output != resource::AmbientVisibility)
     {
       defines["GI_PACKED"] = "1";
     }
     const Program& program = context.Shaders().Fragment("ambient_occlusion/filter.frag", defines);
-    context.Use(program, { context.Input(Raw) });
+    context.Use(program, { context.Input(input) });
     context.DrawFullscreen();
   }
 
@@ -226,12 +231,22 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
       work.Sample(context);
     });
   const TextureDesc whole = frame.WindowTexture(GL_R16);
+  const char* sampled = Raw;
+  if (this->Filter)
+  {
+    frame.AddPass("ambient-occlusion-filter-rows")
+      .Read(Raw)
+      .Read(resource::Depth)
+      .Write(AlongRows, raw)
+      .Execute([work](FrameContext& context) { work.Smooth(context, Raw, AlongRows); });
+    sampled = AlongRows;
+  }
   const char* smoothed = stride > 1 ? Smoothed : resource::AmbientVisibility;
   frame.AddPass("ambient-occlusion-filter")
-    .Read(Raw)
+    .Read(sampled)
     .Read(resource::Depth)
     .Write(smoothed, stride > 1 ? raw : whole)
-    .Execute([work, smoothed](FrameContext& context) { work.Smooth(context, smoothed); });
+    .Execute([work, sampled, smoothed](FrameContext& context) { work.Smooth(context, sampled, smoothed); });
   if (stride > 1)
   {
     frame.AddPass("ambient-occlusion-upsample")

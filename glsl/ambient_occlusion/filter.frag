@@ -1,8 +1,9 @@
 #version 430 core
-// Average over the GI_TAPS x GI_TAPS texels that share the sampling pattern, as far as they lie on the same
-// surface: near the plane through this one, and turned alike. Variants: GI_STRIDE;
-// GI_TAPS (1: as sampled); GI_PACKED (to be
-// scaled up) or openness alone.
+// Average along rows, or along columns (GI_DOWN), over the texels on the same surface: near the plane
+// through this one, and turned alike. Twice the four texels that share the sampling pattern make a
+// tent over seven, in which every part of the pattern weighs alike. Variants: GI_STRIDE; GI_REACH
+// (texels to either side: 3, or 0 for what was sampled as it is); GI_PACKED (to be filtered further,
+// or scaled up) or openness alone.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -15,6 +16,12 @@ layout(binding = 0) uniform usampler2D rawTexture;
 layout(location = 0) out uvec2 result;
 #else
 layout(location = 0) out float result;
+#endif
+
+#ifdef GI_DOWN
+const ivec2 ALONG = ivec2(0, 1);
+#else
+const ivec2 ALONG = ivec2(1, 0);
 #endif
 
 void main()
@@ -31,17 +38,15 @@ void main()
     ivec2 high = ivec2(view.Viewport.xy + view.Viewport.zw - 1.0) / GI_STRIDE;
     float sum = 0.0;
     float weights = 0.0;
-    for (int y = -GI_TAPS / 2; y < (GI_TAPS + 1) / 2; ++y)
+    for (int i = -GI_REACH; i <= GI_REACH; ++i)
     {
-      for (int x = -GI_TAPS / 2; x < (GI_TAPS + 1) / 2; ++x)
-      {
-        ivec2 at = clamp(raw + ivec2(x, y), low, high);
-        uvec2 other = texelFetch(rawTexture, at, 0).xy;
-        vec2 offset = vec2((at - raw) * GI_STRIDE);
-        float weight = giAlike(here, offset, giRawDepth(other), giRawNormal(other));
-        sum += weight * giRawOpenness(other);
-        weights += weight;
-      }
+      ivec2 at = clamp(raw + i * ALONG, low, high);
+      uvec2 other = texelFetch(rawTexture, at, 0).xy;
+      vec2 offset = vec2((at - raw) * GI_STRIDE);
+      float weight = float(GI_REACH + 1 - abs(i)) *
+        giAlike(here, offset, giRawDepth(other), giRawNormal(other));
+      sum += weight * giRawOpenness(other);
+      weights += weight;
     }
     openness = sum / max(weights, 1e-6);
   }

@@ -98,6 +98,13 @@ def traced(name, size, samples, folder=None):
         renderer = white(name, ambient=False)
         renderer.SetEnvironmentTexture(surroundings())
         renderer.UseImageBasedLightingOn()
+        # VTK's own tables, which the tracer does not use: as small as may be.
+        renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
+        renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
+        renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
+        renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
+        renderer.GetEnvMapLookupTable().SetLUTSize(8)
+        renderer.GetEnvMapLookupTable().SetLUTSamples(8)
         window = penumbra.window(renderer, size=size, multisamples=0)
         gi = penumbra.enable(renderer, "reference")
         gi.KeepRadianceOn()
