@@ -24,9 +24,9 @@ enum Methods
   Hemisphere
 };
 
-// Part of the scene's diagonal that the automatic radius takes: wide enough to darken the folds of
-// a surface, narrow enough to leave open what is seen as open.
-constexpr double AutomaticRadius = 0.1;
+// Part of the scene's diagonal that the automatic radius takes. A wider one is hardly nearer to
+// openness of any reach, as what is farther is often not on the screen.
+constexpr double AutomaticRadius = 0.15;
 
 // The van der Corput sequence in base 2.
 double RadicalInverse(unsigned int i)

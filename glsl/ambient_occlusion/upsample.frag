@@ -25,20 +25,17 @@ void main()
   vec2 part = place - vec2(corner);
   float sum = 0.0;
   float weights = 0.0;
-  float nearest = 1e38;
-  float fallback = 1.0;
   for (int i = 0; i < 4; ++i)
   {
     ivec2 offset = ivec2(i & 1, i >> 1);
     ivec2 at = clamp(corner + offset, low, high);
     uvec2 other = texelFetch(rawTexture, at, 0).xy;
     vec2 near = mix(1.0 - part, part, vec2(offset));
-    float weight = (near.x * near.y + 1e-3) * giAlike(here, vec2(giRawPixel(at) - pixel), giRawDepth(other), giRawNormal(other));
+    // Where none is alike, all count a little.
+    float alike = giAlike(here, vec2(giRawPixel(at) - pixel), giRawDepth(other), giRawNormal(other));
+    float weight = (near.x * near.y + 1e-3) * (alike + 1e-3);
     sum += weight * giRawOpenness(other);
     weights += weight;
-    float off = abs(giRawDepth(other) - depth);
-    fallback = off < nearest ? giRawOpenness(other) : fallback;
-    nearest = min(off, nearest);
   }
-  openness = max(weights > 1e-4 ? sum / weights : fallback, 0.0);
+  openness = max(sum / weights, 0.0);
 }
