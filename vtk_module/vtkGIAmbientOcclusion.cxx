@@ -128,8 +128,7 @@ struct Work
     ScopedState scope(context.State());
     this->Begin(context, scope, Raw, this->Stride);
     const Program& program = this->Sampler(context);
-    context.Use(program,
-      { context.Input(Places), context.Input(resource::Normal) });
+    context.Use(program, { context.Input(Places), context.Input(resource::Normal) });
     this->KernelBlock->BindBase(GL_UNIFORM_BUFFER, 1);
     const int slices = std::max(1, this->Samples / SamplesPerSlice);
     const int places = std::max(1, this->Samples / (2 * slices));
@@ -149,7 +148,10 @@ struct Work
     ScopedState scope(context.State());
     this->Begin(context, scope, output, this->Stride);
     Defines defines = this->Variant();
-    defines["GI_REACH"] = this->Filter ? "3" : "0";
+    if (this->Filter)
+    {
+      defines["GI_AVERAGED"] = "1";
+    }
     if (input != Raw)
     {
       defines["GI_DOWN"] = "1";
@@ -246,7 +248,8 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     .Read(sampled)
     .Read(resource::Depth)
     .Write(smoothed, stride > 1 ? raw : whole)
-    .Execute([work, sampled, smoothed](FrameContext& context) { work.Smooth(context, sampled, smoothed); });
+    .Execute([work, sampled, smoothed](
+               FrameContext& context) { work.Smooth(context, sampled, smoothed); });
   if (stride > 1)
   {
     frame.AddPass("ambient-occlusion-upsample")

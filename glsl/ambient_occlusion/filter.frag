@@ -1,8 +1,8 @@
 #version 430 core
 // Average along rows, or along columns (GI_DOWN), over the texels on the same surface: near the plane
 // through this one, and turned alike. Twice the four texels that share the sampling pattern make a
-// tent over seven, in which every part of the pattern weighs alike. Variants: GI_STRIDE; GI_REACH
-// (texels to either side: 3, or 0 for what was sampled as it is); GI_PACKED (to be filtered further,
+// tent over seven, in which every part of the pattern weighs alike. Variants: GI_STRIDE; GI_AVERAGED
+// (else as sampled); GI_PACKED (to be filtered further,
 // or scaled up) or openness alone.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
@@ -24,6 +24,12 @@ const ivec2 ALONG = ivec2(0, 1);
 const ivec2 ALONG = ivec2(1, 0);
 #endif
 
+#ifdef GI_AVERAGED
+const int REACH = 3; // texels to either side
+#else
+const int REACH = 0;
+#endif
+
 void main()
 {
   ivec2 raw = ivec2(gl_FragCoord.xy);
@@ -38,12 +44,12 @@ void main()
     ivec2 high = ivec2(view.Viewport.xy + view.Viewport.zw - 1.0) / GI_STRIDE;
     float sum = 0.0;
     float weights = 0.0;
-    for (int i = -GI_REACH; i <= GI_REACH; ++i)
+    for (int i = -REACH; i <= REACH; ++i)
     {
       ivec2 at = clamp(raw + i * ALONG, low, high);
       uvec2 other = texelFetch(rawTexture, at, 0).xy;
       vec2 offset = vec2((at - raw) * GI_STRIDE);
-      float weight = float(GI_REACH + 1 - abs(i)) *
+      float weight = float(REACH + 1 - abs(i)) *
         giAlike(here, offset, giRawDepth(other), giRawNormal(other));
       sum += weight * giRawOpenness(other);
       weights += weight;

@@ -172,8 +172,9 @@ TEST_F(AmbientOcclusion, passes_over_translucent_surfaces)
     darkened += covered && occluded.Pixels[i] < open.Pixels[i] - 8;
     off += std::abs(both.Pixels[i] - expected) > 2.0;
   }
-  std::printf("pane over a floor: %d values of the floor under it are occluded, %d of %zu are off by "
-              "more than 2/255\n",
+  std::printf(
+    "pane over a floor: %d values of the floor under it are occluded, %d of %zu are off by "
+    "more than 2/255\n",
     darkened, off, both.Pixels.size());
   EXPECT_GT(darkened, 1000);
   EXPECT_EQ(off, 0);

@@ -173,10 +173,12 @@ TEST_P(Openness, between_two_planes)
     const double z = std::sin(angle);
     this->Scene.Renderer->RemoveAllViewProps();
     this->AddQuad({ { 0.0, -30.0, 0.0 } }, { { 30.0, -30.0, 0.0 } }, { { 0.0, 30.0, 0.0 } });
-    this->AddQuad({ { 0.0, -30.0, 0.0 } }, { { 30.0 * x, -30.0, 30.0 * z } }, { { 0.0, 30.0, 0.0 } });
+    this->AddQuad(
+      { { 0.0, -30.0, 0.0 } }, { { 30.0 * x, -30.0, 30.0 * z } }, { { 0.0, 30.0, 0.0 } });
     // From between them.
     const double middle = 0.5 * angle;
-    this->Look({ { 50.0 * std::cos(middle), 0.0, 50.0 * std::sin(middle) } }, { { 0.0, 0.0, 0.0 } }, 8.0);
+    this->Look(
+      { { 50.0 * std::cos(middle), 0.0, 50.0 * std::sin(middle) } }, { { 0.0, 0.0, 0.0 } }, 8.0);
     const double openness = 0.5 - 0.5 * std::cos(angle);
     char name[64];
     std::snprintf(name, sizeof(name), "wedge of %g degrees, on the floor", degrees);
@@ -210,7 +212,8 @@ TEST_P(Openness, below_a_thin_bar)
   const double height = 0.5;
   const double half = 0.04;
   this->AddFloor();
-  this->AddQuad({ { -30.0, -half, height } }, { { 30.0, -half, height } }, { { -30.0, half, height } });
+  this->AddQuad(
+    { { -30.0, -half, height } }, { { 30.0, -half, height } }, { { -30.0, half, height } });
   this->Occlusion->SetParameter("thickness", half);
   this->Look({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 3.0);
   for (double d : { 0.1, 0.2, 0.5 })
@@ -282,7 +285,8 @@ TEST_P(Openness, in_perspective_and_far_away)
     sphere->SetCenter(0.0, 0.0, 1.0);
     sphere->SetThetaResolution(180);
     sphere->SetPhiResolution(90);
-    for (vtkAlgorithm* source : { static_cast<vtkAlgorithm*>(floor), static_cast<vtkAlgorithm*>(sphere) })
+    for (vtkAlgorithm* source :
+      { static_cast<vtkAlgorithm*>(floor), static_cast<vtkAlgorithm*>(sphere) })
     {
       vtkActor* actor = this->Scene.Add(source);
       White(actor);

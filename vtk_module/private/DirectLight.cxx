@@ -29,8 +29,8 @@ struct Resolve
   MaterialTable* Materials;
   bool Extended;
   bool Radiance;
-  bool Lit;     ///< write the linear radiance beside the colour
-  double Share; ///< of the lights' strength that is spread over all directions
+  bool Lit;               ///< write the linear radiance beside the colour
+  double Share;           ///< of the lights' strength that is spread over all directions
   double Interreflection; ///< share of colours that ambient light is reflected by in hollows
 
   Defines Variant(const FrameContext& context, bool radiance, bool lit) const
@@ -101,8 +101,7 @@ struct Resolve
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
     const glm::vec3 ambient(this->Share * this->Lights->TotalColor());
     glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
-    glUniform1f(
-      program.Location("interreflection"), static_cast<GLfloat>(this->Interreflection));
+    glUniform1f(program.Location("interreflection"), static_cast<GLfloat>(this->Interreflection));
     context.DrawFullscreen();
   }
 };
