@@ -27,6 +27,8 @@ enum Methods
 // Part of the scene's diagonal that the automatic radius takes. A wider one is hardly nearer to
 // openness of any reach, as what is farther is often not on the screen.
 constexpr double AutomaticRadius = 0.15;
+// Part of it that things are deep.
+constexpr double AutomaticThickness = 0.07;
 
 // The van der Corput sequence in base 2.
 double RadicalInverse(unsigned int i)
@@ -207,8 +209,14 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
   {
     return;
   }
+  double thickness =
+    this->Thickness > 0.0 ? this->Thickness : AutomaticThickness * frame.GetView().Diagonal;
+  if (thickness >= 2.0 * radius)
+  {
+    thickness = 0.0; // as good as endless, at less cost
+  }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const Work work{ &this->Impl->KernelBlock, radius, this->Bias, this->Thickness, this->Method,
+  const Work work{ &this->Impl->KernelBlock, radius, this->Bias, thickness, this->Method,
     this->Samples, stride, this->Filter };
   TextureDesc raw = frame.WindowTexture(GL_RG32UI);
   raw.Width = (raw.Width + stride - 1) / stride;

@@ -26,7 +26,7 @@ OURS = {
     "horizon": {},
     "horizon, 16 samples": {"samples": 16},
     "horizon, 64 samples": {"samples": 64},
-    "horizon, thickness 0.05": {"thickness": 0.05},
+    "horizon, thickness 0.07": {"thickness": 0},
     "horizon, half": {"resolution": "half"},
     "horizon, half, 16 samples": {"resolution": "half", "samples": 16},
     "hemisphere": {"method": "hemisphere"},
