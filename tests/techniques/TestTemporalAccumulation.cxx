@@ -67,6 +67,9 @@ struct Studio
     this->Shadows->SetParameter("samples", samples);
     this->Occlusion = pass->GetTechnique("ambient-occlusion");
     this->Occlusion->EnabledOn();
+    // Its few samples are noise alone; the horizon method's also miss what lies between them, which
+    // no mean brings back.
+    this->Occlusion->SetParameterFromText("method", "hemisphere");
     this->Occlusion->SetParameter("samples", std::min(256, 8 * samples));
     pass->GetTechnique("temporal-accumulation")->SetEnabled(accumulates);
     pass->GetTechnique("anti-aliasing")->EnabledOff();
