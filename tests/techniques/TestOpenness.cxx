@@ -75,9 +75,10 @@ protected:
       from[0] == at[0] && from[1] == at[1] ? 0.0 : 1.0);
     this->Scene.Renderer->ResetCameraClippingRange();
     this->Shown = Shoot(this->Scene.Window);
-    Save(this->Shown,
-      ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() +
-        std::string("-") + std::to_string(++this->Pictures) + "-" + this->GetParam());
+    std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    name = name.substr(0, name.find('/'));
+    Save(
+      this->Shown, "openness-" + name + "-" + std::to_string(++this->Pictures) + "-" + GetParam());
   }
 
   // Of the 3 x 3 pixels around a point.
