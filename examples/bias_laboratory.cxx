@@ -1,7 +1,9 @@
 // Shadow bias by hand: bias_laboratory SCENE.json [--headless OUT.png]
 // Sliders set each bias of the shadow maps, in texels; the numbers are measured against rays.
+#include "lab/BiasReport.h"
 #include "lab/BiasStudy.h"
 #include "lab/ShadowBench.h"
+#include "scene/Capture.h"
 #include "scene/Failure.h"
 #include "scene/SceneBuilder.h"
 #include "scene/SceneFile.h"
@@ -12,18 +14,15 @@
 #include <vtkInteractorObserver.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkSliderRepresentation2D.h>
 #include <vtkSliderWidget.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
-#include <cmath>
 #include <iostream>
-#include <memory>
+#include <optional>
 
 using namespace penumbra::tool;
 
@@ -66,7 +65,12 @@ public:
     try
     {
       this->Hide(true);
-      this->TraceTruth();
+      if (!this->Fitted)
+      {
+        FitResolution(this->Bench);
+        this->Fitted = true;
+      }
+      this->Judge.emplace(JudgeShadows(this->Bench));
       this->Measure();
     }
     catch (const Failure& failure)
@@ -116,25 +120,6 @@ private:
     this->Sliders.push_back(slider);
   }
 
-  void TraceTruth()
-  {
-    vtkGITechnique* maps = this->Bench.Maps();
-    for (const Slider& slider : this->Sliders)
-    {
-      maps->SetParameter(slider.Parameter.c_str(), 0);
-    }
-    if (!this->Chosen)
-    {
-      const double pixel = MedianPixelWidth(this->Bench.TraceTruth());
-      const int resolution = static_cast<int>(maps->GetParameter("resolution"));
-      maps->SetParameter("resolution", ChooseResolution(pixel, resolution));
-      this->Chosen = true;
-    }
-    LitView truth = this->Bench.TraceTruth();
-    const double band = BiasJudge::EdgeBand + maps->GetParameter("filter-radius");
-    this->Judge = std::make_unique<BiasJudge>(std::move(truth), this->Bench.DrawMask(), band);
-  }
-
   void Measure()
   {
     if (!this->Judge)
@@ -143,16 +128,15 @@ private:
     }
     for (const Slider& slider : this->Sliders)
     {
-      this->Bench.Maps()->SetParameter(slider.Parameter.c_str(),
-        slider.Widget->GetSliderRepresentation()->GetValue());
+      this->Bench.Maps()->SetParameter(
+        slider.Parameter.c_str(), slider.Widget->GetSliderRepresentation()->GetValue());
     }
     this->Hide(true);
     const BiasErrors errors = this->Judge->Measure(this->Bench.DrawMask());
     const BiasLimits limits;
-    this->Say(fmt::format(
-      "acne {:.3g} %{}\ngap {:.2f} texels, {:.3g} at contact{}\nmap of {:g} texels a side",
-      100 * errors.Acne, errors.Acne > limits.Acne ? ": too much" : "", errors.Gap(),
-      errors.Contact.World, errors.Gap() > limits.Gap ? ": too wide" : "",
+    this->Say(fmt::format("acne {}{}\ngap {:.2f} texels{}\nmap of {:g} texels a side",
+      FormatPercent(errors.Acne), errors.Acne > limits.Acne ? ": too much" : "", errors.Gap(),
+      errors.Gap() > limits.Gap ? ": too wide" : "",
       this->Bench.Maps()->GetParameter("resolution")));
   }
 
@@ -177,25 +161,12 @@ private:
   vtkRenderWindow* Window;
   vtkRenderWindowInteractor* Interactor;
   ShadowBench Bench;
-  std::unique_ptr<BiasJudge> Judge; ///< none where the light shines on nothing in view
-  bool Chosen = false;              ///< the map's resolution
+  std::optional<BiasJudge> Judge; ///< none where the light shines on nothing in view
+  bool Fitted = false;            ///< the map's resolution, to the first view
   std::vector<Slider> Sliders;
   vtkNew<vtkTextActor> Words;
   vtkNew<vtkCallbackCommand> Moved;
 };
-
-bool WritePicture(vtkRenderWindow* window, const char* path)
-{
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
-  picture->ShouldRerenderOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
-  writer->SetFileName(path);
-  writer->Write();
-  return writer->GetErrorCode() == 0;
-}
 
 int Run(const char* sceneFile, const char* picture)
 {
@@ -223,7 +194,8 @@ int Run(const char* sceneFile, const char* picture)
   Laboratory laboratory(window, built.Renderer, interactor, scene.Techniques);
   if (picture)
   {
-    return WritePicture(window, picture) ? EXIT_SUCCESS : EXIT_FAILURE;
+    WritePicture(picture, CaptureWindow(window, false));
+    return EXIT_SUCCESS;
   }
   interactor->Start();
   return EXIT_SUCCESS;

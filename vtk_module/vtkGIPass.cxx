@@ -164,6 +164,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
   std::string problem;
   this->Impl->CapturedProps = 0;
   this->Impl->DrawnByRays = nullptr;
+  this->Impl->Forward->SetNothing();
   if (stages.NeedsStockOpaque())
   {
     stages.RenderOpaque();
@@ -186,7 +187,9 @@ void vtkGIPass::Render(const vtkRenderState* state)
   {
     stages.LeaveOutTranslucent([rays](vtkProp* prop) { return rays->Contains(prop); });
   }
+  this->Impl->Forward->Attach(state);
   stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
+  this->Impl->Forward->Detach();
   this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
 }
 

@@ -11,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkShaderProgram.h"
 
 #include <map>
 #include <tuple>
@@ -25,6 +26,11 @@ constexpr const char* Atlas = "shadow-maps.atlas";
 
 // In texels: a filter reads the neighbours of its outermost place as well.
 constexpr double HardwareMargin = 2.0;
+
+// A filter of so many texels, no narrower than a pixel, and of so many samples hides the pattern by which
+// casters that cover in part are drawn.
+constexpr double PatternRadius = 2.5;
+constexpr int PatternSamples = 16;
 
 using TileKey = std::tuple<int, int, int>;
 /// What an atlas shows: of which casters, and each of its squares.
@@ -63,6 +69,37 @@ std::vector<double> SignCasters(const SceneCapture& scene)
   return signature;
 }
 
+// The texel of the atlas that stands for a place fixed in the world: what a directional light's maps
+// show moves by whole texels.
+glm::ivec2 Anchor(const ShadowMap& map)
+{
+  glm::ivec2 anchor(map.Tile.X, map.Tile.Y);
+  if (map.Shown.Parallel)
+  {
+    anchor += glm::ivec2(glm::mod(
+      glm::round(glm::dvec2(map.Shown.WorldToView[3]) / map.Shown.Texel), glm::dvec2(4096.0)));
+  }
+  return anchor;
+}
+
+// What the lights of a plan need of the shaders.
+Defines VariantOf(const ShadowPlan& plan)
+{
+  Defines variant;
+  for (const auto& light : plan.LightData)
+  {
+    if (light.Size.x > 0.0f)
+    {
+      variant["GI_SOFT"] = "1";
+    }
+    if (light.Maps.z != GI_SHADOW_SINGLE)
+    {
+      variant[light.Maps.z == GI_SHADOW_CUBE ? "GI_CUBE" : "GI_CASCADES"] = "1";
+    }
+  }
+  return variant;
+}
+
 void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, const ShadowMap& map)
 {
   ScopedState scope(context.State());
@@ -76,8 +113,8 @@ void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, c
   glClearBufferfv(GL_DEPTH, 0, &far);
   // Depths hold all casters; one that a rounding puts before them casts all the same.
   glEnable(GL_DEPTH_CLAMP);
-  scene.DrawCasters(
-    context.Renderer(), map.Shown.WorldToView, map.Shown.ViewToClip, map.Shown.Parallel);
+  scene.DrawCasters(context.Renderer(), map.Shown.WorldToView, map.Shown.ViewToClip,
+    map.Shown.Parallel, Anchor(map));
   glDisable(GL_DEPTH_CLAMP);
 }
 }
@@ -88,6 +125,10 @@ struct vtkGIShadowMaps::Resources
   Buffer LightBlock;
   std::map<const Texture*, Shown> Drawn; ///< by atlas: each view has its own
   std::shared_ptr<ShadowPlan> Plan;
+  double Radius = 0.0; ///< of the filter, in texels
+  int Samples = 1;     ///< of the filter
+  bool InPart = false; ///< casters may cover in part
+  GLuint Atlas = 0;    ///< of the view that was drawn last
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()
@@ -115,7 +156,12 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &widest);
   ShadowOptions options;
   options.Resolution = std::min(this->Resolution, static_cast<int>(widest));
-  options.Margin = this->FilterRadius + HardwareMargin;
+  this->Impl->InPart = frame.Capture().CastsInPart();
+  const bool patterned = this->FilterRadius > 0.0 && this->Impl->InPart;
+  this->Impl->Radius = patterned ? std::max(this->FilterRadius, PatternRadius) : this->FilterRadius;
+  this->Impl->Samples =
+    patterned ? std::max(this->FilterSamples, PatternSamples) : this->FilterSamples;
+  options.Margin = this->Impl->Radius + HardwareMargin;
   const double texels = static_cast<double>(this->Memory) * (1 << 20) / sizeof(float);
   const double along = widest / options.Resolution;
   options.Squares = std::min(texels / options.Resolution / options.Resolution, along * along);
@@ -154,6 +200,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
   }
   SceneCapture& scene = frame.Capture();
   scene.Request(resource::Facet);
+  this->ShadeForward(frame);
   const int layers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
     .Read(resource::Depth)
@@ -174,6 +221,7 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
   bool fresh = false;
   const Texture& atlas =
     context.History(Atlas, { GL_DEPTH_COMPONENT32F, plan.Width, plan.Height, 0 }, fresh);
+  this->Impl->Atlas = atlas.Get();
   Shown& before = this->Impl->Drawn[&atlas];
   Shown now;
   this->DrawnMaps = 0;
@@ -204,19 +252,7 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
     GL_SHADER_STORAGE_BUFFER, plan.MapData.data(), plan.MapData.size() * sizeof(plan.MapData[0]));
   this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.LightData.data(),
     plan.LightData.size() * sizeof(plan.LightData[0]));
-  Defines variant;
-  for (const auto& light : plan.LightData)
-  {
-    if (light.Size.x > 0.0f)
-    {
-      variant["GI_SOFT"] = "1";
-    }
-    if (light.Maps.z != GI_SHADOW_SINGLE)
-    {
-      variant[light.Maps.z == GI_SHADOW_CUBE ? "GI_CUBE" : "GI_CASCADES"] = "1";
-    }
-  }
-  const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag", variant);
+  const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag", VariantOf(plan));
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, true);
@@ -229,19 +265,43 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Facet), &atlas });
-    this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
+    this->BindFilter(program.Get(), false);
     glUniform1i(program.Location("firstLight"), layer * 4);
     glUniform1i(program.Location("lightCount"),
       std::min(4, static_cast<int>(plan.LightData.size()) - layer * 4));
-    glUniform3f(program.Location("bias"), static_cast<GLfloat>(this->ConstantBias),
-      static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
-    glUniform1i(program.Location("receiverPlane"), this->ReceiverPlane);
-    glUniform1f(program.Location("filterRadius"), static_cast<GLfloat>(this->FilterRadius));
-    glUniform1i(
-      program.Location("filterSamples"), this->FilterRadius > 0.0 ? this->FilterSamples : 1);
-    glUniform1i(program.Location("blockerSamples"), this->BlockerSamples);
-    glUniform1i(program.Location("penumbraSamples"), this->PenumbraSamples);
     context.DrawFullscreen();
   }
+}
+
+void vtkGIShadowMaps::BindFilter(unsigned int program, bool volume)
+{
+  this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
+  this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
+  const auto place = [program](const char* name) { return glGetUniformLocation(program, name); };
+  glUniform3f(place("bias"), static_cast<GLfloat>(this->ConstantBias),
+    static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
+  glUniform1i(place("receiverPlane"), this->ReceiverPlane);
+  // Volumes add up many places along each ray: there one sample each is enough.
+  const bool filters = this->Impl->Radius > 0.0 && !volume;
+  glUniform1f(place("filterRadius"), filters ? static_cast<GLfloat>(this->Impl->Radius) : 0.0f);
+  glUniform1f(place("pixelRadius"), filters && this->Impl->InPart ? 1.0f : 0.0f);
+  glUniform1i(place("filterSamples"), filters ? this->Impl->Samples : 1);
+  glUniform1i(place("blockerSamples"), this->BlockerSamples);
+  glUniform1i(place("penumbraSamples"), this->PenumbraSamples);
+}
+
+void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
+{
+  ForwardVisibility visibility;
+  visibility.Source = "shadow_maps/forward.glsl";
+  visibility.OnSurfaces = VariantOf(*this->Impl->Plan);
+  visibility.InVolumes = visibility.OnSurfaces;
+  visibility.InVolumes.erase("GI_SOFT");
+  visibility.Bind = [this](vtkShaderProgram* program, int unit, bool volume) {
+    const auto name = static_cast<GLuint>(program->GetHandle());
+    this->BindFilter(name, volume);
+    glUniform1i(glGetUniformLocation(name, "atlas"), unit);
+    glBindTexture(GL_TEXTURE_2D, this->Impl->Atlas);
+  };
+  frame.ShadeForward(std::move(visibility));
 }

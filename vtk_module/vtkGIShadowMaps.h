@@ -67,6 +67,8 @@ private:
   bool MakePlan(penumbra::FrameBuilder& frame);
   const penumbra::Texture& DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene);
   void DrawMask(penumbra::FrameContext& context, const penumbra::Texture& atlas, int layers);
+  void ShadeForward(penumbra::FrameBuilder& frame);
+  void BindFilter(unsigned int program, bool volume);
 
   bool AlwaysRedraw = false;
   int ShadowedLights = 0;

@@ -1,6 +1,6 @@
   // In VTK's own colour. Where it covers the pixel in part, what lies below keeps its normal.
   vec4 giDrawn = vec4(giLit.rgb * gl_FragData[0].rgb, gl_FragData[0].a);
-  if (giDrawn.a <= 0.0)
+  if (giDrawn.a <= giLeastCover())
   {
     discard;
   }

@@ -27,3 +27,4 @@ const vec3 giDisplacement = vec3(0.0);
 uniform int giMaterial;
 uniform int giBackMaterial;
 #include "lib/octahedral.glsl"
+#include "capture/coverage.glsl"

@@ -5,6 +5,7 @@ uniform int filterSamples;
 uniform int blockerSamples;
 uniform int penumbraSamples;
 uniform float filterRadius; // in texels
+uniform float pixelRadius;  // and no less than this, in pixels
 
 // The map of six that a direction from the light falls into, in the order +x -x +y -y +z -z.
 int giFaceOf(vec3 fromLight)
@@ -28,6 +29,7 @@ struct GiReceiver
   vec3 U;         // two points of the plane, one unit across the light from P
   vec3 V;
   float texel;    // width of the map's there, in world units
+  float pixel;    // and the picture's
 };
 
 // The place of a point of the disc, on another face of a cube where it lies beyond the first.
@@ -104,7 +106,7 @@ float giPenumbra(ShadowLightData lamp, GiReceiver receiver, GiSheet sheet, float
 float giReaching(ShadowLightData lamp, GiReceiver receiver, int map, float angle)
 {
   GiSheet sheet = giSheet(map, receiver.P, receiver.U, receiver.V);
-  float radius = filterRadius * receiver.texel;
+  float radius = max(filterRadius * receiver.texel, pixelRadius * receiver.pixel);
   int samples = filterSamples;
 #ifdef GI_SOFT
   float penumbra = lamp.Size.x > 0.0 ? giPenumbra(lamp, receiver, sheet, angle) : -1.0;

@@ -14,10 +14,10 @@ namespace
 {
 constexpr int Width = 80;
 constexpr int Height = 40;
-constexpr double Pixel = 0.25;   // world units
-constexpr double Texels = 0.5;   // a pixel's width
-constexpr int Wall = 20;         // the column of what stands on the floor and is turned away
-constexpr int ShadowEnd = 50;    // the first lit column behind it
+constexpr double Pixel = 0.25; // world units
+constexpr double Texels = 0.5; // a pixel's width
+constexpr int Wall = 20;       // the column of what stands on the floor and is turned away
+constexpr int ShadowEnd = 50;  // the first lit column behind it
 
 std::size_t At(int x, int y)
 {
@@ -32,6 +32,7 @@ LitView Floor()
   view.Height = Height;
   view.Surface.assign(view.PixelCount(), 1);
   view.Receiver.assign(view.PixelCount(), 1);
+  view.Light.assign(view.PixelCount(), 1);
   view.Truth.assign(view.PixelCount(), 1);
   view.Place.resize(view.PixelCount());
   view.Across.resize(view.PixelCount());
@@ -90,6 +91,31 @@ TEST(BiasMeasures, AcneIsTheShareOfTheLight)
   }
   EXPECT_NEAR(JudgeOf(view).Measure(mask).Acne, 0.125, 1e-9);
   EXPECT_EQ(JudgeOf(view).Measure(mask).Leak, 0);
+}
+
+TEST(BiasMeasures, WhereItIsDimmerErrorsWeighLess)
+{
+  LitView view = Floor();
+  for (int y = 0; y < Height; ++y)
+  {
+    std::fill(view.Light.begin() + At(0, y), view.Light.begin() + At(Wall, y), 0.25f);
+  }
+  std::vector<float> mask = view.Truth;
+  Fill(mask, 0, Wall, 0);
+  // The columns in front of the wall but the last three, and those behind the shadow but the first four.
+  const double before = 0.25 * (Wall - 3), behind = Width - ShadowEnd - 4;
+  EXPECT_NEAR(JudgeOf(view).Measure(mask).Acne, before / (before + behind), 1e-9);
+  // Contact leaks at one of ten points, which are as good as dark: less than a twentieth of the light.
+  mask = view.Truth;
+  for (int y = 0; y < Height; ++y)
+  {
+    view.Light[At(Wall + 1, y)] = y % 10 == 0 ? 0.1f : 1.0f;
+    mask[At(Wall + 1, y)] = y % 10 == 0 ? 1.0f : 0.0f;
+  }
+  EXPECT_EQ(JudgeOf(view).Measure(mask).Contact.World, 0);
+  std::fill(view.Light.begin(), view.Light.end(), 1.0f);
+  // A pixel by itself is dark on both sides: nearest begins the shadow there.
+  EXPECT_NEAR(JudgeOf(view).Measure(mask).Contact.World, std::hypot(0.5, 0.5) * Pixel, 1e-9);
 }
 
 TEST(BiasMeasures, EdgesAreNoAcne)

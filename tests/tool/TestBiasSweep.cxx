@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "lab/BiasReport.h"
 #include "lab/BiasStudy.h"
 #include "lab/BiasSweep.h"
 
@@ -43,8 +44,7 @@ TEST(BiasSweep, WindowLiesBetweenAcneAndGap)
 TEST(BiasSweep, TheChoiceIsAsFarFromAcneAsFromGaps)
 {
   // The best sample, the first, is next to acne.
-  const BiasSweep sweep =
-    SweepOf({ { 0.4, 0 }, { 0, 0.1 }, { 0, 0.4 }, { 0, 0.7 }, { 0, 1.2 } });
+  const BiasSweep sweep = SweepOf({ { 0.4, 0 }, { 0, 0.1 }, { 0, 0.4 }, { 0, 0.7 }, { 0, 1.2 } });
   EXPECT_EQ(sweep.Window({})->Choice, 1.0);
   EXPECT_EQ(sweep.Best({}).Bias, 1.0);
   // Without acne at the smallest bias there is nothing to keep away from.
@@ -114,4 +114,27 @@ TEST(BiasStudy, ResolutionWhoseTexelsAreSeen)
   EXPECT_EQ(ChooseResolution(0.51, 2048), 1024);
   EXPECT_EQ(ChooseResolution(4, 2048), 256);
   EXPECT_EQ(ChooseResolution(1e9, 2048), 64);
+}
+
+TEST(BiasReport, WindowsInWords)
+{
+  const auto words = [](const std::vector<std::array<double, 2>>& acneAndGap) {
+    return SummarizeWindow(SweepOf(acneAndGap), {});
+  };
+  EXPECT_EQ(words({ { 1, 0 }, { 0, 0.2 }, { 0, 0.5 }, { 0, 0.8 }, { 0, 2 } }),
+    "safe from 0.5 to 1.5 texels; take 1");
+  EXPECT_EQ(
+    words({ { 1, 0 }, { 0, 0.2 }, { 0, 0.5 } }), "safe from 0.5 to 1 texels at least; take 0.5");
+  EXPECT_EQ(words({ { 1, 0 }, { 0, 0.2 }, { 0, 2 } }), "safe at 0.5 texels only; take that");
+  EXPECT_EQ(words({ { 1, 0 }, { 0, 0.2 } }), "safe from 0.5 to 0.5 texels at least; take 0.5");
+  EXPECT_EQ(words({ { 1, 0 }, { 0.01, 2 } }), "none safe from 0 to 0.5 texels; nearest 0.5");
+}
+
+TEST(BiasReport, Percentages)
+{
+  EXPECT_EQ(FormatPercent(0), "0 %");
+  EXPECT_EQ(FormatPercent(1e-7), "under 0.001 %");
+  EXPECT_EQ(FormatPercent(0.00123), "0.12 %");
+  EXPECT_EQ(FormatPercent(0.1234), "12 %");
+  EXPECT_EQ(FormatPercent(1), "100 %");
 }

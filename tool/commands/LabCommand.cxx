@@ -17,6 +17,9 @@ public:
     CLI::App* command =
       app.add_subcommand("lab", "experiments: an error of a technique, made visible and measured");
     command->require_subcommand(1);
+    command->footer("Examples:\n"
+                    "  penumbra lab shadow-bias examples/shadow_bias.json -o bias\n"
+                    "  penumbra lab shadow-bias --help");
     for (auto make : { MakeShadowBiasLab })
     {
       auto lab = make();

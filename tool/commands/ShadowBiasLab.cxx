@@ -14,7 +14,8 @@
 #include "../scene/Windows.h"
 
 #include <CLI/CLI.hpp>
-#include <vtkGITechnique.h>
+#include <vtkGIShadowMaps.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,7 @@ public:
   {
     console.SetQuiet(this->Options.Quiet);
     console.SetVerbose(this->Options.Verbose);
+    const BiasStudyOptions options = this->Plan();
     const Scene scene = this->Describe();
     const auto window = MakeWindow(this->Options.Backend);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
@@ -70,7 +72,6 @@ public:
     nlohmann::ordered_json report;
     {
       ShadowBench bench(window, built.Renderer, scene.Techniques);
-      const BiasStudyOptions options = this->Plan(bench);
       this->MakeFolder();
       const BiasStudy study = StudyBias(bench, options, console);
       this->Comment(bench, study, console);
@@ -102,10 +103,11 @@ private:
     return scene;
   }
 
-  BiasStudyOptions Plan(ShadowBench& bench) const
+  BiasStudyOptions Plan() const
   {
+    vtkNew<vtkGIShadowMaps> maps; // for what it declares
     BiasStudyOptions options;
-    const std::vector<std::string> kinds = BiasKinds(bench.Maps());
+    const std::vector<std::string> kinds = BiasKinds(maps);
     if (this->Kind == "all")
     {
       options.Kinds = kinds;
@@ -122,10 +124,10 @@ private:
     }
     for (const std::string& kind : options.Kinds)
     {
-      this->CheckRange(bench.Maps(), kind);
+      this->CheckRange(maps, kind);
     }
     options.Biases = EvenSteps(this->From, this->To, this->Steps);
-    options.Resolution = this->CheckResolution(bench.Maps());
+    options.Resolution = this->CheckResolution(maps);
     return options;
   }
 
@@ -191,13 +193,19 @@ private:
                                "with --light for another",
         bench.OtherLamps() + 1));
     }
+    if (bench.LeftOut() > 0)
+    {
+      console.Note(
+        "what is translucent is left out: how dark its shadow is, is no matter of a bias");
+    }
     constexpr double resolved = 0.5;
     if (study.PixelWidth > resolved)
     {
-      console.Note(fmt::format("a pixel is {:.2g} texels wide, so that gaps narrower than that cannot "
-                               "be told: come nearer with --camera zoom=2, or give a larger --size or "
-                               "a smaller --resolution",
-        study.PixelWidth));
+      console.Note(
+        fmt::format("a pixel is {:.2g} texels wide, so that gaps narrower than that cannot "
+                    "be told: come nearer with --camera zoom=2, or give a larger --size or "
+                    "a smaller --resolution",
+          study.PixelWidth));
     }
     if (study.LitPixels == 0)
     {
@@ -217,16 +225,15 @@ private:
     return report;
   }
 
-  void Write(
-    const BiasStudy& study, const nlohmann::ordered_json& report, Console& console) const
+  void Write(const BiasStudy& study, const nlohmann::ordered_json& report, Console& console) const
   {
     Step step(console, fmt::format("writing to '{}'", this->Options.Output));
-    const Picture plot =
-      DrawBiasPlot(study, this->Options.Backend, this->File("plot.svg"));
+    const Picture plot = DrawBiasPlot(study, this->Options.Backend, this->File("plot.svg"));
     WritePicture(this->File("plot.png"), plot);
     for (std::size_t i = 0; i < study.Sweeps.size(); ++i)
     {
-      WritePicture(this->File(fmt::format("strip-{}.png", study.Sweeps[i].Kind)), DrawStrip(study, i));
+      WritePicture(
+        this->File(fmt::format("strip-{}.png", study.Sweeps[i].Kind)), DrawStrip(study, i));
     }
     WritePicture(this->File("sheet.png"), DrawSheet(study, plot));
     std::ofstream numbers(this->File("numbers.json"));
@@ -241,8 +248,8 @@ private:
   RenderOptions Options;
   std::string Kind = "all";
   double From = 0;
-  double To = 5;
-  int Steps = 21;
+  double To = 4;
+  int Steps = 17;
   std::optional<int> Resolution;
 };
 }

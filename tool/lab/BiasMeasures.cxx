@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BiasMeasures.h"
 
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,7 +17,7 @@ namespace
 {
 using Vector = LitView::Vector;
 
-// A gap that nineteen of twenty points of an edge stay below: a single stray pixel is none.
+// A gap that nineteen twentieths of the edges stay below: a single stray pixel is none.
 constexpr double Percentile = 0.95;
 
 // Two pixels of one surface, or of two that touch, are no farther apart than each is from its next
@@ -36,7 +37,7 @@ Vector Middle(const Vector& a, const Vector& b)
   return { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 };
 }
 
-/// Finds the nearest of a set of points.
+/// Tells what is near a set of points.
 class PointSet
 {
 public:
@@ -48,10 +49,6 @@ public:
     this->Locator->BuildLocator();
   }
   bool IsEmpty() const { return this->Points->GetNumberOfPoints() == 0; }
-  vtkIdType FindNearest(const Vector& point) const
-  {
-    return this->Locator->FindClosestPoint(point.data());
-  }
   bool HasWithin(double radius, const Vector& point) const
   {
     double squared = 0;
@@ -65,16 +62,34 @@ private:
   vtkNew<vtkStaticPointLocator> Locator;
 };
 
-double AtPercentile(std::vector<double>& values)
+/// Values with weights, and the one below which a share of all weight lies.
+class Weighted
 {
-  if (values.empty())
+public:
+  void Add(double value, double weight)
   {
+    this->Values.emplace_back(value, weight);
+    this->Total += weight;
+  }
+  double AtPercentile(double share)
+  {
+    std::sort(this->Values.begin(), this->Values.end());
+    double below = 0;
+    for (const auto& [value, weight] : this->Values)
+    {
+      below += weight;
+      if (below >= share * this->Total)
+      {
+        return value;
+      }
+    }
     return 0;
   }
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(Percentile * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
+
+private:
+  std::vector<std::pair<double, double>> Values;
+  double Total = 0;
+};
 
 bool IsTrulyDark(const LitView& view, std::size_t pixel)
 {
@@ -145,8 +160,11 @@ BiasJudge::BiasJudge(LitView view, const std::vector<float>& unbiased, double ba
   this->LeaveOutEdges(bordering, band);
   for (std::size_t i = 0; i < this->Counts.size(); ++i)
   {
-    this->Dark += this->Counts[i] && this->IsDark(i);
-    this->Lit += this->Counts[i] && !this->IsDark(i);
+    if (this->Counts[i])
+    {
+      ++(this->IsDark(i) ? this->Dark : this->Lit);
+      (this->IsDark(i) ? this->LightOnDark : this->LightOnLit) += this->Seen.Light[i];
+    }
   }
 }
 
@@ -218,44 +236,43 @@ void BiasJudge::LeaveOutEdges(const std::vector<std::size_t>& bordering, double 
   }
 }
 
-/// The patches of truly dark pixels that a mask lights, and the dark around them.
+/// The patches of truly dark pixels that a mask lights, and where each borders on the dark.
 class BiasJudge::Leaks
 {
 public:
   Leaks(const BiasJudge& judge, const std::vector<float>& mask)
     : Judge(judge)
     , Mask(mask)
-    , Patch(mask.size(), None)
+    , PatchOf(mask.size(), None)
   {
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
-      if (this->IsLeak(i) && this->Patch[i] == None)
+      if (this->IsLeak(i) && this->PatchOf[i] == None)
       {
         this->Gather(i);
       }
     }
-    if (!this->Shore.empty())
-    {
-      this->Begins.Build();
-    }
   }
 
-  /// From an edge to where the shadow begins, no farther than the patch of light reaches.
+  /// From an edge to where the shadow begins; where it is gone, across all that it was.
   EdgeGap GapAt(const Edge& edge) const
   {
-    const std::size_t patch = this->Patch[edge.DarkPixel];
-    if (patch == None)
+    const std::size_t index = this->PatchOf[edge.DarkPixel];
+    if (index == None)
     {
       return {};
     }
-    EdgeGap gap{ this->Across[patch].Diagonal(), this->World[patch].Diagonal() };
-    if (!this->Shore.empty())
+    const Patch& patch = this->Patches[index];
+    if (patch.Shore.empty())
     {
-      const auto& begin = this->Shore[this->Begins.FindNearest(edge.Place)];
-      gap.World = std::min(gap.World, Distance(edge.Place, begin[0]));
-      gap.Texels = std::min(gap.Texels, Distance(edge.Across, begin[1]));
+      return { patch.Across.Diagonal(), patch.World.Diagonal() };
     }
-    return gap;
+    const auto& begin = *std::min_element(
+      patch.Shore.begin(), patch.Shore.end(), [&edge](const Place& a, const Place& b) {
+        return vtkMath::Distance2BetweenPoints(edge.Place.data(), a.World.data()) <
+          vtkMath::Distance2BetweenPoints(edge.Place.data(), b.World.data());
+      });
+    return { Distance(edge.Across, begin.Across), Distance(edge.Place, begin.World) };
   }
 
 private:
@@ -275,6 +292,19 @@ private:
     double Diagonal() const { return Distance(this->Low, this->High); }
   };
 
+  struct Place
+  {
+    Vector World;
+    Vector Across;
+  };
+
+  struct Patch
+  {
+    Box World;
+    Box Across;
+    std::vector<Place> Shore; ///< between its pixels and dark ones
+  };
+
   bool IsLeak(std::size_t pixel) const
   {
     return this->Judge.IsDark(pixel) && this->Mask[pixel] > 0.5f;
@@ -284,52 +314,42 @@ private:
   void Gather(std::size_t first)
   {
     const LitView& seen = this->Judge.Seen;
-    const std::size_t patch = this->World.size();
-    this->World.emplace_back();
-    this->Across.emplace_back();
+    const std::size_t index = this->Patches.size();
+    Patch patch;
     std::vector<std::size_t> open = { first };
-    this->Patch[first] = patch;
+    this->PatchOf[first] = index;
     while (!open.empty())
     {
       const std::size_t pixel = open.back();
       open.pop_back();
-      this->World[patch].Add(seen.Place[pixel]);
-      this->Across[patch].Add(seen.Across[pixel]);
+      patch.World.Add(seen.Place[pixel]);
+      patch.Across.Add(seen.Across[pixel]);
       for (const std::ptrdiff_t step : { -1, 1, -seen.Width, seen.Width })
       {
         const std::ptrdiff_t next = Neighbor(seen, pixel, step);
-        if (next >= 0 && this->Patch[next] == None && IsContinuous(seen, pixel, next, step))
+        if (next < 0 || !this->Judge.IsDark(next) || !IsContinuous(seen, pixel, next, step))
         {
-          this->Visit(pixel, next, patch, open);
+          continue;
+        }
+        if (!this->IsLeak(next))
+        {
+          patch.Shore.push_back({ Middle(seen.Place[pixel], seen.Place[next]),
+            Middle(seen.Across[pixel], seen.Across[next]) });
+        }
+        else if (this->PatchOf[next] == None)
+        {
+          this->PatchOf[next] = index;
+          open.push_back(next);
         }
       }
     }
-  }
-
-  void Visit(
-    std::size_t from, std::size_t pixel, std::size_t patch, std::vector<std::size_t>& open)
-  {
-    if (this->IsLeak(pixel))
-    {
-      this->Patch[pixel] = patch;
-      open.push_back(pixel);
-    }
-    else if (this->Judge.IsDark(pixel))
-    {
-      const LitView& seen = this->Judge.Seen;
-      this->Shore.push_back({ Middle(seen.Place[from], seen.Place[pixel]),
-        Middle(seen.Across[from], seen.Across[pixel]) });
-      this->Begins.Add(this->Shore.back()[0]);
-    }
+    this->Patches.push_back(std::move(patch));
   }
 
   const BiasJudge& Judge;
   const std::vector<float>& Mask;
-  std::vector<std::size_t> Patch; ///< of each pixel
-  std::vector<Box> World;         ///< of each patch
-  std::vector<Box> Across;
-  std::vector<std::array<Vector, 2>> Shore; ///< between a patch and the dark: in the world, and across
-  PointSet Begins;                          ///< of the first
+  std::vector<std::size_t> PatchOf; ///< of each pixel
+  std::vector<Patch> Patches;
 };
 
 double BiasJudge::Error(const std::vector<float>& mask, std::size_t pixel) const
@@ -342,22 +362,23 @@ BiasErrors BiasJudge::Measure(const std::vector<float>& mask) const
   BiasErrors errors;
   for (std::size_t i = 0; i < mask.size(); ++i)
   {
-    const double error = this->Error(mask, i);
+    const double error = this->Seen.Light[i] * this->Error(mask, i);
     errors.Acne += std::max(error, 0.0);
     errors.Leak += std::max(-error, 0.0);
   }
-  errors.Acne /= std::max<std::size_t>(1, this->Lit);
-  errors.Leak /= std::max<std::size_t>(1, this->Dark);
+  errors.Acne /= this->LightOnLit > 0 ? this->LightOnLit : 1;
+  errors.Leak /= this->LightOnDark > 0 ? this->LightOnDark : 1;
   const Leaks leaks(*this, mask);
-  std::vector<double> texels[2], world[2];
+  Weighted texels[2], world[2];
   for (const Edge& edge : this->Edges)
   {
     const EdgeGap gap = leaks.GapAt(edge);
-    texels[edge.Contact].push_back(gap.Texels);
-    world[edge.Contact].push_back(gap.World);
+    const double weight = this->Seen.Light[edge.DarkPixel];
+    texels[edge.Contact].Add(gap.Texels, weight);
+    world[edge.Contact].Add(gap.World, weight);
   }
-  errors.Outline = { AtPercentile(texels[0]), AtPercentile(world[0]) };
-  errors.Contact = { AtPercentile(texels[1]), AtPercentile(world[1]) };
+  errors.Outline = { texels[0].AtPercentile(Percentile), world[0].AtPercentile(Percentile) };
+  errors.Contact = { texels[1].AtPercentile(Percentile), world[1].AtPercentile(Percentile) };
   return errors;
 }
 }

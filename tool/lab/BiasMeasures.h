@@ -19,9 +19,10 @@ struct LitView
   int Height = 0;
   std::vector<unsigned char> Surface;  ///< 1 where there is any
   std::vector<unsigned char> Receiver; ///< 1 where it is turned to the light
-  std::vector<float> Truth;            ///< share of the light that arrives, 0 or 1, by rays
-  std::vector<Vector> Place;           ///< world coordinates; read where Surface is 1
-  std::vector<Vector> Across;          ///< place across the light, in texels of its map
+  std::vector<float> Light;   ///< how bright the light makes it, 0 to 1: errors weigh as much
+  std::vector<float> Truth;   ///< share of the light that arrives, 0 or 1, by rays
+  std::vector<Vector> Place;  ///< world coordinates; read where Surface is 1
+  std::vector<Vector> Across; ///< place across the light, in texels of its map
 
   std::size_t PixelCount() const { return std::size_t(this->Width) * this->Height; }
 };
@@ -38,14 +39,14 @@ double MedianPixelWidth(const LitView& view);
 
 struct BiasErrors
 {
-  /// Mean share of the light that the map takes from pixels that are truly lit, edges left out.
+  /// Share of the light on what is truly lit that the map takes, edges left out.
   double Acne = 0;
-  /// Mean share of the light that the map lets through to pixels that are truly dark, edges left out.
+  /// Share of the light on what is truly dark that the map lets through, edges left out.
   double Leak = 0;
   /// Peter-panning: how far from where a thing stands on a surface its shadow begins; 95th percentile
-  /// over the points of contact.
+  /// over the points of contact, each as important as the light there is bright.
   EdgeGap Contact;
-  /// How far within a shadow's true outline it begins; 95th percentile over the outline's points.
+  /// How far within a shadow's true outline it begins; the same over the outlines' points.
   EdgeGap Outline;
 
   /// The greater of the two, in texels.
@@ -104,6 +105,8 @@ private:
   std::vector<unsigned char> Counts; ///< receivers away from edges
   std::size_t Lit = 0;
   std::size_t Dark = 0;
+  double LightOnLit = 0; ///< sums
+  double LightOnDark = 0;
   std::size_t Contacts = 0;
   double LostShare = 0;
 };

@@ -43,6 +43,9 @@ constexpr int FontSize = 13;
 constexpr double LeastPercent = 1e-4;
 constexpr double MostPercent = 100;
 
+// Gaps wider than so many times what is still good are drawn as if they were that wide.
+constexpr double MostLimits = 6;
+
 using Rgb = std::array<unsigned char, 3>;
 constexpr Rgb AcneColor = { 196, 60, 52 };
 constexpr Rgb GapColor = { 38, 96, 176 };
@@ -105,8 +108,9 @@ public:
 private:
   void SetUp(const BiasSweep& sweep, const BiasLimits& limits)
   {
+    // The empty line keeps the title off the highest label.
     this->Drawn->SetTitle(
-      fmt::format("{} bias: {}", sweep.Kind, SummarizeWindow(sweep, limits)).c_str());
+      fmt::format("{} bias: {}\n ", sweep.Kind, SummarizeWindow(sweep, limits)));
     this->Drawn->GetTitleProperties()->SetFontSize(FontSize + 1);
     this->Drawn->SetAutoSize(false);
     this->SetAxis(vtkAxis::BOTTOM, "bias, texels of the map", this->Low, this->High, { 0, 0, 0 });
@@ -121,7 +125,11 @@ private:
         decade == std::log10(LeastPercent) ? "none" : fmt::format("{:g}", std::pow(10, decade)));
     }
     acne->SetCustomTickPositions(decades, names);
-    this->SetAxis(vtkAxis::RIGHT, "gap, texels of the map", 0, this->MostGap, GapColor)
+    const bool cut = std::any_of(sweep.Samples.begin(), sweep.Samples.end(),
+      [this](const BiasSample& sample) { return sample.Errors.Gap() > this->MostGap; });
+    const std::string gap = cut ? "gap, texels" : "gap, texels of the map";
+    const std::string top = cut ? fmt::format("; {:g} or more at the top", this->MostGap) : "";
+    this->SetAxis(vtkAxis::RIGHT, (gap + top).c_str(), 0, this->MostGap, GapColor)
       ->SetVisible(true);
   }
 
@@ -150,9 +158,9 @@ private:
     // VTK 9.2 draws nothing of an area of fewer than four points.
     const std::vector<double> biases = EvenSteps(window.Low - half, window.High + half, 4);
     vtkNew<vtkPlotArea> area;
-    area->SetInputData(Columns({ { "bias", biases },
-      { "low", std::vector<double>(biases.size(), low) },
-      { "high", std::vector<double>(biases.size(), high) } }));
+    area->SetInputData(
+      Columns({ { "bias", biases }, { "low", std::vector<double>(biases.size(), low) },
+        { "high", std::vector<double>(biases.size(), high) } }));
     area->SetInputArray(0, "bias");
     area->SetInputArray(1, "low");
     area->SetInputArray(2, "high");
@@ -194,7 +202,7 @@ double MostGap(const BiasStudy& study)
       most = std::max(most, sample.Errors.Gap());
     }
   }
-  return std::ceil(most);
+  return std::min(std::ceil(most), MostLimits * study.Options.Limits.Gap);
 }
 
 void WriteSvg(vtkRenderWindow* window, const std::string& file)
@@ -212,8 +220,7 @@ void WriteSvg(vtkRenderWindow* window, const std::string& file)
 }
 }
 
-Picture DrawBiasPlot(
-  const BiasStudy& study, const std::string& backend, const std::string& svgFile)
+Picture DrawBiasPlot(const BiasStudy& study, const std::string& backend, const std::string& svgFile)
 {
   const auto window = MakeWindow(backend);
   vtkNew<vtkContextView> view;
@@ -227,8 +234,8 @@ Picture DrawBiasPlot(
   for (int i = 0; i < count; ++i)
   {
     Chart chart(study.Sweeps[i], study.Options.Limits, mostGap);
-    chart.Get()->SetSize(
-      vtkRectf(static_cast<float>(ChartWidth * i + Space), Space, ChartWidth - 2 * Space, ChartHeight - 2 * Space));
+    chart.Get()->SetSize(vtkRectf(static_cast<float>(ChartWidth * i + Space), Space,
+      ChartWidth - 2 * Space, ChartHeight - 2 * Space));
     view->GetScene()->AddItem(chart.Get());
   }
   window->Render();

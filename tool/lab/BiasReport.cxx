@@ -40,8 +40,9 @@ nlohmann::ordered_json Describe(const BiasSweep& sweep, const BiasLimits& limits
 
 std::string Summarize(const BiasErrors& errors)
 {
-  return fmt::format("acne {:.3g} %, gap {:.2f} texels ({:.3g} at contact, in world units)",
-    100 * errors.Acne, errors.Gap(), errors.Contact.World);
+  return fmt::format(
+    "acne {}, gap {:.2f} texels (in world units {:.2g} at contact, {:.2g} at outlines)",
+    FormatPercent(errors.Acne), errors.Gap(), errors.Contact.World, errors.Outline.World);
 }
 }
 
@@ -56,7 +57,8 @@ nlohmann::ordered_json DescribeStudy(const BiasStudy& study)
     { "filter-radius", study.FilterRadius }, { "texel-world", study.TexelWidth },
     { "pixel-texels", study.PixelWidth },
     { "limits", { { "acne", study.Options.Limits.Acne }, { "gap", study.Options.Limits.Gap } } },
-    { "lost", study.Lost }, { "pixels", { { "lit", study.LitPixels }, { "dark", study.DarkPixels } } },
+    { "lost", study.Lost },
+    { "pixels", { { "lit", study.LitPixels }, { "dark", study.DarkPixels } } },
     { "edge-points", { { "contact", study.ContactPoints }, { "outline", study.OutlinePoints } } },
     { "defaults", defaults } };
   described["defaults"].update(Describe(study.AtDefaults));
@@ -67,36 +69,52 @@ nlohmann::ordered_json DescribeStudy(const BiasStudy& study)
   return described;
 }
 
+std::string FormatPercent(double share)
+{
+  constexpr double least = 0.001;
+  const double percent = 100 * share;
+  return percent > 0 && percent < least ? fmt::format("under {:g} %", least)
+    : percent < 10                      ? fmt::format("{:.2g} %", percent)
+                                        : fmt::format("{:.0f} %", percent);
+}
+
 std::string SummarizeWindow(const BiasSweep& sweep, const BiasLimits& limits)
 {
   const BiasSample& best = sweep.Best(limits);
   const auto window = sweep.Window(limits);
   if (!window)
   {
-    return fmt::format("none safe from {:g} to {:g} texels; nearest {:g}", sweep.Samples.front().Bias,
-      sweep.Samples.back().Bias, best.Bias);
+    return fmt::format("none safe from {:g} to {:g} texels; nearest {:g}",
+      sweep.Samples.front().Bias, sweep.Samples.back().Bias, best.Bias);
+  }
+  if (window->High == window->Low && !window->ReachesEnd)
+  {
+    return fmt::format("safe at {:g} texels only; take that", window->Choice);
   }
   return fmt::format("safe from {:g} to {:g} texels{}; take {:g}", window->Low, window->High,
     window->ReachesEnd ? " at least" : "", window->Choice);
 }
 
-std::string SummarizeStudy(const BiasStudy& study)
+std::string SummarizeDefaults(const BiasStudy& study)
 {
-  std::string text;
-  for (const BiasSweep& sweep : study.Sweeps)
-  {
-    text += fmt::format("{} bias: {}: {}\n", sweep.Kind,
-      SummarizeWindow(sweep, study.Options.Limits),
-      Summarize(sweep.Best(study.Options.Limits).Errors));
-  }
   std::string together;
   for (const auto& [kind, value] : study.Defaults)
   {
     together += fmt::format("{}{} {:g}", together.empty() ? "" : ", ", kind, value);
   }
   const bool safe = ShareOfLimits(study.AtDefaults, study.Options.Limits) <= 1;
-  return text +
-    fmt::format("as set ({}): {}: {}\n", together, safe ? "safe" : "not safe here",
-      Summarize(study.AtDefaults));
+  return fmt::format("as set ({}): {}", together, safe ? "safe" : "not safe here");
+}
+
+std::string SummarizeStudy(const BiasStudy& study)
+{
+  const BiasLimits& limits = study.Options.Limits;
+  std::string text;
+  for (const BiasSweep& sweep : study.Sweeps)
+  {
+    text += fmt::format("{} bias: {}: {}\n", sweep.Kind, SummarizeWindow(sweep, limits),
+      Summarize(sweep.Best(limits).Errors));
+  }
+  return text + fmt::format("{}: {}\n", SummarizeDefaults(study), Summarize(study.AtDefaults));
 }
 }

@@ -21,6 +21,8 @@ constexpr int Margin = 16;
 constexpr int TitleSize = 18;
 constexpr int TextSize = 13;
 constexpr int LineHeight = 18;
+constexpr int LegendWidth = 180;
+constexpr int HeadingWidth = 940;
 constexpr std::size_t MostColumns = 8;
 
 constexpr Canvas::Color Ink = { 0.1f, 0.1f, 0.1f };
@@ -63,12 +65,15 @@ struct Layout
   {
     for (const BiasSweep& sweep : study.Sweeps)
     {
-      this->Columns = std::max(
-        this->Columns, static_cast<int>(std::min(sweep.Samples.size(), MostColumns)) + 1);
+      this->Columns =
+        std::max(this->Columns, static_cast<int>(std::min(sweep.Samples.size(), MostColumns)) + 1);
     }
   }
   int Width() const { return 2 * Margin + this->Columns * (this->Tile + Gutter) - Gutter; }
-  int Height() const { return 2 * LineHeight + 2 * (this->Tile + Gutter) + 3 * LineHeight + Margin; }
+  int Height() const
+  {
+    return 2 * LineHeight + 2 * (this->Tile + Gutter) + 3 * LineHeight + Margin;
+  }
   int Left(int column) const { return Margin + column * (this->Tile + Gutter); }
 };
 
@@ -102,12 +107,34 @@ void DrawStripOn(Canvas& canvas, int top, const BiasStudy& study, std::size_t in
     const BiasErrors& errors = sweep.Samples[i].Errors;
     DrawColumn(canvas, layout.Left(column++), y, layout.Tile, study.Strips[index][i].AcnePlace,
       study.Strips[index][i].GapPlace, Verdict(errors, limits),
-      { fmt::format("{:.3g} texels", sweep.Samples[i].Bias),
-        fmt::format("acne {:.2g} %", 100 * errors.Acne),
+      { fmt::format("{:.3g} texels", sweep.Samples[i].Bias), "acne " + FormatPercent(errors.Acne),
         fmt::format("gap {:.2f} texels", errors.Gap()) });
   }
-  DrawColumn(canvas, layout.Left(column), y, layout.Tile, study.TrueAcnePlace, study.TrueGapPlace,
-    TrueColor, { "by rays" });
+  DrawColumn(canvas, layout.Left(column), y, layout.Tile, Cut(study.Overview, study.AcnePlace),
+    Cut(study.Overview, study.GapPlaces[index]), TrueColor, { "by rays" });
+}
+
+/// The whole view by rays, with the places of the strips, and by the map as it was set.
+void DrawOverviews(Canvas& canvas, int top, const BiasStudy& study)
+{
+  const int step = study.Overview.Width + Margin;
+  canvas.Write("by rays", Margin, top, TextSize, Ink);
+  canvas.Write("by the map, " + SummarizeDefaults(study), Margin + step, top, TextSize, Ink);
+  const int y = top + LineHeight;
+  canvas.Place(study.Overview, Margin, y);
+  canvas.Place(study.OverviewAtDefaults, Margin + step, y);
+  const auto mark = [&](const Crop& crop, const Canvas::Color& color) {
+    canvas.Frame(Margin + crop.X, y + crop.Y, crop.Width, crop.Height, 2, color);
+  };
+  mark(study.AcnePlace, AcneColor);
+  for (const Crop& place : study.GapPlaces)
+  {
+    mark(place, GapColor);
+  }
+  const int beside = Margin + 2 * step;
+  canvas.Write("upper row: worst acne", beside, y, TextSize, AcneColor);
+  canvas.Write("lower row: widest gap", beside, y + LineHeight, TextSize, GapColor);
+  canvas.Write("green frames: neither", beside, y + 2 * LineHeight, TextSize, SafeColor);
 }
 }
 
@@ -122,10 +149,11 @@ Picture DrawStrip(const BiasStudy& study, std::size_t sweep)
 Picture DrawSheet(const BiasStudy& study, const Picture& plot)
 {
   const Layout layout(study);
-  const int width =
-    std::max({ layout.Width(), 2 * Margin + plot.Width, 2 * Margin + study.Overview.Width });
+  const int overviews = 2 * (study.Overview.Width + Margin);
+  const int width = std::max(
+    { layout.Width(), 2 * Margin + plot.Width, Margin + overviews + LegendWidth, HeadingWidth });
   const int strips = static_cast<int>(study.Sweeps.size()) * layout.Height();
-  const int head = Margin + 2 * LineHeight + study.Overview.Height + Margin;
+  const int head = Margin + 3 * LineHeight + study.Overview.Height + Margin;
   Canvas canvas(width, head + strips + plot.Height + Margin);
   canvas.Write(
     fmt::format("Shadow map of {0} x {0} texels, filter radius {1:g}; a texel is {2:.3g} wide and "
@@ -133,18 +161,7 @@ Picture DrawSheet(const BiasStudy& study, const Picture& plot)
       study.Resolution, study.FilterRadius, study.TexelWidth,
       study.PixelWidth > 0 ? 1 / study.PixelWidth : 0),
     Margin, Margin, TitleSize, Ink);
-  const int top = Margin + 2 * LineHeight;
-  canvas.Place(study.Overview, Margin, top);
-  const auto mark = [&](const Crop& crop, const Canvas::Color& color) {
-    canvas.Frame(Margin + crop.X, top + crop.Y, crop.Width, crop.Height, 2, color);
-  };
-  mark(study.AcnePlace, AcneColor);
-  mark(study.GapPlace, GapColor);
-  const int beside = 2 * Margin + study.Overview.Width;
-  canvas.Write("by rays; the places below", beside, top, TextSize, Ink);
-  canvas.Write("upper row: worst acne", beside, top + LineHeight, TextSize, AcneColor);
-  canvas.Write("lower row: widest gap", beside, top + 2 * LineHeight, TextSize, GapColor);
-  canvas.Write("green frames: neither", beside, top + 3 * LineHeight, TextSize, SafeColor);
+  DrawOverviews(canvas, Margin + 2 * LineHeight, study);
   for (std::size_t i = 0; i < study.Sweeps.size(); ++i)
   {
     DrawStripOn(canvas, head + static_cast<int>(i) * layout.Height(), study, i);

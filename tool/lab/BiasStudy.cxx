@@ -8,7 +8,7 @@
 #include <vtkGITechnique.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 namespace penumbra::tool
 {
@@ -20,7 +20,31 @@ constexpr int SmallestMap = 64;
 // What a crop shows of the picture: wide enough for some twenty to forty texels.
 constexpr int CropSide = 72;
 
-void SetBiases(vtkGITechnique* maps, const std::string& kind, double bias)
+// Tracing the truth takes about as long as so many masks: its part of the progress.
+constexpr int TruthSteps = 10;
+
+using Biases = std::vector<std::pair<std::string, double>>;
+
+Biases GetBiases(vtkGITechnique* maps)
+{
+  Biases biases;
+  for (const std::string& kind : BiasKinds(maps))
+  {
+    biases.emplace_back(kind, maps->GetParameter((kind + "-bias").c_str()));
+  }
+  return biases;
+}
+
+void SetBiases(vtkGITechnique* maps, const Biases& biases)
+{
+  for (const auto& [kind, bias] : biases)
+  {
+    maps->SetParameter((kind + "-bias").c_str(), bias);
+  }
+}
+
+/// That kind's, and no other.
+void SetBias(vtkGITechnique* maps, const std::string& kind, double bias)
 {
   for (const std::string& each : BiasKinds(maps))
   {
@@ -62,17 +86,6 @@ Crop HeaviestSquare(const std::vector<double>& weights, int width, int height)
   return best;
 }
 
-Picture Cut(const Picture& picture, const Crop& crop)
-{
-  Picture part(crop.Width, crop.Height, picture.Channels);
-  for (int y = 0; y < crop.Height; ++y)
-  {
-    const float* row = picture.Pixel(std::size_t(crop.Y + y) * picture.Width + crop.X);
-    std::copy_n(row, std::size_t(crop.Width) * picture.Channels, part.Pixel(std::size_t(y) * crop.Width));
-  }
-  return part;
-}
-
 class Experiment
 {
 public:
@@ -85,10 +98,12 @@ public:
 
   BiasStudy Run()
   {
-    this->NoteDefaults();
-    this->Steps = 10.0 + this->Study.Options.Kinds.size() * (2.0 + this->Study.Options.Biases.size());
-    this->Judge = this->JudgeView();
+    const BiasStudyOptions& options = this->Study.Options;
+    this->Steps = TruthSteps + options.Kinds.size() * (2 + options.Biases.size());
+    this->JudgeView();
+    this->Advance(TruthSteps);
     this->Study.AtDefaults = this->Judge->Measure(this->Bench.DrawMask());
+    this->Study.OverviewAtDefaults = this->Shown();
     this->FindPlaces();
     for (const std::string& kind : this->Study.Options.Kinds)
     {
@@ -96,89 +111,77 @@ public:
     }
     this->Bench.ShowTruth();
     this->Study.Overview = this->Shown();
-    this->Study.TrueAcnePlace = Cut(this->Study.Overview, this->Study.AcnePlace);
-    this->Study.TrueGapPlace = Cut(this->Study.Overview, this->Study.GapPlace);
     return std::move(this->Study);
   }
 
 private:
-  void Advance() { this->Progress.Advance(++this->Done / this->Steps); }
+  void Advance(int steps = 1)
+  {
+    this->Done += steps;
+    this->Progress.Advance(double(this->Done) / this->Steps);
+  }
   Picture Shown() { return CaptureWindow(this->Bench.Window(), false); }
 
-  void NoteDefaults()
+  void JudgeView()
   {
-    for (const std::string& kind : BiasKinds(this->Bench.Maps()))
-    {
-      this->Study.Defaults.emplace_back(
-        kind, this->Bench.Maps()->GetParameter((kind + "-bias").c_str()));
-    }
-    this->Study.FilterRadius = this->Bench.Maps()->GetParameter("filter-radius");
-  }
-
-  std::unique_ptr<BiasJudge> JudgeView()
-  {
-    // The filter spreads every edge by its radius, on purpose.
-    const double band = BiasJudge::EdgeBand + this->Study.FilterRadius;
     vtkGITechnique* maps = this->Bench.Maps();
-    int& resolution = this->Study.Resolution = this->Study.Options.Resolution;
-    if (resolution == 0)
+    if (this->Study.Options.Resolution > 0)
     {
-      const auto preset = static_cast<int>(maps->GetParameter("resolution"));
-      const LitView view = this->Bench.TraceTruth();
-      resolution = ChooseResolution(MedianPixelWidth(view), preset);
+      maps->SetParameter("resolution", this->Study.Options.Resolution);
     }
-    maps->SetParameter("resolution", resolution);
-    LitView view = this->Bench.TraceTruth();
-    SetBiases(maps, "", 0);
-    auto judge = std::make_unique<BiasJudge>(std::move(view), this->Bench.DrawMask(), band);
-    for (const auto& [kind, bias] : this->Study.Defaults)
+    else
     {
-      maps->SetParameter((kind + "-bias").c_str(), bias);
+      FitResolution(this->Bench);
     }
+    const BiasJudge& judge = this->Judge.emplace(JudgeShadows(this->Bench));
+    this->Study.Resolution = static_cast<int>(maps->GetParameter("resolution"));
+    this->Study.FilterRadius = maps->GetParameter("filter-radius");
+    this->Study.Defaults = GetBiases(maps);
     this->Study.TexelWidth = this->Bench.TexelInTheMiddle();
-    this->Study.PixelWidth = MedianPixelWidth(judge->View());
-    this->Study.Lost = judge->Lost();
-    this->Study.LitPixels = judge->LitPixels();
-    this->Study.DarkPixels = judge->DarkPixels();
-    this->Study.ContactPoints = judge->ContactPoints();
-    this->Study.OutlinePoints = judge->OutlinePoints();
-    return judge;
+    this->Study.PixelWidth = MedianPixelWidth(judge.View());
+    this->Study.Lost = judge.Lost();
+    this->Study.LitPixels = judge.LitPixels();
+    this->Study.DarkPixels = judge.DarkPixels();
+    this->Study.ContactPoints = judge.ContactPoints();
+    this->Study.OutlinePoints = judge.OutlinePoints();
   }
 
-  /// Of all kinds together, so that they can be compared: acne at the smallest bias, gaps at the
-  /// greatest.
+  /// Acne at the smallest bias, in one place so that kinds can be compared; gaps at the greatest, which
+  /// each kind has elsewhere.
   void FindPlaces()
   {
     const LitView& view = this->Judge->View();
     std::vector<double> acne(view.PixelCount()), gap(view.PixelCount());
     for (const std::string& kind : this->Study.Options.Kinds)
     {
-      SetBiases(this->Bench.Maps(), kind, this->Study.Options.Biases.front());
+      SetBias(this->Bench.Maps(), kind, this->Study.Options.Biases.front());
       const std::vector<float> least = this->Bench.DrawMask();
       this->Advance();
-      SetBiases(this->Bench.Maps(), kind, this->Study.Options.Biases.back());
+      SetBias(this->Bench.Maps(), kind, this->Study.Options.Biases.back());
       const std::vector<float> most = this->Bench.DrawMask();
       this->Advance();
       for (std::size_t i = 0; i < acne.size(); ++i)
       {
-        acne[i] += std::max(this->Judge->Error(least, i), 0.0);
-        gap[i] += view.Receiver[i] ? std::max(most[i] - view.Truth[i], 0.0f) : 0.0f;
+        acne[i] += view.Light[i] * std::max(this->Judge->Error(least, i), 0.0);
+        const float leak = view.Receiver[i] ? most[i] - view.Truth[i] : 0.0f;
+        gap[i] = view.Light[i] * std::max(leak, 0.0f);
       }
+      this->Study.GapPlaces.push_back(HeaviestSquare(gap, view.Width, view.Height));
     }
     this->Study.AcnePlace = HeaviestSquare(acne, view.Width, view.Height);
-    this->Study.GapPlace = HeaviestSquare(gap, view.Width, view.Height);
   }
 
   void Sweep(const std::string& kind)
   {
     BiasSweep sweep{ kind, kind + "-bias", {} };
     std::vector<BiasStudy::Views> strip;
+    const Crop place = this->Study.GapPlaces[this->Study.Sweeps.size()];
     for (const double bias : this->Study.Options.Biases)
     {
-      SetBiases(this->Bench.Maps(), kind, bias);
+      SetBias(this->Bench.Maps(), kind, bias);
       sweep.Samples.push_back({ bias, this->Judge->Measure(this->Bench.DrawMask()) });
       const Picture shown = this->Shown();
-      strip.push_back({ Cut(shown, this->Study.AcnePlace), Cut(shown, this->Study.GapPlace) });
+      strip.push_back({ Cut(shown, this->Study.AcnePlace), Cut(shown, place) });
       this->Advance();
     }
     this->Study.Sweeps.push_back(std::move(sweep));
@@ -188,10 +191,42 @@ private:
   ShadowBench& Bench;
   Step Progress;
   BiasStudy Study;
-  std::unique_ptr<BiasJudge> Judge;
-  double Steps = 1;
-  double Done = 0;
+  std::optional<BiasJudge> Judge;
+  std::size_t Steps = 1;
+  std::size_t Done = 0;
 };
+}
+
+Picture Cut(const Picture& picture, const Crop& crop)
+{
+  Picture part(crop.Width, crop.Height, picture.Channels);
+  for (int y = 0; y < crop.Height; ++y)
+  {
+    const float* row = picture.Pixel(std::size_t(crop.Y + y) * picture.Width + crop.X);
+    std::copy_n(
+      row, std::size_t(crop.Width) * picture.Channels, part.Pixel(std::size_t(y) * crop.Width));
+  }
+  return part;
+}
+
+BiasJudge JudgeShadows(ShadowBench& bench)
+{
+  vtkGITechnique* maps = bench.Maps();
+  LitView truth = bench.TraceTruth();
+  const Biases biases = GetBiases(maps);
+  SetBias(maps, "", 0);
+  const std::vector<float> unbiased = bench.DrawMask();
+  SetBiases(maps, biases);
+  // The filter spreads every edge by its radius, on purpose.
+  const double band = BiasJudge::EdgeBand + maps->GetParameter("filter-radius");
+  return { std::move(truth), unbiased, band };
+}
+
+void FitResolution(ShadowBench& bench)
+{
+  const auto resolution = static_cast<int>(bench.Maps()->GetParameter("resolution"));
+  const double pixel = MedianPixelWidth(bench.TraceTruth());
+  bench.Maps()->SetParameter("resolution", ChooseResolution(pixel, resolution));
 }
 
 int ChooseResolution(double pixelWidth, int resolution)

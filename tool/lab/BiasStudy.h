@@ -8,8 +8,9 @@
 #include "../scene/Reporter.h"
 #include "BiasSweep.h"
 
-#include <map>
-#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace penumbra::tool
 {
@@ -36,7 +37,7 @@ struct BiasStudy
 {
   BiasStudyOptions Options;
   int Resolution = 0;
-  double TexelWidth = 0; ///< world units, where the light is positional in the middle of what it reaches
+  double TexelWidth = 0; ///< world units; of a positional light, in the middle of what it reaches
   double PixelWidth = 0; ///< texels
   double FilterRadius = 0;
   double Lost = 0; ///< share of the true shadow that no map of this resolution shows
@@ -45,11 +46,10 @@ struct BiasStudy
   BiasErrors AtDefaults;
   std::vector<BiasSweep> Sweeps;
 
-  Picture Overview;    ///< with rays
-  Crop AcnePlace;      ///< where acne is worst
-  Crop GapPlace;       ///< where light leaks in most
-  Picture TrueAcnePlace;
-  Picture TrueGapPlace;
+  Picture Overview;            ///< with rays
+  Picture OverviewAtDefaults;  ///< with maps
+  Crop AcnePlace;              ///< where acne is worst, of all kinds together
+  std::vector<Crop> GapPlaces; ///< of every sweep: where most light leaks in
   struct Views
   {
     Picture AcnePlace;
@@ -58,7 +58,16 @@ struct BiasStudy
   std::vector<std::vector<Views>> Strips; ///< of every sweep, every sample
 };
 
+/// That part of the picture.
+Picture Cut(const Picture& picture, const Crop& crop);
+
 BiasStudy StudyBias(ShadowBench& bench, const BiasStudyOptions& options, Reporter& reporter);
+
+/// Measures masks of the bench's view, which TraceTruth() draws; the map's biases stay as they are.
+BiasJudge JudgeShadows(ShadowBench& bench);
+
+/// Makes the map as coarse as its texels need to be to show in the bench's view.
+void FitResolution(ShadowBench& bench);
 
 /// The greatest power of two, at most the technique's resolution, at which a texel is at least two
 /// pixels wide: what a picture does not resolve can be neither seen nor measured in it.

@@ -13,8 +13,7 @@ namespace
 {
 constexpr const char* Ending = "-bias";
 
-const BiasSample& BestOf(
-  const BiasSample* first, const BiasSample* last, const BiasLimits& limits)
+const BiasSample& BestOf(const BiasSample* first, const BiasSample* last, const BiasLimits& limits)
 {
   return *std::min_element(first, last, [&limits](const BiasSample& a, const BiasSample& b) {
     return ShareOfLimits(a.Errors, limits) < ShareOfLimits(b.Errors, limits);
@@ -23,7 +22,8 @@ const BiasSample& BestOf(
 
 /// Between acne below and gaps above: the middle, as far from the one as from the other. Where the
 /// window has no such end in the sweep, the best.
-double Choose(const BiasSample* first, const BiasSample* last, bool bounded, const BiasLimits& limits)
+double Choose(
+  const BiasSample* first, const BiasSample* last, bool bounded, const BiasLimits& limits)
 {
   if (!bounded)
   {

@@ -38,8 +38,8 @@ struct BiasWindow
 
 struct BiasSweep
 {
-  std::string Kind;      ///< "constant"
-  std::string Parameter; ///< "constant-bias"
+  std::string Kind;                ///< "constant"
+  std::string Parameter;           ///< "constant-bias"
   std::vector<BiasSample> Samples; ///< bias rising
 
   /// The widest run of samples within the limits, the lower of two alike; nothing where none is.

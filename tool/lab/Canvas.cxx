@@ -27,8 +27,7 @@ void Canvas::Place(const Picture& picture, int x, int y, int enlarged)
   {
     for (int u = std::max(x, 0); u < right; ++u)
     {
-      const std::size_t from =
-        std::size_t((v - y) / enlarged) * picture.Width + (u - x) / enlarged;
+      const std::size_t from = std::size_t((v - y) / enlarged) * picture.Width + (u - x) / enlarged;
       float* pixel = this->Sheet.Pixel(std::size_t(v) * this->Sheet.Width + u);
       for (int channel = 0; channel < 3; ++channel)
       {

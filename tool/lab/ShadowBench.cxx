@@ -16,6 +16,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPropCollection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ namespace
 using Vector = LitView::Vector;
 
 // A receiver takes at least this share of the brightest one's light: less is not seen.
-constexpr double Dimmest = 1e-4;
+constexpr float Dimmest = 1e-4f;
 
 double Strength(vtkLight* light)
 {
@@ -63,6 +64,7 @@ ShadowBench::ShadowBench(
 {
   this->Configure(settings);
   this->ChooseLamp();
+  this->HideTranslucent();
   renderer->SetPass(this->Illumination);
 }
 
@@ -114,7 +116,23 @@ void ShadowBench::ChooseLamp()
   }
   for (const auto& [light, on] : this->Switches)
   {
-    light->SetSwitch(light == this->Studied);
+    light->SetSwitch(light == this->Studied || (on && light->LightTypeIsHeadlight()));
+  }
+}
+
+void ShadowBench::HideTranslucent()
+{
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator cursor;
+  props->InitTraversal(cursor);
+  while (vtkProp* prop = props->GetNextProp(cursor))
+  {
+    const bool translucent = prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume");
+    if (translucent && prop->GetVisibility())
+    {
+      prop->VisibilityOff();
+      this->Hidden.emplace_back(prop);
+    }
   }
 }
 
@@ -123,6 +141,10 @@ ShadowBench::~ShadowBench()
   for (const auto& [light, on] : this->Switches)
   {
     light->SetSwitch(on);
+  }
+  for (vtkProp* prop : this->Hidden)
+  {
+    prop->VisibilityOn();
   }
   this->Illumination->ReleaseGraphicsResources(this->Target);
   this->Renderer->SetPass(this->Before);
@@ -152,7 +174,8 @@ std::vector<float> ShadowBench::Shoot(Shadows shadows)
   }
   int size[3];
   image->GetDimensions(size);
-  const float* rows = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars())->GetPointer(0);
+  const float* rows =
+    vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars())->GetPointer(0);
   const std::size_t row = 4 * std::size_t(size[0]);
   std::vector<float> shot(row * size[1]);
   for (int y = 0; y < size[1]; ++y) // VTK's first row is the bottom one
@@ -257,28 +280,26 @@ LitView ShadowBench::TraceTruth()
   view.Across.resize(view.PixelCount());
   view.Surface.resize(view.PixelCount());
   view.Receiver.resize(view.PixelCount());
-  const auto light = [this](std::size_t i) {
-    double most = 0;
-    for (std::size_t j = 4 * i; j < 4 * i + 3; ++j)
-    {
-      most = std::max<double>(most, this->Open[j] - this->Unlit[j]);
-    }
-    return this->Open[4 * i + 3] > 0 ? most : 0;
-  };
-  double brightest = 0;
-  for (std::size_t i = 0; i < view.PixelCount(); ++i)
-  {
-    brightest = std::max(brightest, light(i));
-  }
-  if (brightest <= 0)
-  {
-    Fail("the light shines on nothing in view, so that there is no shadow to study: turn the camera "
-         "with --camera or give another light with --light");
-  }
+  view.Light.resize(view.PixelCount());
   for (std::size_t i = 0; i < view.PixelCount(); ++i)
   {
     view.Surface[i] = std::isfinite(view.Place[i][0]) && this->Open[4 * i + 3] > 0;
-    view.Receiver[i] = view.Surface[i] && light(i) > Dimmest * brightest;
+    for (std::size_t j = 4 * i; view.Surface[i] && j < 4 * i + 3; ++j)
+    {
+      view.Light[i] = std::max(view.Light[i], this->Open[j] - this->Unlit[j]);
+    }
+  }
+  const float brightest = *std::max_element(view.Light.begin(), view.Light.end());
+  if (brightest <= 0)
+  {
+    Fail(
+      "the light shines on nothing in view, so that there is no shadow to study: turn the camera "
+      "with --camera or give another light with --light");
+  }
+  for (std::size_t i = 0; i < view.PixelCount(); ++i)
+  {
+    view.Receiver[i] = view.Light[i] > Dimmest * brightest;
+    view.Light[i] = std::min(view.Light[i], 1.0f); // brighter is no whiter
   }
   this->DrawMask(); // so that the map's texel is known
   this->PlaceAcross(view);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A renderer lit by one of its lights alone: what of it arrives, by shadow maps and by rays.
+/// A renderer with one of its lights under study: what of it arrives, by shadow maps and by rays.
 #ifndef penumbra_tool_ShadowBench_h
 #define penumbra_tool_ShadowBench_h
 
@@ -9,6 +9,7 @@
 
 #include <vtkGIPass.h>
 #include <vtkLight.h>
+#include <vtkProp.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -19,8 +20,9 @@ class vtkGITechnique;
 
 namespace penumbra::tool
 {
-/// Puts a pass of its own on the renderer and, while masks are drawn, dims the other lights; both are
-/// given back at its end. Masks are the pass's linear radiance with shadows, between that without the
+/// Puts a pass of its own on the renderer and switches the other lights off, but headlights, which cast
+/// no shadows and let see what lies in them. Hides what is translucent, whose shadows are no matter of a
+/// bias. All is given back at its end. Masks are the pass's linear radiance with shadows, between that without the
 /// light and that without shadows: materials, textures and highlights cancel out.
 class ShadowBench
 {
@@ -40,6 +42,8 @@ public:
   vtkLight* Lamp() const { return this->Studied; }
   /// Other lights of the scene that would cast shadows.
   int OtherLamps() const { return this->Others; }
+  /// Things that light shines through, left out.
+  std::size_t LeftOut() const { return this->Hidden.size(); }
 
   /// Draws the view without the light, without shadows and with rays; throws a Failure where nothing in
   /// view is lit. Lengths are in texels of the map as its parameters are now.
@@ -64,6 +68,7 @@ private:
   };
 
   void ChooseLamp();
+  void HideTranslucent();
   void Configure(TechniqueSettings settings);
   std::vector<float> Shoot(Shadows shadows);
   std::vector<LitView::Vector> ReadPlaces() const;
@@ -76,6 +81,7 @@ private:
   vtkSmartPointer<vtkGIPass> Illumination;
   vtkSmartPointer<vtkLight> Studied;
   std::vector<std::pair<vtkSmartPointer<vtkLight>, int>> Switches;
+  std::vector<vtkSmartPointer<vtkProp>> Hidden;
   int Others = 0;
   double MiddleTexel = 0;
   std::vector<float> Unlit; ///< radiance, red, green, blue

@@ -156,6 +156,12 @@ void vtkGICaptureHooks::SetTextureUnit(int unit, vtkOpenGLRenderer* renderer)
   this->Renderer = renderer;
 }
 
+void vtkGICaptureHooks::SetCasting(bool casting, const glm::ivec2& anchor)
+{
+  this->Casting = casting;
+  this->Anchor = anchor;
+}
+
 void vtkGICaptureHooks::SetDisplacement(vtkShaderProgram* program, vtkActor* actor)
 {
   const penumbra::Deformations* shapes = this->Motion ? &this->Motion->Shapes() : nullptr;
@@ -180,6 +186,12 @@ bool vtkGICaptureHooks::SetShaderParameters(
   if (program->IsUniformUsed("giParallel"))
   {
     program->SetUniformi("giParallel", this->Parallel ? 1 : 0);
+  }
+  if (program->IsUniformUsed("giCasts"))
+  {
+    program->SetUniformi("giCasts", this->Casting ? 1 : 0);
+    program->SetUniform2i("giAnchor", &this->Anchor[0]);
+    program->SetUniformi("giLayer", this->Layer);
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   if (actor && program->IsUniformUsed("giDeforms"))

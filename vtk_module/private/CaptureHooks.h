@@ -10,6 +10,8 @@
 
 #include "vtkOpenGLRenderPass.h"
 
+#include <glm/glm.hpp>
+
 #include <string>
 
 class vtkActor;
@@ -42,6 +44,13 @@ public:
 
   /// The kind of projection of the draws that follow, whatever the active camera's is.
   void SetParallel(bool parallel) { this->Parallel = parallel; }
+
+  /// Whether the draws that follow are of casters' depths; the texel in which the pattern starts that
+  /// casters are thinned out by where they cover in part (see glsl/capture/coverage.glsl).
+  void SetCasting(bool casting, const glm::ivec2& anchor);
+
+  /// Which of the props is drawn next.
+  void SetLayer(int layer) { this->Layer = layer; }
 
   /// Have the motion of what is drawn recorded; nullptr: nobody asks.
   void SetMotion(penumbra::MotionTable* motion) { this->Motion = motion; }
@@ -82,5 +91,8 @@ private:
   const penumbra::ShaderLibrary* Shaders = nullptr;
   penumbra::CaptureOutputs Outputs;
   bool Parallel = false;
+  bool Casting = false;
+  glm::ivec2 Anchor{ 0 };
+  int Layer = 0;
   vtkMTimeType StageTime = 1;
 };

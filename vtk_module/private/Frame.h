@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "private/ForwardVisibility.h"
 #include "private/FrameGraph.h"
 #include "private/LightTable.h"
 #include "private/ResourcePool.h"
@@ -28,14 +29,14 @@ class SceneCapture;
 /// Names of the resources that passes share. A technique meets the others only through these.
 namespace resource
 {
-constexpr const char* Depth = "depth";                        ///< the depth buffer, to test against
-constexpr const char* Albedo = "gbuffer.albedo";              ///< rgb, a: 1 where captured
-constexpr const char* Normal = "gbuffer.normal";              ///< octahedral, material
-constexpr const char* Facet = "gbuffer.facet";                ///< see capture/declarations.glsl
-constexpr const char* WindowDepth = "gbuffer.depth";          ///< a copy of it, to read meanwhile
-constexpr const char* Ambient = "gbuffer.ambient";            ///< ambient light reflected
-constexpr const char* Surface = "gbuffer.surface";            ///< see capture/gbuffer.glsl
-constexpr const char* Emission = "gbuffer.emission";          ///< radiance not due to light
+constexpr const char* Depth = "depth";               ///< the depth buffer, to test against
+constexpr const char* Albedo = "gbuffer.albedo";     ///< rgb, a: 1 where captured
+constexpr const char* Normal = "gbuffer.normal";     ///< octahedral, material
+constexpr const char* Facet = "gbuffer.facet";       ///< see capture/declarations.glsl
+constexpr const char* WindowDepth = "gbuffer.depth"; ///< a copy of it, to read meanwhile
+constexpr const char* Ambient = "gbuffer.ambient";   ///< ambient light reflected
+constexpr const char* Surface = "gbuffer.surface";   ///< see capture/gbuffer.glsl
+constexpr const char* Emission = "gbuffer.emission"; ///< radiance not due to light
 constexpr const char* Displacement =
   "gbuffer.displacement"; ///< how far a point of a deforming surface was from here, one frame ago
 constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
@@ -43,9 +44,9 @@ constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
-constexpr const char* Reflection = "reflection"; ///< radiance over each pixel's lobe, confidence
-constexpr const char* Color = "color";                          ///< the picture, as displayed
-constexpr const char* Radiance = "radiance";                    ///< the picture, linear
+constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
+constexpr const char* Color = "color";              ///< the picture, as displayed
+constexpr const char* Radiance = "radiance";        ///< the picture, linear
 }
 
 /// Results of few samples that share the noise of a frame, in the order of their names: what
@@ -189,6 +190,10 @@ public:
   void SetInterreflection(double share) { this->Interreflection = share; }
   double GetInterreflection() const { return this->Interreflection; }
 
+  /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights.
+  void ShadeForward(ForwardVisibility visibility) { this->Visibility = std::move(visibility); }
+  const ForwardVisibility& GetForwardVisibility() const { return this->Visibility; }
+
   /// Tell the user something about this frame, in one sentence.
   void AddNote(const std::string& sentence) { this->Notes.push_back(sentence); }
   const std::vector<std::string>& GetNotes() const { return this->Notes; }
@@ -207,6 +212,7 @@ private:
   bool LitRadianceWanted = false;
   double Share = 0.0;
   double Interreflection = 0.0;
+  ForwardVisibility Visibility;
   std::vector<std::string> Notes;
 };
 }

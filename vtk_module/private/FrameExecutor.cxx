@@ -12,7 +12,8 @@
 namespace penumbra
 {
 FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const View& view,
-  vtkOpenGLRenderer* renderer, const WindowTarget& window, const std::string& viewName)
+  vtkOpenGLRenderer* renderer, const WindowTarget& window, const std::string& viewName,
+  Buffer& viewBlock)
   : Pool(pool)
   , Library(shaders)
   , CurrentView(view)
@@ -20,6 +21,7 @@ FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const V
   , State(renderer->GetState())
   , Window(window)
   , ViewName(viewName)
+  , ViewBlock(viewBlock)
 {
   GLuint name = 0;
   glGenVertexArrays(1, &name);

@@ -23,7 +23,8 @@ class FrameExecutor
 {
 public:
   FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const View& view,
-    vtkOpenGLRenderer* renderer, const WindowTarget& window, const std::string& viewName);
+    vtkOpenGLRenderer* renderer, const WindowTarget& window, const std::string& viewName,
+    Buffer& viewBlock);
   ~FrameExecutor();
 
   /// timer may be nullptr.
@@ -47,6 +48,6 @@ private:
   const FrameGraph* Graph = nullptr;
   std::vector<Texture*> Lent; ///< by version
   VertexArrayHandle EmptyVertexArray;
-  Buffer ViewBlock;
+  Buffer& ViewBlock; ///< stays bound: what is drawn after the frame graph reads it too
 };
 }

@@ -22,6 +22,7 @@ using namespace penumbra;
 vtkGIPass::Internals::Internals()
   : Techniques(CreateTechniques())
 {
+  this->Forward->SetShaders(&this->Shaders);
 }
 
 vtkGIPass::Internals::~Internals() = default;
@@ -141,6 +142,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       this->ShadersUnchecked = true;
       this->Shaders.SetOverrideFolder(this->ShaderPath);
       this->Capture.ReloadShaders();
+      this->Forward->ReloadShaders();
       this->ShadersUnchecked = false;
     }
     this->DrawFrame(self, state, memory);
@@ -229,9 +231,11 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   target.Direct = depth != nullptr;
   target.Depth = depth.get();
   GpuTimer timer;
-  FrameExecutor executor(this->Pool, this->Shaders, view, renderer, target, memory.Name);
+  FrameExecutor executor(
+    this->Pool, this->Shaders, view, renderer, target, memory.Name, this->ViewBlock);
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
+  this->Forward->SetLights(this->Lights, builder.GetForwardVisibility());
   // Signed after drawing, as drawing brings pipelines and lights up to date.
   memory.Signature = this->Sign(renderer, unshifted);
   if (self->GetCollectStatistics())
@@ -329,6 +333,7 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   this->Shaders.Release();
   this->Lights.ReleaseGraphicsResources();
   this->Capture.Materials().ReleaseGraphicsResources();
+  this->ViewBlock = Buffer();
   this->Views.clear();
   this->DrawnByRays = nullptr;
   this->Worlds.clear();

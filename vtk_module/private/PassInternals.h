@@ -8,6 +8,7 @@
 
 #include "vtkGIPass.h"
 
+#include "private/ForwardHooks.h"
 #include "private/FrameExecutor.h"
 #include "private/MotionTable.h"
 #include "private/SceneCapture.h"
@@ -52,6 +53,7 @@ public:
   std::string Notes;
   std::string Statistics = "{}";
   int CapturedProps = 0;
+  vtkSmartPointer<vtkGIForwardHooks> Forward = vtkSmartPointer<vtkGIForwardHooks>::New();
   const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
 
 private:
@@ -69,6 +71,7 @@ private:
   penumbra::LightTable Lights;
   std::map<std::pair<vtkRenderer*, int>, Memory> Views;
   std::map<vtkRenderer*, penumbra::RayProps> Worlds; ///< of renderers in Views
+  penumbra::Buffer ViewBlock;
   int ViewsMade = 0;
   bool ShadersUnchecked = false; ///< the last folder's did not compile
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

@@ -11,7 +11,10 @@
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMapper.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPropCollection.h"
@@ -238,6 +241,12 @@ bool SceneCapture::Reflects(double share) const
     [share](vtkProp* prop) { return ReflectsShare(prop, share); });
 }
 
+bool SceneCapture::CastsInPart() const
+{
+  return std::any_of(this->All.begin(), this->All.end(),
+    [](vtkProp* prop) { return MayCoverInPart(prop) || prop->HasTranslucentPolygonalGeometry(); });
+}
+
 void SceneCapture::SetMotion(MotionTable* motion)
 {
   this->Motion = motion;
@@ -315,14 +324,15 @@ void SceneCapture::Draw(FrameContext& context)
   const View& view = context.GetView();
   this->Hooks->SetParallel(view.Parallel);
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
-  this->Drawn = this->DrawProps(context.Renderer(), this->Captured);
+  this->Drawn = this->DrawProps(context.Renderer(), this->Captured, false);
 
   // A depth buffer must not be bound and read at once: techniques test against the one and read the
   // other.
   context.CopyDepth(context.Output(resource::Depth), context.Output(resource::WindowDepth));
 }
 
-int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props)
+int SceneCapture::DrawProps(
+  vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props, bool translucent)
 {
   vtkRenderState state(renderer);
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
@@ -332,13 +342,23 @@ int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& 
   const int unit = units->Allocate();
   this->Hooks->SetTextureUnit(unit, renderer);
   int drawn = 0;
+  int layer = 0;
   for (vtkProp* prop : props)
   {
     if (renderer->GetRenderWindow()->GetAbortRender())
     {
       break;
     }
+    this->Hooks->SetLayer(layer++);
     drawn += prop->RenderOpaqueGeometry(renderer);
+    if (translucent && prop->HasTranslucentPolygonalGeometry())
+    {
+      // VTK's actors leave the depth alone where they are translucent, unless they are told.
+      vtkInformation* keys = prop->GetPropertyKeys();
+      keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
+      drawn += prop->RenderTranslucentPolygonalGeometry(renderer);
+      keys->Remove(vtkOpenGLActor::GLDepthMaskOverride());
+    }
   }
   this->Hooks->Detach(&state);
   units->Free(unit);
@@ -346,11 +366,13 @@ int SceneCapture::DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& 
 }
 
 void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView,
-  const glm::dmat4& viewToClip, bool parallel)
+  const glm::dmat4& viewToClip, bool parallel, const glm::ivec2& anchor)
 {
   CameraOverride camera(renderer, worldToView, viewToClip);
   this->Hooks->SetParallel(parallel);
-  this->DrawProps(renderer, this->All);
+  this->Hooks->SetCasting(true, anchor);
+  this->DrawProps(renderer, this->All, true);
+  this->Hooks->SetCasting(false, anchor);
 }
 
 int SceneCapture::DrawOthers(vtkOpenGLRenderer* renderer)

@@ -50,12 +50,16 @@ public:
   /// Whether the highlight of any prop in view reflects this share of the incoming light or more.
   bool Reflects(double share) const;
 
+  /// Whether any caster may cover what lies behind it in part.
+  bool CastsInPart() const;
+
   /// Add the pass that writes the G-buffer.
   void Contribute(FrameBuilder& frame);
 
-  /// Draw every caster's depth as seen with these matrices into the bound framebuffer.
+  /// Draw every caster's depth as seen with these matrices into the bound framebuffer; of what covers
+  /// in part, as many texels, by a pattern that starts in one of them.
   void DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView,
-    const glm::dmat4& viewToClip, bool parallel);
+    const glm::dmat4& viewToClip, bool parallel, const glm::ivec2& anchor);
 
   /// Opaque geometry of the props that could not be captured, by VTK into its own framebuffer.
   int DrawOthers(vtkOpenGLRenderer* renderer);
@@ -70,7 +74,8 @@ public:
 
 private:
   void Draw(FrameContext& context);
-  int DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props);
+  /// Draw the props' opaque geometry by the hooks, and the translucent where asked for.
+  int DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props, bool translucent);
 
   vtkSmartPointer<vtkGICaptureHooks> Hooks;
   MaterialTable Table;

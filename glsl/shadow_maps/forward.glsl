@@ -1,0 +1,25 @@
+// What of a shadowed light reaches a point of what VTK draws itself (see forward/lights.glsl). P, N and facet
+// in view coordinates. Variants: those of shadow_maps/receive.glsl.
+#include "shared/view.h"
+#include "shared/shadow.h"
+#include "lib/noise.glsl"
+uniform sampler2D atlas;
+#include "shadow_maps/sheet.glsl"
+#include "shadow_maps/filter.glsl"
+#include "shadow_maps/receive.glsl"
+
+float giVisibility(int shadow, vec3 P, vec3 N, vec3 facet)
+{
+  GiShadowed surface = GiShadowed(P, N, facet, 0.0);
+  // The same noise in every frame, as nothing averages what VTK draws.
+  float angle = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, 0);
+  return giReached(shadowLights[shadow], surface, angle);
+}
+
+// Of a point that is no surface: N and facet face the light.
+float giVisibility(int shadow, vec3 P)
+{
+  vec4 lamp = shadowLights[shadow].Position;
+  vec3 L = lamp.w > 0.5 ? normalize(lamp.xyz - P) : -shadowLights[shadow].Direction.xyz;
+  return giVisibility(shadow, P, L, L);
+}
