@@ -4,8 +4,10 @@
  * @class   vtkGIAmbientOcclusion
  * @brief   how open a surface is to light from all around, from the depth buffer
  *
- * Samples a hemisphere over each pixel's surface and counts what lies behind the depth buffer; a
- * filter aware of depth averages the noise away. The result multiplies ambient and indirect light
+ * By horizons: in planes around the view direction, how high the surroundings rise over a pixel's
+ * surface, and in closed form the light above. Or by points in the hemisphere over it, each hidden
+ * or not. At full or half resolution; filters aware of depth and normal average the noise away. The
+ * result multiplies ambient and indirect light
  * only, never direct light or emission. Occluders off the screen, or behind what is seen, are not
  * known.
  */

@@ -84,7 +84,7 @@ struct Ages
 TextureDesc MeanDesc(const TextureDesc& shown)
 {
   TextureDesc desc = shown;
-  desc.Format = shown.Format == GL_R8 ? GL_R32F : GL_RGBA16F;
+  desc.Format = shown.Format == GL_R8 || shown.Format == GL_R16 ? GL_R32F : GL_RGBA16F;
   return desc;
 }
 

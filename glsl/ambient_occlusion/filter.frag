@@ -1,40 +1,64 @@
 #version 430 core
-// Average over the 4 x 4 pixels that share the sampling pattern, as far as they lie on the same
-// surface: in the plane through this pixel, within a tolerance.
+// Average along rows, or along columns (GI_DOWN), over the texels on the same surface: near the plane
+// through this one, and turned alike. Twice the four texels that share the sampling pattern make a
+// tent over seven, in which every part of the pattern weighs alike. Variants: GI_STRIDE; GI_AVERAGED
+// (else as sampled); GI_PACKED (to be filtered further,
+// or scaled up) or openness alone.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "ambient_occlusion/raw.glsl"
+#include "ambient_occlusion/alike.glsl"
 
-layout(binding = 0) uniform sampler2D rawTexture; // openness, view depth
-layout(binding = 1) uniform sampler2D normalTexture;
+layout(binding = 0) uniform usampler2D rawTexture;
 
-uniform float tolerance; // world units
+#ifdef GI_PACKED
+layout(location = 0) out uvec2 result;
+#else
+layout(location = 0) out float result;
+#endif
 
-layout(location = 0) out float openness;
+#ifdef GI_DOWN
+const ivec2 ALONG = ivec2(0, 1);
+#else
+const ivec2 ALONG = ivec2(1, 0);
+#endif
+
+#ifdef GI_AVERAGED
+const int REACH = 3; // texels to either side
+#else
+const int REACH = 0;
+#endif
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec2 centre = texelFetch(rawTexture, pixel, 0).xy;
-  vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  // World units a pixel at this depth, then how far the plane falls per pixel.
-  float w = view.Scene.y > 0.5 ? 1.0 : -centre.y;
-  vec2 size = 2.0 * w / (view.Viewport.zw * vec2(view.ViewToClip[0].x, view.ViewToClip[1].y));
-  vec2 fall = -N.xy / max(abs(N.z), 0.1) * sign(N.z) * size;
-  ivec2 low = ivec2(view.Viewport.xy);
-  ivec2 high = low + ivec2(view.Viewport.zw) - 1;
-
-  float sum = 0.0;
-  float weights = 0.0;
-  for (int y = -2; y <= 1; ++y)
+  ivec2 raw = ivec2(gl_FragCoord.xy);
+  uvec2 centre = texelFetch(rawTexture, raw, 0).xy;
+  float depth = giRawDepth(centre);
+  vec2 normal = giRawNormal(centre);
+  float openness = 1.0;
+  if (depth < 1.0)
   {
-    for (int x = -2; x <= 1; ++x)
+    GiSurfel here = giSurfel(vec2(giRawPixel(raw)) + 0.5, depth, normal, float(GI_STRIDE));
+    ivec2 low = ivec2(view.Viewport.xy) / GI_STRIDE;
+    ivec2 high = ivec2(view.Viewport.xy + view.Viewport.zw - 1.0) / GI_STRIDE;
+    float sum = 0.0;
+    float weights = 0.0;
+    for (int i = -REACH; i <= REACH; ++i)
     {
-      vec2 other = texelFetch(rawTexture, clamp(pixel + ivec2(x, y), low, high), 0).xy;
-      float off = abs(other.y - centre.y - dot(fall, vec2(x, y)));
-      float weight = off < tolerance ? 1.0 : 0.0;
-      sum += weight * other.x;
+      ivec2 at = clamp(raw + i * ALONG, low, high);
+      uvec2 other = texelFetch(rawTexture, at, 0).xy;
+      vec2 offset = vec2((at - raw) * GI_STRIDE);
+      float weight = float(REACH + 1 - abs(i)) *
+        giAlike(here, offset, giRawDepth(other), giRawNormal(other));
+      sum += weight * giRawOpenness(other);
       weights += weight;
     }
+    openness = sum / max(weights, 1e-6);
   }
-  openness = weights > 0.0 ? sum / weights : centre.x;
+#ifdef GI_PACKED
+  result = giPackRaw(openness, depth, normal);
+#else
+  result = max(openness, 0.0);
+#endif
 }

@@ -2,7 +2,9 @@
 // The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
 // GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
-// GI_IRRADIANCE (indirect light is known), GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
+// GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (and what highlights reflect of the environment
+// apart), GI_INTERREFLECTION (what hides a surface from ambient light reflects it too),
+// GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
 // radiance, not the colour as displayed), GI_LIT (write both).
 #include "shared/view.h"
 #include "shared/light.h"
@@ -12,6 +14,7 @@
 #include "lib/phong.glsl"
 #include "lib/pbr.glsl"
 #include "lib/lights.glsl"
+#include "lib/interreflection.glsl"
 
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
@@ -22,8 +25,10 @@ layout(binding = 5) uniform sampler2D emissionTexture;
 layout(binding = 6) uniform sampler2DArray directVisibility;
 layout(binding = 7) uniform sampler2D ambientVisibility;
 layout(binding = 8) uniform sampler2D irradianceTexture;
+layout(binding = 9) uniform sampler2D surroundingsTexture;
 
 uniform int lightCount;
+uniform float interreflection; // share of the surfaces' reflectance
 uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
 
 layout(location = 0) out vec4 color;
@@ -40,6 +45,16 @@ float visibility(ivec2 pixel, int channel)
   }
 #endif
   return 1.0;
+}
+
+// What ambient light is multiplied by.
+vec3 ambientReaching(float openness, vec3 reflectance)
+{
+#ifdef GI_INTERREFLECTION
+  return giInterreflected(openness, interreflection * reflectance);
+#else
+  return vec3(openness);
+#endif
 }
 
 void main()
@@ -133,19 +148,30 @@ void main()
   if (pbr)
   {
     // VTK's PBR reflects 1 / pi of what its Phong materials do.
-    vec3 surroundings =
-      (ambientLight / GI_PI + indirect) * ((1.0 - surface.r) * (1.0 - f0) * albedo.rgb + f0);
-    result = openness * (ambient + surface.g * surroundings) + surface.g * gloss + emission;
+    vec3 matte = (1.0 - surface.r) * (1.0 - f0) * albedo.rgb;
+    vec3 reflectance = matte + f0;
+    vec3 surroundings = ambientLight / GI_PI * reflectance;
+#ifdef GI_SURROUNDINGS
+    // The light of the environment that matter sends on is in the indirect light.
+    ambient = texelFetch(surroundingsTexture, pixel, 0).rgb;
+    surroundings += indirect * matte;
+#else
+    surroundings += indirect * reflectance;
+#endif
+    result = ambientReaching(openness, reflectance) * (ambient + surface.g * surroundings) +
+      surface.g * gloss + emission;
     color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
   }
   else
   {
-    result = openness * (ambient + albedo.rgb * (ambientLight + indirect)) + albedo.rgb * light +
-      material.Specular.rgb * surface.rgb * gloss + emission;
+    result = ambientReaching(openness, albedo.rgb) * (ambient + albedo.rgb * (ambientLight + indirect)) +
+      albedo.rgb * light + material.Specular.rgb * surface.rgb * gloss + emission;
     color.rgb = result;
   }
 #else
-  vec3 result = openness * (ambient + albedo.rgb * (ambientLight + indirect)) + albedo.rgb * light;
+  vec3 result = ambientReaching(openness, albedo.rgb) *
+      (ambient + albedo.rgb * (ambientLight + indirect)) +
+    albedo.rgb * light;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;
 #endif

@@ -12,9 +12,12 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellArray.h>
 #include <vtkCubeSource.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
@@ -82,13 +85,13 @@ TEST_F(AmbientOcclusion, leaves_a_lone_plane_open)
   EXPECT_EQ(Compare(on, off, 1).Within, 1.0);
 }
 
-// At distance d an endless wall of height h hides (1 - d / sqrt(d^2 + h^2)) / 2 of the light. The
-// samples crowd near the surface, so the value is larger close by and ends at the radius: the test
-// holds the shape (darkest at the wall, rising, open beyond the radius), and prints the numbers.
+// The shape alone, which both methods share: darkest at the wall, rising, open beyond the radius.
+// TestOpenness.cxx holds the horizon method to values.
 TEST_F(AmbientOcclusion, darkens_toward_a_wall_and_ends_at_the_radius)
 {
   this->AddWall(1.0);
   this->Occlusion->SetParameter("ambient-share", 1.0);
+  this->Occlusion->SetParameter("interreflection", 0.0);
   this->Occlusion->SetParameter("radius", 1.0);
   this->Occlusion->SetParameter("samples", 64);
   const Picture picture = Shoot(this->Scene.Window);
@@ -130,4 +133,71 @@ TEST_F(AmbientOcclusion, occludes_the_materials_own_ambient_term)
   const Picture off = Shoot(this->Scene.Window);
   EXPECT_LT(FloorAt(on, 0.05), 0.9 * FloorAt(off, 0.05));
   EXPECT_GT(FloorAt(on, 0.05), 0.5 * FloorAt(off, 0.05)) << "the direct half stays";
+}
+
+// Ambient light only, a wall, and over the floor beside it a pane that half covers it.
+TEST_F(AmbientOcclusion, passes_over_translucent_surfaces)
+{
+  this->AddWall(1.0);
+  this->Occlusion->SetParameter("ambient-share", 1.0);
+  this->Occlusion->SetParameter("radius", 1.0);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.05, -0.7, 0.1);
+  plane->SetPoint1(0.8, -0.7, 0.1);
+  plane->SetPoint2(0.05, 0.7, 0.1);
+  vtkActor* pane = this->Scene.Add(plane);
+  pane->GetProperty()->SetColor(0.1, 0.3, 0.9);
+  pane->GetProperty()->LightingOff();
+  const double opacity = 0.5;
+  pane->GetProperty()->SetOpacity(opacity);
+  const auto shoot = [&](bool shown, bool occluded) {
+    pane->SetVisibility(shown);
+    this->Occlusion->SetEnabled(occluded);
+    return Shoot(this->Scene.Window);
+  };
+  const Picture open = shoot(false, false);
+  const Picture glass = shoot(true, false);
+  const Picture occluded = shoot(false, true);
+  const Picture both = shoot(true, true);
+  // VTK blends the pane over what is there, occluded or not; it neither occludes nor is occluded.
+  int darkened = 0;
+  int off = 0;
+  for (std::size_t i = 0; i < both.Pixels.size(); ++i)
+  {
+    const std::size_t red = i - i % 4;
+    const bool covered = open.Pixels[red] - glass.Pixels[red] > 50;
+    const double expected = occluded.Pixels[i] +
+      (covered ? glass.Pixels[i] - open.Pixels[i] + opacity * (open.Pixels[i] - occluded.Pixels[i])
+               : 0.0);
+    darkened += covered && occluded.Pixels[i] < open.Pixels[i] - 8;
+    off += std::abs(both.Pixels[i] - expected) > 2.0;
+  }
+  std::printf(
+    "pane over a floor: %d values of the floor under it are occluded, %d of %zu are off by "
+    "more than 2/255\n",
+    darkened, off, both.Pixels.size());
+  EXPECT_GT(darkened, 1000);
+  EXPECT_EQ(off, 0);
+}
+
+// What has no extent gives no radius, and is drawn as without occlusion.
+TEST_F(AmbientOcclusion, takes_data_without_extent)
+{
+  this->Scene.Renderer->RemoveAllViewProps();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(1.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell({ 0, 0, 0 });
+  vtkNew<vtkPolyData> nothing;
+  nothing->SetPoints(points);
+  nothing->SetPolys(triangles);
+  this->Scene.Add(nothing);
+  for (const char* method : { "horizon", "hemisphere" })
+  {
+    this->Occlusion->SetParameterFromText("method", method);
+    this->Occlusion->EnabledOn();
+    const Picture on = Shoot(this->Scene.Window);
+    this->Occlusion->EnabledOff();
+    EXPECT_EQ(Compare(on, Shoot(this->Scene.Window), 0).Within, 1.0) << method;
+  }
 }

@@ -29,8 +29,9 @@ struct Resolve
   MaterialTable* Materials;
   bool Extended;
   bool Radiance;
-  bool Lit;     ///< write the linear radiance beside the colour
-  double Share; ///< of the lights' strength that is spread over all directions
+  bool Lit;               ///< write the linear radiance beside the colour
+  double Share;           ///< of the lights' strength that is spread over all directions
+  double Interreflection; ///< share of colours that ambient light is reflected by in hollows
 
   Defines Variant(const FrameContext& context, bool radiance, bool lit) const
   {
@@ -48,6 +49,10 @@ struct Resolve
     flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
     flag("GI_IRRADIANCE", context.Input(resource::Irradiance) != nullptr);
+    flag("GI_SURROUNDINGS",
+      context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
+    flag("GI_INTERREFLECTION",
+      context.Input(resource::AmbientVisibility) && this->Interreflection > 0.0);
     flag("GI_COVERAGE", this->Materials->CoverInPart());
     flag("GI_RADIANCE", radiance);
     flag("GI_LIT", lit);
@@ -94,12 +99,13 @@ struct Resolve
         context.Input(resource::Normal), context.Input(resource::Ambient),
         context.Input(resource::Surface), context.Input(resource::Emission),
         context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility),
-        context.Input(resource::Irradiance) });
+        context.Input(resource::Irradiance), context.Input(resource::Surroundings) });
     this->Lights->Bind(0, 1.0 - this->Share);
     this->Materials->Bind(1);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
     const glm::vec3 ambient(this->Share * this->Lights->TotalColor());
     glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
+    glUniform1f(program.Location("interreflection"), static_cast<GLfloat>(this->Interreflection));
     context.DrawFullscreen();
   }
 };
@@ -142,6 +148,7 @@ void ContributeDirectLight(
     .ReadIfPresent(resource::DirectVisibility)
     .ReadIfPresent(resource::AmbientVisibility)
     .ReadIfPresent(resource::Irradiance)
+    .ReadIfPresent(resource::Surroundings)
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
   if (radiance)
@@ -153,7 +160,8 @@ void ContributeDirectLight(
   {
     pass.Write(resource::LitRadiance, frame.WindowTexture(radiance ? GL_RGBA32F : GL_RGBA16F));
   }
-  pass.Execute(Resolve{ &lights, &materials, extended, radiance, lit, frame.GetSpreadShare() });
+  pass.Execute(Resolve{ &lights, &materials, extended, radiance, lit, frame.GetSpreadShare(),
+    frame.GetInterreflection() });
   frame.AddPass("present")
     .Read(resource::Color)
     .Read(resource::WindowDepth)

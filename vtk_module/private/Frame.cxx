@@ -33,6 +33,17 @@ MotionTable& FrameBuilder::Motion()
 void FrameBuilder::RequestLitRadiance()
 {
   this->LitRadianceWanted = true;
+  this->RequestSurroundings();
+}
+
+void FrameBuilder::SetIndirectKnown()
+{
+  this->IndirectKnown = true;
+  this->RequestSurroundings();
+}
+
+void FrameBuilder::RequestSurroundings()
+{
   // Environments light PBR only, and PBR needs the extended set.
   if (this->Renderer->GetUseImageBasedLighting() && this->Renderer->GetEnvironmentTexture() &&
     this->Scene.IsExtended())

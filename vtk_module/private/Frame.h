@@ -43,7 +43,7 @@ constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
-constexpr const char* Irradiance = "irradiance"; ///< indirect, on surfaces, divided by pi
+constexpr const char* Irradiance = "irradiance";    ///< indirect, on surfaces, divided by pi
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed
@@ -186,9 +186,14 @@ public:
   void SpreadLight(double share) { this->Share = share; }
   double GetSpreadShare() const { return this->IndirectKnown ? 0.0 : this->Share; }
 
-  /// A technique writes resource::Irradiance: lights keep their strength.
-  void SetIndirectKnown() { this->IndirectKnown = true; }
+  /// A technique writes resource::Irradiance, with the light of the environment: lights keep their strength.
+  void SetIndirectKnown();
   bool IsIndirectKnown() const { return this->IndirectKnown; }
+
+  /// Take surfaces that hide one another from ambient light for reflecting it too, by so much of
+  /// their colour.
+  void SetInterreflection(double share) { this->Interreflection = share; }
+  double GetInterreflection() const { return this->Interreflection; }
 
   /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights.
   void ShadeForward(ForwardVisibility visibility) { this->Visibility = std::move(visibility); }
@@ -199,6 +204,8 @@ public:
   const std::vector<std::string>& GetNotes() const { return this->Notes; }
 
 private:
+  void RequestSurroundings();
+
   FrameGraph& Graph;
   View& CurrentView;
   LightTable& CurrentLights;
@@ -212,6 +219,7 @@ private:
   bool LitRadianceWanted = false;
   bool IndirectKnown = false;
   double Share = 0.0;
+  double Interreflection = 0.0;
   ForwardVisibility Visibility;
   std::vector<std::string> Notes;
 };

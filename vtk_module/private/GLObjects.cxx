@@ -43,11 +43,13 @@ std::size_t TextureDesc::Bytes() const
     case GL_R8:
       texel = 1;
       break;
+    case GL_R16:
     case GL_RG8:
     case GL_R16F:
       texel = 2;
       break;
     case GL_RG32F:
+    case GL_RG32UI:
     case GL_RGBA16:
     case GL_RGBA16F:
       texel = 8;

@@ -1,10 +1,13 @@
 #version 430 core
 // Openness of a pixel's surface: GI_SAMPLES points in the hemisphere over it, each hidden or not
-// from the eye by the depth buffer. Writes openness and view depth.
+// from the eye by the depth buffer. Variants: GI_STRIDE (pixels of the window a texel here stands
+// for).
 #include "shared/view.h"
 #include "shared/occlusion.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
+#include "lib/sampling.glsl"
+#include "ambient_occlusion/raw.glsl"
 
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
@@ -12,26 +15,27 @@ layout(binding = 1) uniform sampler2D normalTexture;
 uniform float radius; // world units
 uniform float bias;   // world units
 
-layout(location = 0) out vec2 result;
+layout(location = 0) out uvec2 result;
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 P = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r);
-  vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
+  ivec2 raw = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = giRawPixel(raw);
+  float depth = texelFetch(depthTexture, pixel, 0).r;
+  if (depth >= 1.0)
+  {
+    result = giPackRaw(1.0, depth, vec2(0.5));
+    return;
+  }
+  vec3 P = giViewPosition(vec2(pixel) + 0.5, depth);
+  vec2 normal = texelFetch(normalTexture, pixel, 0).xy;
+  vec3 N = giDecodeOctahedral(normal);
 
-  // Sixteen turns in a tile of 4 x 4 pixels, which the filter averages; another order each frame.
-  int tile = ((pixel.x & 3) * 4 + (pixel.y & 3) + view.Frame.x * 7) & 15;
-  int shuffled = (tile * 11) & 15;
-  float turn = 6.28318531 * (float(shuffled) + fract(float(view.Frame.x) * 0.61803399)) / 16.0;
-  // Any frame around the normal: Duff et al. 2017, Building an Orthonormal Basis, Revisited.
-  float s = N.z >= 0.0 ? 1.0 : -1.0;
-  float a = -1.0 / (s + N.z);
-  float b = N.x * N.y * a;
-  vec3 T = vec3(1.0 + s * N.x * N.x * a, s * b, -s * N.x);
-  vec3 B = vec3(b, s + N.y * N.y * a, -N.y);
-  vec3 X = radius * (T * cos(turn) + B * sin(turn));
-  vec3 Y = radius * (B * cos(turn) - T * sin(turn));
+  // Sixteen turns, which the filter averages.
+  float turn = 6.28318531 * giRawSpread(raw).x;
+  mat3 around = giBasis(N);
+  vec3 X = radius * (around[0] * cos(turn) + around[1] * sin(turn));
+  vec3 Y = radius * (around[1] * cos(turn) - around[0] * sin(turn));
   vec3 Z = radius * N;
 
   vec2 toWindow = 0.5 * view.Viewport.zw;
@@ -61,5 +65,5 @@ void main()
     float near = 1.0 - clamp((seen - P.z) / radius - 1.0, 0.0, 1.0);
     hidden += ahead > bias ? near : 0.0;
   }
-  result = vec2(1.0 - hidden / float(GI_SAMPLES), P.z);
+  result = giPackRaw(1.0 - hidden / float(GI_SAMPLES), depth, normal);
 }

@@ -1,0 +1,24 @@
+// The light of an arc in a slice, by the cosine to the surface and the measure of directions around
+// the view: Jimenez et al. 2016, equation 7, to one side. n: cosine and sine of the angle by which
+// the normal leans to that side from the view direction.
+const float GI_ARC_PI = 3.14159265358979;
+
+// The angle of cosine c and sine s, from 0 to pi, to 0.002: its ratio to the sine by least squares.
+float giArcAngle(float c, float s)
+{
+  float x = abs(c);
+  float a = s * (1.56924 + x * (-0.96331 + x * (0.57752 - x * 0.18576)));
+  return c < 0.0 ? GI_ARC_PI - a : a;
+}
+
+// From the view direction to one of cosine c and sine s, both above the tangent plane.
+float giArc(float c, float s, vec2 n)
+{
+  return 0.5 * (n.x * s * s + n.y * (giArcAngle(c, s) - s * c));
+}
+
+// From the view direction to the tangent plane.
+float giWholeArc(vec2 n)
+{
+  return giArc(-n.y, n.x, n);
+}

@@ -1,0 +1,55 @@
+#version 430 core
+// Openness of a pixel's surface by horizons: in planes that contain the view direction,
+// places to each side find how high the surroundings rise, and the light above them is
+// known in closed form. Jimenez, Wu, Pesce and Jarabo 2016, Practical Realtime Strategies for
+// Accurate Indirect Occlusion. Variants: GI_STRIDE (pixels of the window a texel here stands for),
+// GI_THICKNESS (things are only so deep: light passes behind them).
+#include "shared/view.h"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/sampling.glsl"
+#include "ambient_occlusion/raw.glsl"
+#include "ambient_occlusion/arc.glsl"
+#include "ambient_occlusion/walk.glsl"
+#ifdef GI_THICKNESS
+#include "ambient_occlusion/sectors.glsl"
+#else
+#include "ambient_occlusion/horizon.glsl"
+#endif
+
+layout(binding = 1) uniform sampler2D normalTexture;
+
+uniform int slices;
+
+layout(location = 0) out uvec2 result;
+
+void main()
+{
+  ivec2 raw = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = giRawPixel(raw);
+  float depth = texelFetch(depthTexture, pixel, 0).r;
+  if (depth >= 1.0)
+  {
+    result = giPackRaw(1.0, depth, vec2(0.5));
+    return;
+  }
+  vec2 normal = texelFetch(normalTexture, pixel, 0).xy;
+  vec3 N = giDecodeOctahedral(normal);
+  vec2 spread = giRawSpread(raw);
+  Walk walk = walkFrom(pixel, depth, N, spread.y);
+  mat3 around = giBasis(walk.V);
+  vec3 rise = walkAxis(walk, N);
+  float closed = 0.0;
+  for (int i = 0; i < slices; ++i)
+  {
+    float turn = (float(i) + spread.x) * (GI_ARC_PI / float(slices));
+    vec3 T = around[0] * cos(turn) + around[1] * sin(turn);
+    // The normal's part in the slice.
+    vec2 n = vec2(max(dot(N, walk.V), 1e-3), dot(N, T));
+    float share = length(n);
+    n /= share;
+    WalkLine line = walkAlong(walk, T, n, rise / share);
+    closed += share * (closedSide(walk, line) + closedSide(walk, walkBack(line)));
+  }
+  result = giPackRaw(1.0 - closed / float(slices), depth, normal);
+}

@@ -1,0 +1,119 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo's scenes in white, so that a picture shows openness: drawn with ambient light alone, or path
+traced in surroundings of radiance 1."""
+import os
+
+import numpy as np
+import penumbra
+import scenes
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_FLOAT
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
+
+BIAS = 0.001  # of vtkSSAOPass, in diagonals of the scene
+
+
+def white(name, ambient):
+    """A scene that reflects all light: ambient light, or else that of its surroundings."""
+    renderer = scenes.SCENES[name][1]()
+    for actor in renderer.GetActors():
+        actor.GetMapper().ScalarVisibilityOff()
+        look = actor.GetProperty()
+        look.SetColor(1, 1, 1)
+        look.SetSpecular(0)
+        look.SetAmbient(1 if ambient else 0)
+        look.SetDiffuse(0 if ambient else 1)
+    renderer.RemoveAllLights()
+    renderer.AutomaticLightCreationOff()
+    if ambient:
+        renderer.AddLight(vtkLight())  # without one VTK draws no ambient light
+    renderer.GradientBackgroundOff()
+    renderer.SetBackground(0, 0, 0)
+    return renderer
+
+
+def diagonal(renderer):
+    """Of the visible props' bounds: what lengths are given in."""
+    low, high = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2).T
+    return float(np.linalg.norm(high - low))
+
+
+def by_vtk(name, size, radius, samples=32):
+    """A renderer and its window, occluded by vtkSSAOPass; a radius of 0: not at all."""
+    renderer = white(name, ambient=True)
+    window = penumbra.window(renderer, size=size, multisamples=0)
+    if radius > 0:
+        renderer.UseSSAOOn()
+        renderer.SetSSAORadius(radius * diagonal(renderer))
+        renderer.SetSSAOBias(BIAS * diagonal(renderer))
+        renderer.SetSSAOKernelSize(samples)
+        renderer.SSAOBlurOn()
+    return renderer, window
+
+
+def by_penumbra(name, size, parameters):
+    """The same by Penumbra; None: no occlusion. Radius and thickness in diagonals of the scene."""
+    renderer = white(name, ambient=True)
+    window = penumbra.window(renderer, size=size, multisamples=0)
+    gi = penumbra.enable(renderer, "off", off="anti-aliasing")
+    if parameters is not None:
+        occlusion = gi.GetTechnique("ambient-occlusion")
+        occlusion.EnabledOn()
+        settings = {"ambient-share": 0, "interreflection": 0, **parameters}
+        for key, value in settings.items():
+            if key in ("radius", "thickness"):
+                value *= diagonal(renderer)
+            if not occlusion.SetParameterFromText(key, str(value)):
+                raise ValueError(occlusion.GetLastError())
+    return renderer, window
+
+
+def picture(way):
+    """Openness as drawn, rows from the top."""
+    return penumbra.render(way[1])[:, :, 0].astype(float) / 255
+
+
+def surroundings():
+    """An environment of radiance 1 all around."""
+    image = vtkImageData()
+    image.SetDimensions(8, 4, 1)
+    image.AllocateScalars(VTK_FLOAT, 3)
+    vtk_to_numpy(image.GetPointData().GetScalars())[:] = 1
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.SetColorModeToDirectScalars()
+    texture.MipmapOn()
+    texture.InterpolateOn()
+    return texture
+
+
+def traced(name, size, samples, folder=None):
+    """Path-traced openness to any distance, and where a surface covers the whole pixel."""
+    kept = folder and os.path.join(folder, f"{name}-{size[0]}x{size[1]}-{samples}.npy")
+    if kept and os.path.exists(kept):
+        result = np.load(kept)
+    else:
+        renderer = white(name, ambient=False)
+        renderer.SetEnvironmentTexture(surroundings())
+        renderer.UseImageBasedLightingOn()
+        # VTK's own tables, which the tracer does not use: as small as may be.
+        renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
+        renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
+        renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
+        renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
+        renderer.GetEnvMapLookupTable().SetLUTSize(8)
+        renderer.GetEnvMapLookupTable().SetLUTSamples(8)
+        window = penumbra.window(renderer, size=size, multisamples=0)
+        gi = penumbra.enable(renderer, "reference")
+        gi.KeepRadianceOn()
+        tracing = gi.GetTechnique("path-tracing")
+        tracing.SetParameter("samples", samples)
+        tracing.SetParameter("bounces", 0)
+        for _ in range(samples):
+            window.Render()
+        result = penumbra.radiance(gi, renderer)
+        if kept:
+            np.save(kept, result)
+    return result[..., 0], result[..., 3] > 0.99
