@@ -216,7 +216,7 @@ private:
     }
     if (solution.EmissionByRays)
     {
-      console.Note("so much shines that rays find it by chance: more --rays make its light smoother");
+      console.Note("much of the scene shines and is found by chance: more --rays make its light smoother");
     }
   }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectLight.h"
 
-#include "Sampling.h"
+#include "TriangleSampling.h"
 
 #include <cmath>
 
@@ -38,9 +38,40 @@ Polygon ClipToHorizon(const Point& at, const Point& normal, const std::array<Poi
   return kept;
 }
 
+struct Receiver
+{
+  const Point& At;
+  const Point& Normal;
+  double Height; ///< above the emitter's plane
+};
+
+/// The share of the emitter's light that nothing blocks.
+double ShareSeen(const Receiver& receiver, const Element& emitter, const PatchRays& rays, int count,
+  Random& random)
+{
+  const SeenTriangle seen(receiver.At, emitter.Corners);
+  int tried = 0;
+  int reached = 0;
+  for (const glm::dvec2& u : Strata(GridSide(count), random))
+  {
+    Point direction;
+    if (!LightDirection(seen, receiver.Normal, u, random, direction))
+    {
+      continue;
+    }
+    const double distance = receiver.Height / -glm::dot(direction, emitter.Normal);
+    ++tried;
+    reached += rays.Blocked(receiver.At, receiver.Normal,
+                 receiver.At + distance * direction, emitter.Normal)
+      ? 0
+      : 1;
+  }
+  return tried > 0 ? double(reached) / tried : 0.0;
+}
+
 bool Reaches(const Lamp& lamp, const PatchRays& rays, const Point& at, const Point& normal)
 {
-  return lamp.Positional ? !rays.Blocked(at, normal, lamp.Position)
+  return lamp.Positional ? !rays.Blocked(at, normal, lamp.Position, Point(0.0))
                          : !rays.BlockedTowards(at, normal, -lamp.Travel);
 }
 }
@@ -102,20 +133,13 @@ Color ArrivingAt(const LightSources& sources, const PatchRays& rays, const Point
   Random random(stream, 2);
   for (const Element& emitter : sources.Emitters)
   {
-    const bool inFront = glm::dot(at - emitter.Corners[0], emitter.Normal) > 0.0;
-    const double factor = inFront ? PointFactor(at, normal, emitter.Corners) : 0.0;
-    if (factor <= 0.0)
+    const double height = glm::dot(at - emitter.Corners[0], emitter.Normal);
+    const double factor = height > 0.0 ? PointFactor(at, normal, emitter.Corners) : 0.0;
+    if (factor > 0.0)
     {
-      continue;
+      sum += emitter.Emission *
+        (factor * ShareSeen({ at, normal, height }, emitter, rays, shadowRays, random));
     }
-    int seen = 0;
-    const int side = GridSide(shadowRays);
-    const auto strata = Strata(side, random);
-    for (const glm::dvec2& u : strata)
-    {
-      seen += rays.Blocked(at, normal, emitter.At(u.x, u.y)) ? 0 : 1;
-    }
-    sum += emitter.Emission * (factor * seen / double(strata.size()));
   }
   return sum;
 }

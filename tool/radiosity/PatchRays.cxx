@@ -167,14 +167,14 @@ PatchRays::Hit PatchRays::Nearest(
   return hit;
 }
 
-bool PatchRays::Blocked(const Point& from, const Point& normal, const Point& to) const
+bool PatchRays::Blocked(
+  const Point& from, const Point& normal, const Point& to, const Point& toNormal) const
 {
-  RTCRay ray = this->Internal->Ray(from, normal, to - from);
-  // Short of the surface that the point lies on.
-  const double length = glm::length(to - from);
-  ray.tfar = length > 0.0
-    ? static_cast<float>(std::max(0.0, 1.0 - 2.0 * this->Internal->Offset / length))
-    : 0.0f;
+  // Both ends stand off their surfaces, so that neither is in the way.
+  const Point along = (to + this->Internal->Offset * toNormal) -
+    (from + this->Internal->Offset * normal);
+  RTCRay ray = this->Internal->Ray(from, normal, along);
+  ray.tfar = 1.0f;
   return this->Internal->Occluded(ray);
 }
 

@@ -51,10 +51,11 @@ public:
   PatchRays(const PatchRays&) = delete;
   PatchRays& operator=(const PatchRays&) = delete;
 
-  /// What a ray from a point next to a surface meets; normal: of the side that it leaves.
+  /// What a ray from a point on a surface meets; normal: of the side that it leaves.
   Hit Nearest(const Point& from, const Point& normal, const Point& direction) const;
-  /// Whether something is between a point next to a surface and another.
-  bool Blocked(const Point& from, const Point& normal, const Point& to) const;
+  /// Whether something is between a point on a surface and another; a normal of 0 for a point in free
+  /// space.
+  bool Blocked(const Point& from, const Point& normal, const Point& to, const Point& toNormal) const;
   /// Whether something is in the way at any distance.
   bool BlockedTowards(const Point& from, const Point& normal, const Point& direction) const;
 

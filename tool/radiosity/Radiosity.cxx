@@ -12,8 +12,23 @@ namespace penumbra::radiosity
 {
 namespace
 {
-/// Shadow rays to all that shines, beyond which the rays of the form factors find it instead.
-constexpr double MostShadowRays = 5e8;
+/// Whether the rays of the form factors find what shines well enough: where it fills much of the view
+/// they do, and to aim at each piece of it takes long.
+bool EmissionIsBroad(
+  const std::vector<Element>& elements, std::size_t emitters, const Settings& settings)
+{
+  constexpr double mostShadowRays = 5e8;
+  constexpr double broad = 0.25;
+  double shining = 0.0;
+  double all = 0.0;
+  for (const Element& element : elements)
+  {
+    all += element.Area;
+    shining += element.Emission != Color(0.0) ? element.Area : 0.0;
+  }
+  return shining > broad * all ||
+    double(elements.size()) * double(emitters) * settings.ShadowPoints > mostShadowRays;
+}
 
 void RequireLight(const std::vector<Element>& elements, const Illumination& light)
 {
@@ -67,9 +82,8 @@ std::vector<Color> Arriving(const PatchMesh& mesh, const Illumination& light,
   Solution& solution, const Watch& watch)
 {
   sources = { light.Lamps, MakeEmitters(mesh) };
-  const double needed =
-    double(solution.Elements.size()) * double(sources.Emitters.size()) * settings.ShadowPoints;
-  solution.EmissionByRays = needed > MostShadowRays;
+  solution.EmissionByRays =
+    EmissionIsBroad(solution.Elements, sources.Emitters.size(), settings);
   if (solution.EmissionByRays)
   {
     sources.Emitters.clear();

@@ -52,7 +52,7 @@ struct Solution
   std::vector<float> Escaped;
   double PatchSize = 0.0;
   double FactorError = 0.0;      ///< greatest standard error of a form factor by chance
-  bool EmissionByRays = false;   ///< too much shines to be aimed at
+  bool EmissionByRays = false;   ///< not aimed at, as much of the scene shines
   bool RefinementCut = false;    ///< steep places stay coarse, as patches would be too many
   bool SizeGrown = false;        ///< patches are larger than asked for, to be few enough
 };
