@@ -12,19 +12,20 @@ namespace penumbra::radiosity
 {
 namespace
 {
-/// Whether the rays of the form factors find what shines well enough: where it fills much of the view
-/// they do, and to aim at each piece of it takes long.
-bool EmissionIsBroad(
-  const std::vector<Element>& elements, std::size_t emitters, const Settings& settings)
+/// Whether the rays of the form factors find what shines well enough: where a quarter of them do, and where to aim at each piece of it takes too long.
+bool EmissionIsBroad(const std::vector<Element>& elements, const FactorMatrix& factors,
+  std::size_t emitters, const Settings& settings)
 {
   constexpr double mostShadowRays = 5e8;
   constexpr double broad = 0.25;
   double shining = 0.0;
   double all = 0.0;
-  for (const Element& element : elements)
+  for (std::size_t i = 0; i < elements.size(); ++i)
   {
-    all += element.Area;
-    shining += element.Emission != Color(0.0) ? element.Area : 0.0;
+    all += elements[i].Area;
+    factors.ForEachIn(i, [&](std::size_t j, double share) {
+      shining += elements[j].Emission != Color(0.0) ? share * elements[i].Area : 0.0;
+    });
   }
   return shining > broad * all ||
     double(elements.size()) * double(emitters) * settings.ShadowPoints > mostShadowRays;
@@ -83,7 +84,7 @@ std::vector<Color> Arriving(const PatchMesh& mesh, const Illumination& light,
 {
   sources = { light.Lamps, MakeEmitters(mesh) };
   solution.EmissionByRays =
-    EmissionIsBroad(solution.Elements, sources.Emitters.size(), settings);
+    EmissionIsBroad(solution.Elements, factors.Matrix, sources.Emitters.size(), settings);
   if (solution.EmissionByRays)
   {
     sources.Emitters.clear();
