@@ -5,6 +5,7 @@
 #include "RenderOptions.h"
 
 #include "../image/Picture.h"
+#include "../lab/ConvergencePlot.h"
 #include "../radiosity/SceneSurfaces.h"
 #include "../radiosity/SolutionFile.h"
 #include "../radiosity/SolutionView.h"
@@ -102,6 +103,9 @@ public:
       ->group(group);
     command->add_option("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr")
       ->group(group);
+    command
+      ->add_option("--plot", this->Plot, "chart of the residual over the work: .png, .jpg, .tif")
+      ->group(group);
     command->add_flag("--flat", this->Flat, "show patches in one colour each")->group(group);
     command->footer("Examples:\n"
                     "  penumbra bake radiosity examples/cornell.json -o cornell.vtp --view cornell.png\n"
@@ -134,6 +138,10 @@ public:
     {
       this->Draw(solution, built, scene, console);
     }
+    if (!this->Plot.empty())
+    {
+      this->DrawPlot(solution, console);
+    }
     this->Report(solution, seconds);
     return 0;
   }
@@ -153,9 +161,12 @@ private:
     {
       Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to", output);
     }
-    if (!this->View.empty())
+    for (const std::string& picture : { this->View, this->Plot })
     {
-      RequireWritablePicture(this->View);
+      if (!picture.empty())
+      {
+        RequireWritablePicture(picture);
+      }
     }
     const auto within = [](const char* option, double value, double least, double most) {
       if (!(value >= least && value <= most))
@@ -237,6 +248,26 @@ private:
     WritePicture(this->View, picture);
   }
 
+  void DrawPlot(const radiosity::Solution& solution, Console& console) const
+  {
+    Step step(console, fmt::format("drawing '{}'", this->Plot));
+    std::vector<ConvergenceCurve> curves;
+    const auto add = [&curves](const char* name, const radiosity::Reflected& solved) {
+      if (!solved.History.empty())
+      {
+        curves.push_back({ name, { { 0.0, 1.0 } } });
+        for (const auto& done : solved.History)
+        {
+          curves.back().Steps.push_back({ done.Work, done.Residual });
+        }
+      }
+    };
+    add("gathering (Gauss-Seidel)", solution.Gathered);
+    add("shooting (progressive refinement)", solution.Shot);
+    WritePicture(this->Plot,
+      DrawConvergence(curves, "form factors used, in matrices' worth", this->Options.Backend));
+  }
+
   void Report(const radiosity::Solution& solution, double seconds) const
   {
     const auto history = [](const radiosity::Reflected& solved) {
@@ -283,6 +314,7 @@ private:
   radiosity::Settings Settings;
   std::string Solver = "gathering";
   std::string View;
+  std::string Plot;
   bool OneWay = false;
   bool Flat = false;
 };
