@@ -157,8 +157,8 @@ void WriteSolution(const std::string& file, const Solution& solution)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(partial.c_str());
   writer->SetInputData(MakePolyData(solution));
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  // Debian 12 stumbles over appended data: VTK before 9.3.1 with newer versions of Expat.
+  writer->SetDataModeToBinary();
   std::error_code error;
   if (writer->Write() == 0)
   {
