@@ -1,83 +1,68 @@
 #!/usr/bin/env python3
-"""A radiosity solution beside the path tracer, from two views: cornell_radiosity.py SOLUTION.vtp OUT.png [WIDTH] [SPP]"""
+"""A radiosity solution beside the path tracer, two views: cornell_radiosity.py SOLUTION.vtp OUT.png [WIDTH] [PATHS]
+
+SOLUTION.vtp comes from: penumbra bake radiosity examples/cornell.json -o SOLUTION.vtp
+"""
+import json
+import pathlib
 import sys
 import penumbra
 from PIL import Image
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkFiltersCore import vtkThreshold
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkPolyDataMapper, vtkRenderer
 
-reader = vtkXMLPolyDataReader()
-reader.SetFileName(sys.argv[1])
-reader.Update()
-solution = reader.GetOutput()
+SCENE = json.loads((pathlib.Path(__file__).parent / "cornell.json").read_text())
 width = int(sys.argv[3]) if len(sys.argv) > 3 else 400
-samples = int(sys.argv[4]) if len(sys.argv) > 4 else 128
-
-
-def actor(data):
-    mapper, made = vtkPolyDataMapper(), vtkActor()
-    mapper.SetInputData(data)
-    mapper.ScalarVisibilityOff()
-    made.SetMapper(mapper)
-    made.GetProperty().BackfaceCullingOn()  # every cell is one side of a surface
-    return made
+paths = int(sys.argv[4]) if len(sys.argv) > 4 else 128
 
 
 def solved():
-    """What was worked out, shown as it is: no light, no shading, any frame rate."""
-    renderer, room = vtkRenderer(), actor(solution)
-    room.GetMapper().ScalarVisibilityOn()
-    room.GetMapper().SetScalarModeToUsePointData()
+    """What was worked out, shown as it is: no light, no shading, any view at once."""
+    reader, mapper, room, renderer = vtkXMLPolyDataReader(), vtkPolyDataMapper(), vtkActor(), vtkRenderer()
+    reader.SetFileName(sys.argv[1])
+    mapper.SetInputConnection(reader.GetOutputPort())  # its point scalars are colours
+    room.SetMapper(mapper)
     room.GetProperty().LightingOff()
+    room.GetProperty().BackfaceCullingOn()  # every cell is one side of a surface
     renderer.AddActor(room)
     return renderer
 
 
 def scene():
-    """The surfaces again, for the path tracer: a piece for each pair of albedo and emission."""
+    """The same room for the path tracer."""
     renderer = vtkRenderer()
     renderer.AutomaticLightCreationOff()
-    cells = solution.GetCellData()
-    looks = [cells.GetArray(name).GetTuple3(i) for i in range(solution.GetNumberOfCells())
-             for name in ("albedo", "emission")]
-    looks = list(zip(looks[::2], looks[1::2]))
-    known = sorted(set(looks))
-    numbers = vtkUnsignedCharArray()
-    numbers.SetName("look")
-    for look in looks:
-        numbers.InsertNextValue(known.index(look))
-    cells.AddArray(numbers)
-    for number, (albedo, emission) in enumerate(known):
-        piece, polygons = vtkThreshold(), vtkGeometryFilter()
-        piece.SetInputData(solution)
-        piece.SetInputArrayToProcess(0, 0, 0, 1, "look")
-        piece.SetLowerThreshold(number)
-        piece.SetUpperThreshold(number)
-        polygons.SetInputConnection(piece.GetOutputPort())
-        polygons.Update()
-        part = actor(polygons.GetOutput())
-        surface = part.GetProperty()
-        surface.BackfaceCullingOff()
-        surface.SetInterpolationToPBR()  # shown with the same curve as the solution's colours
-        surface.SetRoughness(1)
-        surface.SetBaseIOR(1)  # no highlight
-        surface.SetColor(albedo)
-        if any(emission):
-            surface.SetInterpolationToFlat()
+    for described in SCENE["objects"]:
+        points, polygons, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+        for point in described["mesh"]["points"]:
+            points.InsertNextPoint(point)
+        for polygon in described["mesh"]["polygons"]:
+            polygons.InsertNextCell(len(polygon), polygon)
+        data.SetPoints(points)
+        data.SetPolys(polygons)
+        mapper, actor = vtkPolyDataMapper(), vtkActor()
+        mapper.SetInputData(data)
+        actor.SetMapper(mapper)
+        renderer.AddActor(actor)
+        material, surface = described["material"], actor.GetProperty()
+        surface.SetColor(material["color"])
+        if "emission" in material:
             surface.SetAmbient(1)
-            surface.SetAmbientColor(emission)
-        renderer.AddActor(part)
+            surface.SetAmbientColor(material["emission"])
+        else:
+            surface.SetInterpolationToPBR()  # shown with the same curve as the solution
+            surface.SetRoughness(material["roughness"])
+            surface.SetBaseIOR(material["ior"])
     return renderer
 
 
 def look(renderer, turn):
     camera = vtkCamera()
-    camera.SetPosition(278, 273, -800)
-    camera.SetFocalPoint(278, 273, 280)
-    camera.SetViewAngle(39.3)
+    camera.SetPosition(SCENE["camera"]["position"])
+    camera.SetFocalPoint(SCENE["camera"]["focal"][0], SCENE["camera"]["focal"][1], 280)  # the room's middle
+    camera.SetViewAngle(SCENE["camera"]["angle"])
     camera.Azimuth(turn)
     renderer.SetActiveCamera(camera)
     renderer.ResetCameraClippingRange()
@@ -86,10 +71,10 @@ def look(renderer, turn):
 sheet = Image.new("RGB", (2 * width, 2 * width))
 for column, renderer in enumerate((solved(), scene())):
     if column == 1:
-        penumbra.enable(renderer, "reference", path_tracing__samples=samples)
+        penumbra.enable(renderer, "reference", path_tracing__samples=paths)
     window = penumbra.window(renderer, size=(width, width))
     for row, turn in enumerate((0, 12)):
         look(renderer, turn)
-        frames = samples if column == 1 else 1
-        sheet.paste(Image.fromarray(penumbra.render(window, frames=frames)), (column * width, row * width))
+        picture = penumbra.render(window, frames=paths if column == 1 else 1)
+        sheet.paste(Image.fromarray(picture), (column * width, row * width))
 sheet.save(sys.argv[2])

@@ -30,7 +30,8 @@ void AddQuad(PatchMesh& mesh, const std::array<Point, 4>& corners, std::uint32_t
   mesh.Add({ at[0], at[2], at[3] }, surface, Color(1.0));
 }
 
-void AddBox(PatchMesh& mesh, const Point& low, const Point& high, std::uint32_t surface, bool inside)
+void AddBox(
+  PatchMesh& mesh, const Point& low, const Point& high, std::uint32_t surface, bool inside)
 {
   const auto corner = [&](int i) {
     return Point((i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z);

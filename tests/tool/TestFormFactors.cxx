@@ -68,8 +68,8 @@ void Expect(const char* name, Exchange& exchange, double expected)
   MakeReciprocal(exchange.Traced.Matrix, exchange.Elements, exchange.Traced.Escaped);
   const double both = exchange.Factor(0, 1);
   std::printf("%s: %.6f; traced %.6f (%+.3f %%), back %.6f (%+.3f %%), combined %.6f (%+.3f %%)\n",
-    name, expected, there, 100.0 * (there / expected - 1.0), back,
-    100.0 * (back / expected - 1.0), both, 100.0 * (both / expected - 1.0));
+    name, expected, there, 100.0 * (there / expected - 1.0), back, 100.0 * (back / expected - 1.0),
+    both, 100.0 * (both / expected - 1.0));
   for (const double measured : { there, back, both })
   {
     EXPECT_NEAR(measured / expected, 1.0, 0.005) << name;
@@ -123,7 +123,8 @@ TEST(FormFactors, SmallAreaUnderAUnitSquare)
   const double expected = 4.0 / (2.0 * Pi) * 2.0 * a * std::atan(a);
   const Point origin(0.0);
   const Point up(0.0, 0.0, 1.0);
-  const double exact = PointFactor(origin, up, { { { -0.5, -0.5, 1 }, { -0.5, 0.5, 1 }, { 0.5, 0.5, 1 } } }) +
+  const double exact =
+    PointFactor(origin, up, { { { -0.5, -0.5, 1 }, { -0.5, 0.5, 1 }, { 0.5, 0.5, 1 } } }) +
     PointFactor(origin, up, { { { -0.5, -0.5, 1 }, { 0.5, 0.5, 1 }, { 0.5, -0.5, 1 } } });
   Exchange e;
   constexpr double h = 0.001;
@@ -146,7 +147,8 @@ TEST(FormFactors, BelowTheHorizonNothingIsSeen)
   // A vertical wall from -1 to 1 shows the half of it that is above.
   const std::array<Point, 3> whole = { { { 1, -1, -1 }, { 1, 1, -1 }, { 1, 0, 1 } } };
   const std::array<Point, 3> above = { { { 1, -0.5, 0 }, { 1, 0.5, 0 }, { 1, 0, 1 } } };
-  EXPECT_NEAR(PointFactor(origin, { 0, 0, 1 }, whole), PointFactor(origin, { 0, 0, 1 }, above), 1e-12);
+  EXPECT_NEAR(
+    PointFactor(origin, { 0, 0, 1 }, whole), PointFactor(origin, { 0, 0, 1 }, above), 1e-12);
   EXPECT_EQ(PointFactor(origin, { -1, 0, 0 }, whole), 0.0);
 }
 
@@ -189,8 +191,9 @@ TEST(FormFactors, RowsOfAClosedSceneSumTo1AndAreReciprocal)
       apart = std::max(apart, std::abs(one / two - 1.0));
     }
   }
-  std::printf("closed scene: rows sum to 1 within %.2e as traced, %.2e combined; A F there %.5f, back "
-              "%.5f (%+.3f %%) as traced, every pair within %.2e combined\n",
+  std::printf(
+    "closed scene: rows sum to 1 within %.2e as traced, %.2e combined; A F there %.5f, back "
+    "%.5f (%+.3f %%) as traced, every pair within %.2e combined\n",
     traced, balanced, there, back, 100.0 * (back / there - 1.0), apart);
   EXPECT_LT(traced, 0.002);
   EXPECT_LT(balanced, 0.002);

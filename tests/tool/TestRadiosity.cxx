@@ -23,7 +23,8 @@ PatchMesh Room()
   PatchMesh mesh;
   AddBox(mesh, Point(-1.0), Point(1.0), AddMatte(mesh, { 0.8, 0.6, 0.3 }), true);
   AddBox(mesh, { -0.5, -0.6, -1.0 }, { 0.3, 0.2, 0.2 }, AddMatte(mesh, { 0.2, 0.5, 0.7 }), false);
-  AddQuad(mesh, { { { 0.3, 0.3, 0.99 }, { 0.3, 0.8, 0.99 }, { 0.8, 0.8, 0.99 }, { 0.8, 0.3, 0.99 } } },
+  AddQuad(mesh,
+    { { { 0.3, 0.3, 0.99 }, { 0.3, 0.8, 0.99 }, { 0.8, 0.8, 0.99 }, { 0.8, 0.3, 0.99 } } },
     AddMatte(mesh, Color(0.0), Color(5.0)));
   return mesh;
 }
@@ -67,8 +68,8 @@ TEST(Radiosity, ClosedBoxGivesEmissionOverAbsorption)
       const bool room = solution.Elements[i].Area > 0.0 && solution.Escaped[i] < 0.5f;
       worst = room ? std::max(worst, std::abs(solution.Radiosity[i].x / expected - 1.0)) : worst;
     }
-    std::printf("closed box, reflectance %.1f: E / (1 - rho) within %.3f %%\n", reflectance,
-      100.0 * worst);
+    std::printf(
+      "closed box, reflectance %.1f: E / (1 - rho) within %.3f %%\n", reflectance, 100.0 * worst);
     EXPECT_LT(worst, 0.01);
   }
 }
@@ -77,7 +78,8 @@ TEST(Radiosity, AimedLightFillsAClosedBox)
 {
   PatchMesh mesh;
   AddBox(mesh, Point(-1.0), Point(1.0), AddMatte(mesh, Color(0.5), Color(1.0)), true);
-  AddBox(mesh, { -0.5, -0.6, -0.9 }, { 0.3, 0.2, 0.4 }, AddMatte(mesh, Color(0.5), Color(1.0)), false);
+  AddBox(
+    mesh, { -0.5, -0.6, -0.9 }, { 0.3, 0.2, 0.4 }, AddMatte(mesh, Color(0.5), Color(1.0)), false);
   Cut(mesh, 0.5);
   const std::vector<Element> elements = MakeElements(mesh);
   const PatchRays rays(elements);
@@ -94,8 +96,9 @@ TEST(Radiosity, AimedLightFillsAClosedBox)
       area += elements[i].Area;
     }
   }
-  std::printf("aimed at every wall: irradiance pi L within %.3f %% (standard deviation), %+.4f %% in the "
-              "mean\n",
+  std::printf(
+    "aimed at every wall: irradiance pi L within %.3f %% (standard deviation), %+.4f %% in the "
+    "mean\n",
     100.0 * std::sqrt(square / area), 100.0 * (sum / area - 1.0));
   EXPECT_LT(std::sqrt(square / area), 0.01);
   EXPECT_NEAR(sum / area, 1.0, 0.001);
@@ -164,7 +167,8 @@ TEST(Radiosity, StatedErrorIsWhatChanceMakes)
 TEST(Radiosity, LampsGiveWhatVtkMeans)
 {
   PatchMesh mesh;
-  AddQuad(mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } } }, AddMatte(mesh, Color(0.5)));
+  AddQuad(
+    mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } } }, AddMatte(mesh, Color(0.5)));
   Illumination light;
   light.Lamps.resize(1);
   Lamp& lamp = light.Lamps[0];
@@ -176,7 +180,8 @@ TEST(Radiosity, LampsGiveWhatVtkMeans)
   EXPECT_EQ(slanted.Irradiance[1].x, 0.0) << "the back";
   // A disc's worth of light: an emitter seen from a point on its axis.
   PatchMesh under;
-  AddQuad(under, { { { -0.01, -0.01, 0 }, { 0.01, -0.01, 0 }, { 0.01, 0.01, 0 }, { -0.01, 0.01, 0 } } },
+  AddQuad(under,
+    { { { -0.01, -0.01, 0 }, { 0.01, -0.01, 0 }, { 0.01, 0.01, 0 }, { -0.01, 0.01, 0 } } },
     AddMatte(under, Color(0.5)));
   AddDisc(under, 0.5, 1.0, false, AddMatte(under, Color(0.0), Color(2.0)));
   const Solution disc = Solve(under, {}, settings);
@@ -188,7 +193,8 @@ TEST(Radiosity, LampsGiveWhatVtkMeans)
 TEST(Radiosity, ShadowsAreCut)
 {
   PatchMesh mesh;
-  AddQuad(mesh, { { { -2, -2, 0 }, { 2, -2, 0 }, { 2, 2, 0 }, { -2, 2, 0 } } }, AddMatte(mesh, Color(0.5)));
+  AddQuad(mesh, { { { -2, -2, 0 }, { 2, -2, 0 }, { 2, 2, 0 }, { -2, 2, 0 } } },
+    AddMatte(mesh, Color(0.5)));
   AddQuad(mesh, { { { -0.5, -0.5, 1 }, { 0.5, -0.5, 1 }, { 0.5, 0.5, 1 }, { -0.5, 0.5, 1 } } },
     AddMatte(mesh, Color(0.5)));
   Illumination light;

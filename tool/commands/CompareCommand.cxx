@@ -35,7 +35,8 @@ public:
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
     command->add_option("--mask-above", this->Measuring.MaskAbove,
-      "leave out pixels, and their neighbours, where a channel of either picture is above this: lamps "
+      "leave out pixels, and their neighbours, where a channel of either picture is above this: "
+      "lamps "
       "in view (SSIM sees them all)");
     command->add_option("--diff", this->Difference, "write a picture of the absolute difference");
     command->add_option("--diff-gain", this->Gain, "the difference times this")

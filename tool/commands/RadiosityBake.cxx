@@ -107,9 +107,10 @@ public:
       ->add_option("--plot", this->Plot, "chart of the residual over the work: .png, .jpg, .tif")
       ->group(group);
     command->add_flag("--flat", this->Flat, "show patches in one colour each")->group(group);
-    command->footer("Examples:\n"
-                    "  penumbra bake radiosity examples/cornell.json -o cornell.vtp --view cornell.png\n"
-                    "  penumbra bake radiosity room.json --patch-size 0.1 --rays 1024 -o room.vtp");
+    command->footer(
+      "Examples:\n"
+      "  penumbra bake radiosity examples/cornell.json -o cornell.vtp --view cornell.png\n"
+      "  penumbra bake radiosity room.json --patch-size 0.1 --rays 1024 -o room.vtp");
     return command;
   }
 
@@ -159,7 +160,8 @@ private:
     if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 ||
       std::filesystem::is_directory(output))
     {
-      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to", output);
+      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
+        output);
     }
     for (const std::string& picture : { this->View, this->Plot })
     {
@@ -185,7 +187,8 @@ private:
     {
       FailUsage("{}", UnknownName("solver", this->Solver, "", { "gathering", "shooting", "both" }));
     }
-    s.Method = this->Solver == "shooting" ? radiosity::Solver::Shooting : radiosity::Solver::Gathering;
+    s.Method =
+      this->Solver == "shooting" ? radiosity::Solver::Shooting : radiosity::Solver::Gathering;
     s.Both = this->Solver == "both";
     s.Reciprocal = !this->OneWay;
   }
@@ -210,16 +213,17 @@ private:
   radiosity::Solution Solve(radiosity::GatheredScene scene, Console& console) const
   {
     StageSteps steps(console);
-    return this->Try(
-      [&] { return radiosity::Solve(std::move(scene.Mesh), scene.Light, this->Settings, steps.Watch()); });
+    return this->Try([&] {
+      return radiosity::Solve(std::move(scene.Mesh), scene.Light, this->Settings, steps.Watch());
+    });
   }
 
   static void Comment(const radiosity::Solution& solution, Console& console)
   {
     if (solution.SizeGrown)
     {
-      console.Note(fmt::format("patches are up to {:.3g} wide, to be few enough for --max-patches",
-        solution.PatchSize));
+      console.Note(fmt::format(
+        "patches are up to {:.3g} wide, to be few enough for --max-patches", solution.PatchSize));
     }
     if (solution.RefinementCut)
     {
@@ -227,7 +231,8 @@ private:
     }
     if (solution.EmissionByRays)
     {
-      console.Note("much of the scene shines and is found by chance: more --rays make its light smoother");
+      console.Note(
+        "much of the scene shines and is found by chance: more --rays make its light smoother");
     }
   }
 
@@ -278,16 +283,18 @@ private:
       }
       return steps;
     };
-    const radiosity::Reflected& chosen = this->Settings.Method == radiosity::Solver::Gathering
-      ? solution.Gathered : solution.Shot;
+    const radiosity::Reflected& chosen =
+      this->Settings.Method == radiosity::Solver::Gathering ? solution.Gathered : solution.Shot;
     const double residual = chosen.History.empty() ? 0.0 : chosen.History.back().Residual;
     const double error = radiosity::RelativeError(solution);
     if (!this->Options.Statistics)
     {
-      std::cout << fmt::format("{} patches, {} rays from each side; residual {:.2g} after {} steps; "
-                               "irradiance is off by chance by {:.2g} % of its mean; {:.1f} s\n",
-        solution.Elements.size() / 2, solution.Matrix.Rays, residual, chosen.History.size(),
-        100.0 * error, seconds) << std::flush;
+      std::cout << fmt::format(
+                     "{} patches, {} rays from each side; residual {:.2g} after {} steps; "
+                     "irradiance is off by chance by {:.2g} % of its mean; {:.1f} s\n",
+                     solution.Elements.size() / 2, solution.Matrix.Rays, residual,
+                     chosen.History.size(), 100.0 * error, seconds)
+                << std::flush;
       return;
     }
     nlohmann::ordered_json report = { { "output", this->Options.Output },

@@ -163,8 +163,7 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
 }
 }
 
-void DeclareSceneOptions(
-  CLI::App& command, RenderOptions& options, const char* size, bool drawn)
+void DeclareSceneOptions(CLI::App& command, RenderOptions& options, const char* size, bool drawn)
 {
   DeclareData(command, options);
   DeclareLook(command, options);

@@ -30,9 +30,8 @@ namespace
 constexpr int Width = 640;
 constexpr int Height = 400;
 constexpr int FontSize = 13;
-constexpr std::array<std::array<unsigned char, 3>, 4> Colors = {
-  { { 38, 96, 176 }, { 196, 60, 52 }, { 86, 168, 96 }, { 120, 90, 160 } }
-};
+constexpr std::array<std::array<unsigned char, 3>, 4> Colors = { { { 38, 96, 176 }, { 196, 60, 52 },
+  { 86, 168, 96 }, { 120, 90, 160 } } };
 
 vtkAxis* SetAxis(vtkChartXY* chart, int which, const std::string& title, double low, double high)
 {

@@ -61,8 +61,8 @@ double ShareSeen(const Receiver& receiver, const Element& emitter, const PatchRa
     }
     const double distance = receiver.Height / -glm::dot(direction, emitter.Normal);
     ++tried;
-    reached += rays.Blocked(receiver.At, receiver.Normal,
-                 receiver.At + distance * direction, emitter.Normal)
+    reached +=
+      rays.Blocked(receiver.At, receiver.Normal, receiver.At + distance * direction, emitter.Normal)
       ? 0
       : 1;
   }

@@ -15,9 +15,9 @@ struct Lamp
   Color Strength{ 0.0 }; ///< irradiance that it gives across its way, at distance 0
   bool Positional = false;
   Point Position{ 0.0 };
-  Point Travel{ 0.0, 0.0, -1.0 };        ///< unit, its axis
-  Point Attenuation{ 1.0, 0.0, 0.0 };    ///< by powers of the distance
-  double ConeCosine = -2.0;              ///< of the half angle; below -1: none
+  Point Travel{ 0.0, 0.0, -1.0 };     ///< unit, its axis
+  Point Attenuation{ 1.0, 0.0, 0.0 }; ///< by powers of the distance
+  double ConeCosine = -2.0;           ///< of the half angle; below -1: none
   double Exponent = 1.0;
 };
 

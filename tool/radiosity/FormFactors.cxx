@@ -48,8 +48,7 @@ Row TraceRow(
   for (int i = 0; i < count; ++i)
   {
     const Point direction = CosineDirection(element.Normal, directions[i]);
-    const auto hit =
-      rays.Nearest(element.At(points[i].x, points[i].y), element.Normal, direction);
+    const auto hit = rays.Nearest(element.At(points[i].x, points[i].y), element.Normal, direction);
     if (hit.Element != PatchRays::Nothing)
     {
       met.push_back(hit.Element);
@@ -85,9 +84,8 @@ FactorMatrix Join(const std::vector<std::vector<FactorMatrix::Entry>>& rows, int
 }
 
 /// Of the same exchange between i and j, the estimates from both ends.
-std::vector<FactorMatrix::Entry> Merge(
-  const FactorMatrix& matrix, const FactorMatrix& from, const std::vector<Element>& elements,
-  std::size_t row)
+std::vector<FactorMatrix::Entry> Merge(const FactorMatrix& matrix, const FactorMatrix& from,
+  const std::vector<Element>& elements, std::size_t row)
 {
   // The rays that i sends a unit of its area are the weight of its estimate A_i F_ij.
   std::vector<FactorMatrix::Entry> merged;
@@ -158,8 +156,7 @@ double FactorMatrix::RowSum(std::size_t row) const
 double FactorMatrix::At(std::size_t row, std::size_t column) const
 {
   double found = 0.0;
-  this->ForEachIn(
-    row, [&](std::size_t j, double value) { found += j == column ? value : 0.0; });
+  this->ForEachIn(row, [&](std::size_t j, double value) { found += j == column ? value : 0.0; });
   return found;
 }
 
@@ -209,8 +206,8 @@ FactorMatrix Transpose(const FactorMatrix& matrix)
   return turned;
 }
 
-void MakeReciprocal(FactorMatrix& matrix, const std::vector<Element>& elements,
-  const std::vector<float>& escaped)
+void MakeReciprocal(
+  FactorMatrix& matrix, const std::vector<Element>& elements, const std::vector<float>& escaped)
 {
   const FactorMatrix from = Transpose(matrix);
   std::vector<std::vector<FactorMatrix::Entry>> rows(matrix.Size());

@@ -55,8 +55,8 @@ Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays
 /// which is by the inverse of their variances. Rows are brought back to 1 less what escapes by scaling
 /// rows and columns alike (Sinkhorn and Knopp 1967, Concerning Nonnegative Matrices and Doubly Stochastic
 /// Matrices).
-void MakeReciprocal(FactorMatrix& matrix, const std::vector<Element>& elements,
-  const std::vector<float>& escaped);
+void MakeReciprocal(
+  FactorMatrix& matrix, const std::vector<Element>& elements, const std::vector<float>& escaped);
 
 FactorMatrix Transpose(const FactorMatrix& matrix);
 

@@ -28,8 +28,7 @@ Vertex Middle(const Vertex& a, const Vertex& b)
 }
 }
 
-bool PatchMesh::Add(
-  const std::array<Vertex, 3>& corners, std::uint32_t surface, const Color& tint)
+bool PatchMesh::Add(const std::array<Vertex, 3>& corners, std::uint32_t surface, const Color& tint)
 {
   const Point& a = corners[0].At;
   const Point& b = corners[1].At;
@@ -121,8 +120,8 @@ double PatchMesh::Area(const Face& face) const
 {
   const Point& a = this->Corners[face.Corners[0]].At;
   return 0.5 *
-    glm::length(glm::cross(
-      this->Corners[face.Corners[1]].At - a, this->Corners[face.Corners[2]].At - a));
+    glm::length(
+      glm::cross(this->Corners[face.Corners[1]].At - a, this->Corners[face.Corners[2]].At - a));
 }
 
 double PatchMesh::TotalArea() const

@@ -24,13 +24,13 @@ struct SideMaterial
 {
   bool Present = true; ///< false: seen from there it is not drawn, and light passes
   Color Reflectance{ 0.0 };
-  Color Emission{ 0.0 };    ///< radiance
+  Color Emission{ 0.0 };     ///< radiance
   double TintReflects = 0.0; ///< a tint's share that replaces the reflectance
   double TintEmits = 0.0;    ///< a tint's share that replaces the emission, as radiance
   bool TintsEmission = false;
-  Texture Base;            ///< times the reflectance
+  Texture Base; ///< times the reflectance
   bool BaseOnEmission = false;
-  Texture Glow;            ///< times the emission
+  Texture Glow; ///< times the emission
 };
 
 struct Surface

@@ -46,10 +46,10 @@ struct PatchRays::Internals
   {
     const std::size_t count = elements.size() / 2;
     RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-      RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
-    auto* corners = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(geometry,
-      RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), count));
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * count));
+    auto* corners = static_cast<unsigned int*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned int), count));
     bool passes = false;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -159,8 +159,8 @@ PatchRays::Hit PatchRays::Nearest(
   Hit hit;
   if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID)
   {
-    const double facing = query.hit.Ng_x * direction.x + query.hit.Ng_y * direction.y +
-      query.hit.Ng_z * direction.z;
+    const double facing =
+      query.hit.Ng_x * direction.x + query.hit.Ng_y * direction.y + query.hit.Ng_z * direction.z;
     hit = { 2 * query.hit.primID + (facing < 0.0 ? 0u : 1u), query.ray.tfar, query.hit.u,
       query.hit.v };
   }
@@ -171,15 +171,14 @@ bool PatchRays::Blocked(
   const Point& from, const Point& normal, const Point& to, const Point& toNormal) const
 {
   // Both ends stand off their surfaces, so that neither is in the way.
-  const Point along = (to + this->Internal->Offset * toNormal) -
-    (from + this->Internal->Offset * normal);
+  const Point along =
+    (to + this->Internal->Offset * toNormal) - (from + this->Internal->Offset * normal);
   RTCRay ray = this->Internal->Ray(from, normal, along);
   ray.tfar = 1.0f;
   return this->Internal->Occluded(ray);
 }
 
-bool PatchRays::BlockedTowards(
-  const Point& from, const Point& normal, const Point& direction) const
+bool PatchRays::BlockedTowards(const Point& from, const Point& normal, const Point& direction) const
 {
   RTCRay ray = this->Internal->Ray(from, normal, direction);
   return this->Internal->Occluded(ray);

@@ -91,8 +91,8 @@ bool ShinesEvenly(const Surface& surface, int side)
     !(surface.Tints == Surface::OfPoints && material.TintsEmission);
 }
 
-void AddEmitters(const PatchMesh& mesh, const std::vector<Face>& faces, bool even,
-  std::vector<Element>& emitters)
+void AddEmitters(
+  const PatchMesh& mesh, const std::vector<Face>& faces, bool even, std::vector<Element>& emitters)
 {
   for (const Face& face : faces)
   {

@@ -55,7 +55,8 @@ public:
   Hit Nearest(const Point& from, const Point& normal, const Point& direction) const;
   /// Whether something is between a point on a surface and another; a normal of 0 for a point in free
   /// space.
-  bool Blocked(const Point& from, const Point& normal, const Point& to, const Point& toNormal) const;
+  bool Blocked(
+    const Point& from, const Point& normal, const Point& to, const Point& toNormal) const;
   /// Whether something is in the way at any distance.
   bool BlockedTowards(const Point& from, const Point& normal, const Point& direction) const;
 

@@ -97,9 +97,8 @@ std::vector<Color> Arriving(const PatchMesh& mesh, const Illumination& light,
     arriving[i] += factors.SkyIrradiance[i];
     if (solution.EmissionByRays)
     {
-      factors.Matrix.ForEachIn(i, [&](std::size_t j, double share) {
-        arriving[i] += share * solution.Elements[j].Emission;
-      });
+      factors.Matrix.ForEachIn(i,
+        [&](std::size_t j, double share) { arriving[i] += share * solution.Elements[j].Emission; });
     }
   }
   return arriving;
@@ -144,8 +143,8 @@ void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings&
     direct[i] -= factors.SkyIrradiance[i];
     if (solution.EmissionByRays)
     {
-      factors.Matrix.ForEachIn(
-        i, [&](std::size_t j, double share) { direct[i] -= share * solution.Elements[j].Emission; });
+      factors.Matrix.ForEachIn(i,
+        [&](std::size_t j, double share) { direct[i] -= share * solution.Elements[j].Emission; });
     }
   }
   watch.Begin("solving");
@@ -171,8 +170,8 @@ void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings&
   {
     solution.Radiosity[i] = solution.Elements[i].Emission + chosen.Light[i];
   }
-  solution.Error = GatherError(
-    factors.Matrix, solution.EmissionByRays ? solution.Radiosity : chosen.Light);
+  solution.Error =
+    GatherError(factors.Matrix, solution.EmissionByRays ? solution.Radiosity : chosen.Light);
   LightPoints(mesh, rays, sources, direct, settings, solution, watch);
   for (const auto& entry : factors.Matrix.Entries)
   {

@@ -21,15 +21,15 @@ enum class Solver
 
 struct Settings
 {
-  double PatchSize = 0.0;        ///< longest edge, world units; 0: a share of the diagonal
+  double PatchSize = 0.0; ///< longest edge, world units; 0: a share of the diagonal
   std::size_t MaximumPatches = 100000;
-  int Rays = 256;                ///< from each side of a patch
-  int ShadowPoints = 16;         ///< of each side of a patch, for direct light
-  int Refinements = 1;           ///< times that patches are cut where light changes steeply
-  double Steepness = 0.15;        ///< a patch is cut if light changes by more, of the mean
-  bool Reciprocal = true;        ///< both estimates of an exchange are combined
-  double Tolerance = 1e-5;       ///< of the residual
-  bool Both = false;             ///< solve the other way too
+  int Rays = 256;          ///< from each side of a patch
+  int ShadowPoints = 16;   ///< of each side of a patch, for direct light
+  int Refinements = 1;     ///< times that patches are cut where light changes steeply
+  double Steepness = 0.15; ///< a patch is cut if light changes by more, of the mean
+  bool Reciprocal = true;  ///< both estimates of an exchange are combined
+  double Tolerance = 1e-5; ///< of the residual
+  bool Both = false;       ///< solve the other way too
   Solver Method = Solver::Gathering;
 };
 
@@ -42,19 +42,19 @@ struct Illumination
 struct Solution
 {
   std::vector<Element> Elements;
-  std::vector<Color> Radiosity;  ///< radiant exitance of each element
+  std::vector<Color> Radiosity; ///< radiant exitance of each element
   std::vector<Color> Irradiance;
-  std::vector<Color> Error;      ///< standard error of the irradiance by chance
-  SmoothPoints Points;           ///< for a view without steps between patches
-  Reflected Gathered;            ///< the chosen solver's, or both
+  std::vector<Color> Error; ///< standard error of the irradiance by chance
+  SmoothPoints Points;      ///< for a view without steps between patches
+  Reflected Gathered;       ///< the chosen solver's, or both
   Reflected Shot;
   FactorMatrix Matrix;
   std::vector<float> Escaped;
   double PatchSize = 0.0;
-  double FactorError = 0.0;      ///< greatest standard error of a form factor by chance
-  bool EmissionByRays = false;   ///< not aimed at, as much of the scene shines
-  bool RefinementCut = false;    ///< steep places stay coarse, as patches would be too many
-  bool SizeGrown = false;        ///< patches are larger than asked for, to be few enough
+  double FactorError = 0.0;    ///< greatest standard error of a form factor by chance
+  bool EmissionByRays = false; ///< not aimed at, as much of the scene shines
+  bool RefinementCut = false;  ///< steep places stay coarse, as patches would be too many
+  bool SizeGrown = false;      ///< patches are larger than asked for, to be few enough
 };
 
 /// Tells what is being done, how far.
@@ -66,8 +66,8 @@ struct Watch
 
 /// Throws std::runtime_error, with a sentence, where there is nothing to light, no light, or more than
 /// is allowed.
-Solution Solve(PatchMesh mesh, const Illumination& light, const Settings& settings,
-  const Watch& watch = {});
+Solution Solve(
+  PatchMesh mesh, const Illumination& light, const Settings& settings, const Watch& watch = {});
 
 /// By how much chance moves the irradiance: the root mean square of its standard error, over the mean of
 /// what is lit, by area.

@@ -64,8 +64,8 @@ inline int GridSide(int samples)
 /// Pharr, Jakob and Humphreys 2016, Physically Based Rendering, section 13.6.3).
 inline Point CosineDirection(const Point& normal, const glm::dvec2& u)
 {
-  const Point side = glm::normalize(
-    glm::cross(normal, std::abs(normal.x) < 0.5 ? Point(1, 0, 0) : Point(0, 1, 0)));
+  const Point side =
+    glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.5 ? Point(1, 0, 0) : Point(0, 1, 0)));
   const double angle = 2.0 * glm::pi<double>() * u.y;
   const double radius = std::sqrt(u.x);
   return radius * (std::cos(angle) * side + std::sin(angle) * glm::cross(normal, side)) +

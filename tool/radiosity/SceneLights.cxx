@@ -25,8 +25,7 @@ Point ToPoint(const double* v)
 Lamp MakeLamp(vtkLight* light)
 {
   Lamp lamp;
-  lamp.Strength =
-    ToPoint(light->GetDiffuseColor()) * (light->GetIntensity() * glm::pi<double>());
+  lamp.Strength = ToPoint(light->GetDiffuseColor()) * (light->GetIntensity() * glm::pi<double>());
   lamp.Positional = light->GetPositional() != 0;
   double at[3];
   double focal[3];
@@ -47,8 +46,8 @@ Lamp MakeLamp(vtkLight* light)
 
 Sky MakeSky(vtkRenderer* renderer, std::vector<std::string>& notes)
 {
-  vtkTexture* texture = renderer->GetUseImageBasedLighting()
-    ? renderer->GetEnvironmentTexture() : nullptr;
+  vtkTexture* texture =
+    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
   if (!texture)
   {
     return {};
@@ -70,9 +69,10 @@ Sky MakeSky(vtkRenderer* renderer, std::vector<std::string>& notes)
     const Point d(glm::dot(direction, right), glm::dot(direction, up), glm::dot(direction, front));
     const double u = std::atan2(d.z, d.x) / (2.0 * glm::pi<double>()) + 0.5;
     const double v = std::asin(std::clamp(d.y, -1.0, 1.0)) / glm::pi<double>() + 0.5;
-    return glm::max(Color(pixels->At(
-      std::clamp(static_cast<int>(u * pixels->Width), 0, pixels->Width - 1),
-      std::clamp(static_cast<int>(v * pixels->Height), 0, pixels->Height - 1))), 0.0);
+    return glm::max(
+      Color(pixels->At(std::clamp(static_cast<int>(u * pixels->Width), 0, pixels->Width - 1),
+        std::clamp(static_cast<int>(v * pixels->Height), 0, pixels->Height - 1))),
+      0.0);
   };
 }
 }

@@ -79,8 +79,7 @@ SideMaterial MakeSide(
   const int model = flags & GI_SURFACE_MODEL;
   const double diffuse = model == GI_SURFACE_PBR ? 1.0 - surface.Factors.z : 1.0;
   SideMaterial side;
-  side.Present = (flags & (front ? GI_SURFACE_CULL_FRONT
-                                 : GI_SURFACE_CULL_BACK)) == 0;
+  side.Present = (flags & (front ? GI_SURFACE_CULL_FRONT : GI_SURFACE_CULL_BACK)) == 0;
   side.Reflectance = Color(surface.Color) * diffuse;
   side.Emission = Color(surface.Emission);
   side.TintReflects = surface.Factors.x * diffuse;
@@ -88,8 +87,8 @@ SideMaterial MakeSide(
   side.TintEmits = surface.Factors.y;
   if (front || (flags & GI_SURFACE_FRONT_PICTURES) == 0)
   {
-    side.Base = pictures(part.Pictures[ColorPicture] ? part.Pictures[ColorPicture]
-                                                     : part.Pictures[BasePicture]);
+    side.Base = pictures(
+      part.Pictures[ColorPicture] ? part.Pictures[ColorPicture] : part.Pictures[BasePicture]);
     side.BaseOnEmission = model != GI_SURFACE_PBR;
     side.Glow = pictures(part.Pictures[EmissionPicture]);
   }
@@ -167,7 +166,8 @@ public:
     const int model = part.Surface.Where.z & GI_SURFACE_MODEL;
     const bool highlight = model == GI_SURFACE_PBR
       ? part.Surface.Specular.w > 0.0f || part.Surface.Factors.z > 0.0f
-      : model == GI_SURFACE_PHONG && part.Surface.Specular != glm::vec4(0, 0, 0, part.Surface.Specular.w);
+      : model == GI_SURFACE_PHONG &&
+        part.Surface.Specular != glm::vec4(0, 0, 0, part.Surface.Specular.w);
     this->Left.Shiny = this->Left.Shiny || highlight;
     if (!part.Places)
     {
@@ -187,11 +187,12 @@ private:
   {
     Surface surface;
     surface.Sides[0] = MakeSide(part.Surface, part, true, this->Pictures);
-    surface.Sides[1] = MakeSide(part.HasBack ? part.Back : part.Surface, part, false, this->Pictures);
+    surface.Sides[1] =
+      MakeSide(part.HasBack ? part.Back : part.Surface, part, false, this->Pictures);
     const int flags = part.Surface.Where.z;
-    surface.Tints = (flags & GI_SURFACE_POINT_COLORS) != 0        ? Surface::OfPoints
+    surface.Tints = (flags & GI_SURFACE_POINT_COLORS) != 0                ? Surface::OfPoints
       : (flags & (GI_SURFACE_CELL_COLORS | GI_SURFACE_PLACE_COLORS)) != 0 ? Surface::OfFaces
-                                                                  : Surface::Untinted;
+                                                                          : Surface::Untinted;
     return surface;
   }
 
@@ -213,20 +214,22 @@ private:
         const std::uint32_t index = geometry.Triangles[i][k];
         const shared::RayPoint& from = attributes.Points[index];
         Vertex& corner = corners[mirrored ? (3 - k) % 3 : k];
-        corner.At = Point(toWorld * glm::dvec4(geometry.Origin + glm::dvec3(geometry.Points[index]), 1.0));
+        corner.At =
+          Point(toWorld * glm::dvec4(geometry.Origin + glm::dvec3(geometry.Points[index]), 1.0));
         corner.Tint = look.Tints == Surface::OfPoints ? Unpack(from.Color) : Color(1.0);
         corner.Uv = look.Sides[0].Base || look.Sides[0].Glow
-          ? glm::dvec2(from.TextureU, from.TextureV) : glm::dvec2(0.0);
+          ? glm::dvec2(from.TextureU, from.TextureV)
+          : glm::dvec2(0.0);
       }
       if (i < albedos.size() || i < glows.size())
       {
-        surface = this->OwnSurface(look, i < albedos.size() ? &albedos[i] : nullptr,
-          i < glows.size() ? &glows[i] : nullptr);
+        surface = this->OwnSurface(
+          look, i < albedos.size() ? &albedos[i] : nullptr, i < glows.size() ? &glows[i] : nullptr);
       }
       const std::uint32_t color = place && (part.Surface.Where.z & GI_SURFACE_PLACE_COLORS) != 0
-        ? place->Color : attributes.Primitives[i].Color;
-      this->Left.Triangles +=
-        this->Scene.Mesh.Add(corners, surface, Unpack(color)) ? 0 : 1;
+        ? place->Color
+        : attributes.Primitives[i].Color;
+      this->Left.Triangles += this->Scene.Mesh.Add(corners, surface, Unpack(color)) ? 0 : 1;
     }
   }
 

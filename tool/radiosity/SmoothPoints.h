@@ -13,8 +13,10 @@ struct SmoothPoints
 {
   struct Corner
   {
-    Point At{ 0.0 };     ///< the vertex
-    Point Inside{ 0.0 }; ///< a little towards the patches' middle, clear of what stands at their edge
+    Point At{ 0.0 }; ///< the vertex
+    Point Inside{
+      0.0
+    }; ///< a little towards the patches' middle, clear of what stands at their edge
     Point Normal{ 0.0 };
   };
   std::vector<Corner> Points;

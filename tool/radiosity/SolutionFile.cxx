@@ -95,8 +95,8 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
     for (int k = 0; k < 3; ++k)
     {
       constexpr double white = 255.0;
-      shown->InsertNextValue(static_cast<unsigned char>(
-        std::lround(white * Display(light[k] / glm::pi<double>()))));
+      shown->InsertNextValue(
+        static_cast<unsigned char>(std::lround(white * Display(light[k] / glm::pi<double>()))));
     }
   }
   data->SetPoints(points);
@@ -142,8 +142,8 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const Solution& solution)
     error->InsertNextTuple(&solution.Error[i][0]);
   }
   data->SetPolys(cells);
-  for (vtkFloatArray* array : { radiosity.Get(), irradiance.Get(), albedo.Get(), emission.Get(),
-         error.Get() })
+  for (vtkFloatArray* array :
+    { radiosity.Get(), irradiance.Get(), albedo.Get(), emission.Get(), error.Get() })
   {
     data->GetCellData()->AddArray(array);
   }
@@ -163,8 +163,8 @@ void WriteSolution(const std::string& file, const Solution& solution)
   if (writer->Write() == 0)
   {
     std::filesystem::remove(partial, error);
-    throw std::runtime_error("'" + file +
-      "' cannot be written: make room on the disk, or choose another file with -o");
+    throw std::runtime_error(
+      "'" + file + "' cannot be written: make room on the disk, or choose another file with -o");
   }
   std::filesystem::rename(partial, file, error);
   if (error)

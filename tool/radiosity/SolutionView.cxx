@@ -64,8 +64,7 @@ Color BackgroundAt(vtkRenderer* renderer, double height)
 {
   const double* bottom = renderer->GetBackground();
   const double* top = renderer->GetGradientBackground() ? renderer->GetBackground2() : bottom;
-  return glm::mix(
-    Color(bottom[0], bottom[1], bottom[2]), Color(top[0], top[1], top[2]), height);
+  return glm::mix(Color(bottom[0], bottom[1], bottom[2]), Color(top[0], top[1], top[2]), height);
 }
 }
 

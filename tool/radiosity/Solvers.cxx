@@ -134,8 +134,7 @@ Reflected ShootLight(
   return result;
 }
 
-std::vector<Color> TotalIrradiance(
-  const LightBalance& balance, const std::vector<Color>& reflected)
+std::vector<Color> TotalIrradiance(const LightBalance& balance, const std::vector<Color>& reflected)
 {
   std::vector<Color> irradiance = balance.Arriving;
   for (std::size_t i = 0; i < irradiance.size(); ++i)

@@ -34,8 +34,7 @@ SeenTriangle::SeenTriangle(const Point& at, const std::array<Point, 3>& triangle
   // Van Oosterom and Strackee 1983, The Solid Angle of a Plane Triangle.
   const double volume = std::abs(glm::dot(t[0], glm::cross(t[1], t[2])));
   this->Excess = 2.0 *
-    std::atan2(volume,
-      1.0 + glm::dot(t[0], t[1]) + glm::dot(t[1], t[2]) + glm::dot(t[2], t[0]));
+    std::atan2(volume, 1.0 + glm::dot(t[0], t[1]) + glm::dot(t[1], t[2]) + glm::dot(t[2], t[0]));
   // Below this the arithmetic of angles has too few digits left.
   constexpr double least = 1e-6;
   this->Small = !(this->Excess > least);
@@ -63,8 +62,8 @@ Point SeenTriangle::Direction(const glm::dvec2& u) const
   const double p = c - cosine;
   const double q = s + sine * this->CosineOpposite;
   const double below = (q * s + p * c) * sine;
-  const double along = below != 0.0
-    ? std::clamp(((q * c - p * s) * cosine - q) / below, -1.0, 1.0) : 1.0;
+  const double along =
+    below != 0.0 ? std::clamp(((q * c - p * s) * cosine - q) / below, -1.0, 1.0) : 1.0;
   const Point third = along * t[0] + std::sqrt(1.0 - along * along) * Across(t[2], t[0]);
   // And then a point between it and the second, evenly by area of the sphere.
   const double height = 1.0 - u.y * (1.0 - glm::dot(third, t[1]));
