@@ -190,6 +190,30 @@ TEST(Radiosity, LampsGiveWhatVtkMeans)
   EXPECT_NEAR(disc.Irradiance[0].x / expected, 1.0, 0.001);
 }
 
+TEST(Radiosity, CornersOfCurvedSurfacesDoNotShadowThemselves)
+{
+  // A flat roof: the mean of what is around its ridge lies below it.
+  PatchMesh mesh;
+  const std::uint32_t matte = AddMatte(mesh, Color(0.5));
+  AddQuad(mesh, { { { -1, -1, 0 }, { 0, -1, 0.2 }, { 0, 1, 0.2 }, { -1, 1, 0 } } }, matte);
+  AddQuad(mesh, { { { 0, -1, 0.2 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, 1, 0.2 } } }, matte);
+  Illumination light;
+  light.Lamps.resize(1);
+  light.Lamps[0].Strength = Color(1.0);
+  const Solution solution = Solve(mesh, light, Quick());
+  const double expected = 1.0 / std::sqrt(1.0 + 0.2 * 0.2);
+  int ridge = 0;
+  for (std::size_t i = 0; i < solution.Elements.size(); i += 2)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ridge += solution.Elements[i].Corners[k].x == 0.0 ? 1 : 0;
+      EXPECT_NEAR(solution.Points.Irradiance[solution.Points.OfElement[i][k]].x, expected, 1e-9);
+    }
+  }
+  EXPECT_GT(ridge, 8);
+}
+
 TEST(Radiosity, ShadowsAreCut)
 {
   PatchMesh mesh;

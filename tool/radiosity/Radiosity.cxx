@@ -117,12 +117,12 @@ void LightPoints(const PatchMesh& mesh, const PatchRays& rays, const LightSource
   }
   solution.Points.Irradiance = MeanAround(solution.Points, solution.Elements, rest);
   watch.Begin("lighting corners of patches");
-  const auto light = [&](std::size_t i) {
-    const auto& point = solution.Points.Points[i];
-    solution.Points.Irradiance[i] +=
-      ArrivingAt(sources, rays, point.Inside, point.Normal, settings.ShadowPoints, i);
-  };
-  ForEach(solution.Points.Points.size(), light, watch.Advance);
+  const std::vector<Color> light = DirectAround(
+    solution.Points, solution.Elements, rays, sources, settings.ShadowPoints, watch.Advance);
+  for (std::size_t i = 0; i < light.size(); ++i)
+  {
+    solution.Points.Irradiance[i] += light[i];
+  }
 }
 
 void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings& settings,

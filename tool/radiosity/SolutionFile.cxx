@@ -88,7 +88,7 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
   points->SetDataTypeToDouble();
   for (std::size_t i = 0; i < smooth.Points.size(); ++i)
   {
-    points->InsertNextPoint(&smooth.Points[i].At[0]);
+    points->InsertNextPoint(&smooth.Points[i][0]);
     const Color light = emission[i] + reflectance[i] * smooth.Irradiance[i];
     radiosity->InsertNextTuple(&light[0]);
     irradiance->InsertNextTuple(&smooth.Irradiance[i][0]);
