@@ -136,7 +136,8 @@ int RunCommandLine(int argc, char** argv)
              "  penumbra info --parameters\n"
              "  penumbra compare picture.png reference.png --max-relmse 0.01");
   std::vector<Declared> commands;
-  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeLabCommand })
+  for (auto make :
+    { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeLabCommand, MakeBakeCommand })
   {
     auto command = make();
     CLI::App* options = command->Declare(app);

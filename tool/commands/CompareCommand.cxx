@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -33,6 +34,10 @@ public:
         "--tolerance", this->Measuring.Tolerance, "in 255ths: pixels further off are counted")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+    command->add_option("--mask-above", this->Measuring.MaskAbove,
+      "leave out pixels, and their neighbours, where a channel of either picture is above this: "
+      "lamps "
+      "in view (SSIM sees them all)");
     command->add_option("--diff", this->Difference, "write a picture of the absolute difference");
     command->add_option("--diff-gain", this->Gain, "the difference times this")
       ->check(CLI::PositiveNumber)
@@ -80,11 +85,16 @@ public:
 private:
   void Print(const Metrics& metrics) const
   {
-    const nlohmann::ordered_json values = { { "relmse", metrics.RelativeMse },
+    nlohmann::ordered_json values = { { "relmse", metrics.RelativeMse },
       { "signed-mean", metrics.SignedMean }, { "p99", metrics.Percentile99 },
       { "maximum", metrics.Maximum }, { "ssim", metrics.Ssim },
       { "fraction-over", metrics.FractionOver }, { "tolerance", this->Measuring.Tolerance },
       { "epsilon", this->Measuring.Epsilon }, { "non-finite-pixels", metrics.NonFinite } };
+    const bool masks = std::isfinite(this->Measuring.MaskAbove);
+    if (masks)
+    {
+      values["masked-pixels"] = metrics.Masked;
+    }
     if (this->Json)
     {
       std::cout << values.dump(2) << std::endl;
@@ -100,6 +110,10 @@ private:
       metrics.RelativeMse, this->Measuring.Epsilon, metrics.SignedMean, metrics.Percentile99,
       metrics.Maximum, metrics.Ssim, this->Measuring.Tolerance, metrics.FractionOver,
       metrics.NonFinite);
+    if (masks)
+    {
+      fmt::print("masked            {} pixels\n", metrics.Masked);
+    }
   }
 
   int Judge(const Metrics& metrics, Console& console) const

@@ -120,12 +120,16 @@ void DeclareTechniques(CLI::App& command, RenderOptions& options)
   command.add_flag("--stock", options.Stock, "draw as VTK does without Penumbra")->group(group);
 }
 
+void DeclareBackend(CLI::App& command, RenderOptions& options)
+{
+  command.add_option("--backend", options.Backend, "egl, osmesa, x11 or auto")
+    ->capture_default_str()
+    ->group(OutputGroup);
+}
+
 void DeclareDrawing(CLI::App& command, RenderOptions& options, const char* size)
 {
   command.add_option("--size", options.Size, fmt::format("WIDTHxHEIGHT of the picture [{}]", size))
-    ->group(OutputGroup);
-  command.add_option("--backend", options.Backend, "egl, osmesa, x11 or auto")
-    ->capture_default_str()
     ->group(OutputGroup);
   command.add_flag("--stats", options.Statistics, "print statistics and timings as JSON on stdout")
     ->group(OutputGroup);
@@ -155,15 +159,20 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
       "file (.vti) that keeps what was traced: where it exists tracing goes on from it")
     ->group(group);
   DeclareDrawing(command, options, "1280x720");
+  DeclareBackend(command, options);
 }
 }
 
-void DeclareSceneOptions(CLI::App& command, RenderOptions& options, const char* size)
+void DeclareSceneOptions(CLI::App& command, RenderOptions& options, const char* size, bool drawn)
 {
   DeclareData(command, options);
   DeclareLook(command, options);
-  DeclareParameters(command, options);
   DeclareDrawing(command, options, size);
+  if (drawn)
+  {
+    DeclareParameters(command, options);
+    DeclareBackend(command, options);
+  }
 }
 
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options)

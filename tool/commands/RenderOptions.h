@@ -59,8 +59,10 @@ struct RenderOptions
 };
 
 /// What says which scene is drawn and where, without which pictures are made of it: data, look,
-/// parameters, size, backend. size: the default, in words.
-void DeclareSceneOptions(CLI::App& command, RenderOptions& options, const char* size);
+/// parameters, size, backend. size: the default, in words. drawn: false for what is worked out without
+/// OpenGL, which has no parameters of techniques and no backend.
+void DeclareSceneOptions(
+  CLI::App& command, RenderOptions& options, const char* size, bool drawn = true);
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// The scene of the files or the scene file, with what the options say on top. Throws a Failure for an

@@ -9,6 +9,33 @@
 
 namespace penumbra::tool
 {
+namespace
+{
+/// Of each pixel, whether it or one of its eight neighbours is too bright in one of the pictures.
+std::vector<char> TooBright(const Picture& a, const Picture& b, double limit)
+{
+  std::vector<char> bright(a.PixelCount(), 0);
+  for (std::size_t i = 0; i < a.PixelCount() && std::isfinite(limit); ++i)
+  {
+    bool above = false;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      above = above || a.Color(i, channel) > limit || b.Color(i, channel) > limit;
+    }
+    const int x = static_cast<int>(i % a.Width);
+    const int y = static_cast<int>(i / a.Width);
+    for (int v = std::max(0, y - 1); above && v <= std::min(a.Height - 1, y + 1); ++v)
+    {
+      for (int u = std::max(0, x - 1); u <= std::min(a.Width - 1, x + 1); ++u)
+      {
+        bright[static_cast<std::size_t>(v) * a.Width + u] = 1;
+      }
+    }
+  }
+  return bright;
+}
+}
+
 Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options)
 {
   Metrics metrics;
@@ -16,8 +43,14 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
   worst.reserve(a.PixelCount());
   double squares = 0, bias = 0;
   std::size_t over = 0;
+  const std::vector<char> masked = TooBright(a, b, options.MaskAbove);
   for (std::size_t i = 0; i < a.PixelCount(); ++i)
   {
+    if (masked[i])
+    {
+      ++metrics.Masked;
+      continue;
+    }
     double greatest = 0, square = 0;
     for (int channel = 0; channel < 3; ++channel)
     {

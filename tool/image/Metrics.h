@@ -6,12 +6,17 @@
 
 #include "Picture.h"
 
+#include <limits>
+
 namespace penumbra::tool
 {
 struct MetricOptions
 {
   double Epsilon = 1e-2; ///< added to the squared reference in relMSE
   double Tolerance = 2;  ///< in 255ths: a pixel differs where a channel is further off
+  /// Pixels where either picture is brighter in a channel are left out with their neighbours: lamps in
+  /// view, which would outweigh what they light.
+  double MaskAbove = std::numeric_limits<double>::infinity();
 };
 
 struct Metrics
@@ -23,6 +28,7 @@ struct Metrics
   double Ssim = 1;           ///< mean structural similarity of the luminance
   double FractionOver = 0;   ///< pixels further off than the tolerance
   std::size_t NonFinite = 0; ///< pixels with NaN or infinity in either picture, left out
+  std::size_t Masked = 0;    ///< pixels left out as too bright
 };
 
 /// Measures picture a against reference b; both must have the same size.

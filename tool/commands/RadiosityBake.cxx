@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// penumbra bake radiosity: diffuse light between patches, once for all views.
+#include "Command.h"
+#include "RenderOptions.h"
+
+#include "../image/Picture.h"
+#include "../lab/ConvergencePlot.h"
+#include "../radiosity/SceneSurfaces.h"
+#include "../radiosity/SolutionFile.h"
+#include "../radiosity/SolutionView.h"
+#include "../scene/Failure.h"
+#include "../scene/Names.h"
+#include "../scene/SceneBuilder.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include <unistd.h>
+
+namespace penumbra::tool
+{
+namespace
+{
+/// A step for each stage of the solution.
+class StageSteps
+{
+public:
+  explicit StageSteps(Console& console)
+    : Target(console)
+  {
+  }
+  ~StageSteps() { this->End(); }
+
+  radiosity::Watch Watch()
+  {
+    radiosity::Watch watch;
+    watch.Begin = [this](const std::string& what) {
+      this->End();
+      this->Current.emplace(this->Target, what);
+    };
+    watch.Advance = [this](double fraction) {
+      if (this->Current)
+      {
+        this->Current->Advance(fraction);
+      }
+    };
+    return watch;
+  }
+  void End() { this->Current.reset(); }
+
+private:
+  Console& Target;
+  std::optional<Step> Current;
+};
+
+class RadiosityBake : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& app) override
+  {
+    CLI::App* command = app.add_subcommand(
+      "radiosity", "diffuse light between patches of the surfaces, the same from any view");
+    command->add_option("-o,--output", this->Options.Output, "the solution (.vtp)")->required();
+    DeclareSceneOptions(*command, this->Options, "the scene's", false);
+    const char* group = "Radiosity";
+    radiosity::Settings& s = this->Settings;
+    command
+      ->add_option("--patch-size", s.PatchSize,
+        "longest edge of patches, world units [1/40 of the scene's diagonal]")
+      ->group(group);
+    command->add_option("--max-patches", s.MaximumPatches, "refuse to make more")
+      ->capture_default_str()
+      ->group(group);
+    command->add_option("--rays", s.Rays, "from each side of a patch, for form factors")
+      ->capture_default_str()
+      ->group(group);
+    command->add_option("--shadow-points", s.ShadowPoints, "of each patch, for direct light")
+      ->capture_default_str()
+      ->group(group);
+    command
+      ->add_option("--refine", s.Refinements, "times to halve patches where light changes steeply")
+      ->capture_default_str()
+      ->group(group);
+    command
+      ->add_option("--steepness", s.Steepness,
+        "change of irradiance over a patch, of the mean, above which it is halved")
+      ->capture_default_str()
+      ->group(group);
+    command->add_option("--solver", this->Solver, "gathering, shooting, or both, compared")
+      ->capture_default_str()
+      ->group(group);
+    command
+      ->add_option("--tolerance", s.Tolerance, "residual to stop at, of the power first reflected")
+      ->capture_default_str()
+      ->group(group);
+    command->add_flag("--one-way", this->OneWay, "leave form factors as traced, not reciprocal")
+      ->group(group);
+    command->add_option("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr")
+      ->group(group);
+    command
+      ->add_option("--plot", this->Plot, "chart of the residual over the work: .png, .jpg, .tif")
+      ->group(group);
+    command->add_flag("--flat", this->Flat, "show patches in one colour each")->group(group);
+    command->footer(
+      "Examples:\n"
+      "  penumbra bake radiosity examples/cornell.json -o cornell.vtp --view cornell.png\n"
+      "  penumbra bake radiosity room.json --patch-size 0.1 --rays 1024 -o room.vtp");
+    return command;
+  }
+
+  int Run(Console& console) override
+  {
+    console.SetQuiet(this->Options.Quiet);
+    console.SetVerbose(this->Options.Verbose);
+    this->Check();
+    const Scene scene = MakeScene(this->Options);
+    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
+    radiosity::GatheredScene gathered = radiosity::GatherScene(built.Renderer);
+    for (const std::string& note : gathered.Notes)
+    {
+      console.Note(note);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    radiosity::Solution solution = this->Solve(std::move(gathered), console);
+    const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    this->Comment(solution, console);
+    {
+      Step step(console, fmt::format("writing '{}'", this->Options.Output));
+      this->Try([&] { radiosity::WriteSolution(this->Options.Output, solution); });
+    }
+    if (!this->View.empty())
+    {
+      this->Draw(solution, built, scene, console);
+    }
+    if (!this->Plot.empty())
+    {
+      this->DrawPlot(solution, console);
+    }
+    this->Report(solution, seconds);
+    return 0;
+  }
+
+private:
+  void Check()
+  {
+    radiosity::Settings& s = this->Settings;
+    const std::string& output = this->Options.Output;
+    if (std::filesystem::path(output).extension() != ".vtp")
+    {
+      FailUsage("'{}' does not end in .vtp: the solution is a VTK file of polygons", output);
+    }
+    const auto folder = std::filesystem::path(output).parent_path();
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 ||
+      std::filesystem::is_directory(output))
+    {
+      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
+        output);
+    }
+    for (const std::string& picture : { this->View, this->Plot })
+    {
+      if (!picture.empty())
+      {
+        RequireWritablePicture(picture);
+      }
+    }
+    const auto within = [](const char* option, double value, double least, double most) {
+      if (!(value >= least && value <= most))
+      {
+        FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
+      }
+    };
+    within("--rays", s.Rays, 1, 1e6);
+    within("--shadow-points", s.ShadowPoints, 1, 1e4);
+    within("--refine", s.Refinements, 0, 8);
+    within("--steepness", s.Steepness, 0.001, 1000);
+    within("--tolerance", s.Tolerance, 1e-12, 0.5);
+    within("--max-patches", double(s.MaximumPatches), 1, 1e8);
+    within("--patch-size", s.PatchSize, 0, 1e30);
+    if (this->Solver != "gathering" && this->Solver != "shooting" && this->Solver != "both")
+    {
+      FailUsage("{}", UnknownName("solver", this->Solver, "", { "gathering", "shooting", "both" }));
+    }
+    s.Method =
+      this->Solver == "shooting" ? radiosity::Solver::Shooting : radiosity::Solver::Gathering;
+    s.Both = this->Solver == "both";
+    s.Reciprocal = !this->OneWay;
+  }
+
+  template <typename Work>
+  static auto Try(const Work& work) -> decltype(work())
+  {
+    try
+    {
+      return work();
+    }
+    catch (const std::bad_alloc&)
+    {
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      Fail("{}", error.what());
+    }
+  }
+
+  radiosity::Solution Solve(radiosity::GatheredScene scene, Console& console) const
+  {
+    StageSteps steps(console);
+    return this->Try([&] {
+      return radiosity::Solve(std::move(scene.Mesh), scene.Light, this->Settings, steps.Watch());
+    });
+  }
+
+  static void Comment(const radiosity::Solution& solution, Console& console)
+  {
+    if (solution.SizeGrown)
+    {
+      console.Note(fmt::format(
+        "patches are up to {:.3g} wide, to be few enough for --max-patches", solution.PatchSize));
+    }
+    if (solution.RefinementCut)
+    {
+      console.Note("steep places stay coarse: halving their patches would exceed --max-patches");
+    }
+    if (solution.EmissionByRays)
+    {
+      console.Note(
+        "much of the scene shines and is found by chance: more --rays make its light smoother");
+    }
+  }
+
+  void Draw(const radiosity::Solution& solution, const BuiltScene& built, const Scene& scene,
+    Console& console) const
+  {
+    constexpr int samples = 16;
+    Step step(console, fmt::format("drawing '{}'", this->View));
+    Picture picture = radiosity::DrawSolution(solution, built.Renderer, scene.Width, scene.Height,
+      samples, this->Flat, [&step](double fraction) { step.Advance(fraction); });
+    if (!HoldsRadiance(this->View))
+    {
+      for (float& value : picture.Values)
+      {
+        value = static_cast<float>(radiosity::Display(value));
+      }
+    }
+    WritePicture(this->View, picture);
+  }
+
+  void DrawPlot(const radiosity::Solution& solution, Console& console) const
+  {
+    Step step(console, fmt::format("drawing '{}'", this->Plot));
+    std::vector<ConvergenceCurve> curves;
+    const auto add = [&curves](const char* name, const radiosity::Reflected& solved) {
+      if (!solved.History.empty())
+      {
+        curves.push_back({ name, { { 0.0, 1.0 } } });
+        for (const auto& done : solved.History)
+        {
+          curves.back().Steps.push_back({ done.Work, done.Residual });
+        }
+      }
+    };
+    add("gathering (Gauss-Seidel)", solution.Gathered);
+    add("shooting (progressive refinement)", solution.Shot);
+    WritePicture(this->Plot,
+      DrawConvergence(curves, "form factors used, in matrices' worth", this->Options.Backend));
+  }
+
+  void Report(const radiosity::Solution& solution, double seconds) const
+  {
+    const auto history = [](const radiosity::Reflected& solved) {
+      nlohmann::ordered_json steps = nlohmann::json::array();
+      for (const auto& step : solved.History)
+      {
+        steps.push_back({ step.Work, step.Residual });
+      }
+      return steps;
+    };
+    const radiosity::Reflected& chosen =
+      this->Settings.Method == radiosity::Solver::Gathering ? solution.Gathered : solution.Shot;
+    const double residual = chosen.History.empty() ? 0.0 : chosen.History.back().Residual;
+    const double error = radiosity::RelativeError(solution);
+    if (!this->Options.Statistics)
+    {
+      std::cout << fmt::format(
+                     "{} patches, {} rays from each side; residual {:.2g} after {} steps; "
+                     "irradiance is off by chance by {:.2g} % of its mean; {:.1f} s\n",
+                     solution.Elements.size() / 2, solution.Matrix.Rays, residual,
+                     chosen.History.size(), 100.0 * error, seconds)
+                << std::flush;
+      return;
+    }
+    nlohmann::ordered_json report = { { "output", this->Options.Output },
+      { "patches", solution.Elements.size() / 2 }, { "patch-size", solution.PatchSize },
+      { "rays", solution.Matrix.Rays }, { "factors", solution.Matrix.Entries.size() },
+      { "form-factor-error", solution.FactorError }, { "irradiance-error", error },
+      { "residual", residual }, { "seconds", seconds } };
+    if (!solution.Gathered.Light.empty())
+    {
+      report["gathering"] = history(solution.Gathered);
+    }
+    if (!solution.Shot.Light.empty())
+    {
+      report["shooting"] = history(solution.Shot);
+    }
+    if (this->Settings.Both)
+    {
+      report["solvers-differ"] = radiosity::SolverDifference(solution);
+    }
+    std::cout << report.dump(2) << std::endl;
+  }
+
+  RenderOptions Options;
+  radiosity::Settings Settings;
+  std::string Solver = "gathering";
+  std::string View;
+  std::string Plot;
+  bool OneWay = false;
+  bool Flat = false;
+};
+}
+
+std::unique_ptr<Command> MakeRadiosityBake()
+{
+  return std::make_unique<RadiosityBake>();
+}
+}
