@@ -59,6 +59,14 @@ struct Scene : public Stage
   vtkActor* Glass = nullptr;
 };
 
+/// A preset with so many samples that frames of different noise look the same: tests of what is stale are not
+/// to see noise.
+inline void SetQuietPreset(vtkGIPass* pass, const char* preset)
+{
+  pass->SetPreset(preset);
+  pass->GetTechnique("ambient-occlusion")->SetParameter("samples", 128);
+}
+
 /// The two pictures show the same, to a rounding.
 inline void ExpectSame(const Picture& a, const Picture& b, double share = 0.999)
 {

@@ -64,7 +64,7 @@ class ChangedScene : public testing::TestWithParam<std::tuple<Change, Use>>
 vtkSmartPointer<vtkGIPass> Prepare(Scene& scene, const Use& use)
 {
   vtkGIPass* pass = scene.SetPass();
-  pass->SetPreset(use.Preset);
+  SetQuietPreset(pass, use.Preset);
   pass->GetTechnique("temporal-accumulation")->SetEnabled(use.Accumulates);
   return pass;
 }

@@ -25,7 +25,7 @@ TEST(Life, ReleaseAndRenderAgain)
   {
     Scene scene;
     vtkGIPass* pass = scene.SetPass();
-    pass->SetPreset(preset);
+    SetQuietPreset(pass, preset);
     const Picture first = Shoot(scene.Window);
     for (int i = 0; i < 3; ++i)
     {
@@ -96,7 +96,7 @@ TEST(Life, SharedByTwoRenderers)
     Stage::LookAround(second);
     second->GetActiveCamera()->ParallelProjectionOn();
     vtkNew<vtkGIPass> pass;
-    pass->SetPreset(preset);
+    SetQuietPreset(pass, preset);
     if (withPass)
     {
       scene.Renderer->SetPass(pass);
@@ -158,7 +158,7 @@ TEST(Life, AbortedRenderRecovers)
   {
     Scene scene;
     vtkGIPass* pass = scene.SetPass();
-    pass->SetPreset(preset);
+    SetQuietPreset(pass, preset);
     const Picture whole = Shoot(scene.Window);
     Impatience impatience;
     vtkNew<vtkCallbackCommand> command;
