@@ -67,6 +67,11 @@ void vtkGIForwardHooks::ReloadShaders()
 void vtkGIForwardHooks::SetLights(
   const penumbra::LightTable& lights, penumbra::ForwardVisibility visibility)
 {
+  this->Known = !visibility.Source.empty();
+  if (!this->Known)
+  {
+    return;
+  }
   if (visibility.Source != this->Visibility.Source ||
     visibility.OnSurfaces != this->Visibility.OnSurfaces ||
     visibility.InVolumes != this->Visibility.InVolumes)
@@ -92,7 +97,7 @@ void vtkGIForwardHooks::Attach(const vtkRenderState* state)
 {
   this->Props.clear();
   this->Renderer = state->GetRenderer();
-  if (this->Visibility.Source.empty())
+  if (!this->Known)
   {
     return;
   }

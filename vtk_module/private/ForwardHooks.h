@@ -37,7 +37,8 @@ public:
 
   /// What lights the props of a frame. Mappers rebuild their shaders when the parts change.
   void SetLights(const penumbra::LightTable& lights, penumbra::ForwardVisibility visibility);
-  void SetNothing() { this->Visibility = penumbra::ForwardVisibility(); }
+  /// Nothing does, until SetLights says otherwise.
+  void SetNothing() { this->Known = false; }
 
   /// Take part in the drawing of the state's translucent props and volumes, and no longer.
   void Attach(const vtkRenderState* state);
@@ -63,7 +64,8 @@ private:
   void Declare(std::string& fragmentShader, penumbra::Defines variant) const;
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
-  penumbra::ForwardVisibility Visibility;
+  penumbra::ForwardVisibility Visibility; ///< the last that was known
+  bool Known = false;                     ///< in this frame
   std::vector<int> ShadowOf;       ///< by light, its place among the shadowed ones or -1
   std::vector<int> ShadowOfSorted; ///< the same, positional lights first
   std::vector<vtkProp*> Props;     ///< that this is attached to

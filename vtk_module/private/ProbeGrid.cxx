@@ -31,7 +31,9 @@ ProbeGrid ProbeGrid::Around(const std::array<double, 6>& bounds, int probes)
   // Along a thin side of the scene cells are as long as along the others.
   const double longest = std::max({ grid.Spacing.x, grid.Spacing.y, grid.Spacing.z });
   grid.Spacing = glm::max(grid.Spacing, glm::dvec3(0.5 * longest));
-  grid.First = 0.5 * (low + high) - 0.5 * grid.Spacing * glm::dvec3(grid.Counts - 1);
+  // A little off the middle: scenes are made of round numbers, and a probe within a surface sees nothing well.
+  const glm::dvec3 off(0.047, 0.053, 0.059);
+  grid.First = 0.5 * (low + high) + grid.Spacing * (off - 0.5 * glm::dvec3(grid.Counts - 1));
   return grid;
 }
 
@@ -45,7 +47,8 @@ bool ProbeGrid::Suits(const std::array<double, 6>& bounds) const
   const glm::dvec3 slack = 1e-6 * (to - from);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const bool inside = low[axis] >= from[axis] - slack[axis] && high[axis] <= to[axis] + slack[axis];
+    const bool inside =
+      low[axis] >= from[axis] - slack[axis] && high[axis] <= to[axis] + slack[axis];
     const double fitted = this->Counts[axis] > 3 ? (to - from)[axis] - this->Spacing[axis] : 0.0;
     if (!inside || high[axis] - low[axis] < filled * fitted)
     {

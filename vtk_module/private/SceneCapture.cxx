@@ -23,6 +23,7 @@
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
 #include "vtkShaderProperty.h"
+#include "vtkTexture.h"
 #include "vtkTextureUnitManager.h"
 
 namespace penumbra
@@ -243,8 +244,16 @@ bool SceneCapture::Reflects(double share) const
 
 bool SceneCapture::CastsInPart() const
 {
-  return std::any_of(this->All.begin(), this->All.end(),
-    [](vtkProp* prop) { return MayCoverInPart(prop) || prop->HasTranslucentPolygonalGeometry(); });
+  const auto translucent = [](vtkTexture* texture) { return texture && texture->IsTranslucent(); };
+  return std::any_of(this->All.begin(), this->All.end(), [&](vtkProp* prop) {
+    // Opaque by force, or by a colour of PBR, whose alpha VTK does not ask for.
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkProperty* property = actor ? actor->GetProperty() : nullptr;
+    return prop->HasTranslucentPolygonalGeometry() ||
+      (property && translucent(property->GetTexture("albedoTex"))) ||
+      (property && actor->GetForceOpaque() &&
+        (property->GetOpacity() < 1.0 || translucent(actor->GetTexture())));
+  });
 }
 
 void SceneCapture::SetMotion(MotionTable* motion)
