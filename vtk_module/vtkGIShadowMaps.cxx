@@ -100,6 +100,28 @@ Defines VariantOf(const ShadowPlan& plan)
   return variant;
 }
 
+// Uniforms of a program of ours, and of one that a mapper of VTK's built: both remember their places.
+struct ProgramSetter
+{
+  const Program& To;
+  void operator()(const char* name, int value) { glUniform1i(this->To.Location(name), value); }
+  void operator()(const char* name, float value) { glUniform1f(this->To.Location(name), value); }
+  void operator()(const char* name, const glm::vec3& value)
+  {
+    glUniform3fv(this->To.Location(name), 1, &value[0]);
+  }
+};
+struct MapperSetter
+{
+  vtkShaderProgram* To;
+  void operator()(const char* name, int value) { this->To->SetUniformi(name, value); }
+  void operator()(const char* name, float value) { this->To->SetUniformf(name, value); }
+  void operator()(const char* name, const glm::vec3& value)
+  {
+    this->To->SetUniform3f(name, &value[0]);
+  }
+};
+
 void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, const ShadowMap& map)
 {
   ScopedState scope(context.State());
@@ -245,6 +267,22 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
   return atlas;
 }
 
+template <typename Setter>
+void vtkGIShadowMaps::BindFilter(Setter&& set, bool volume)
+{
+  this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
+  this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
+  set("bias", glm::vec3(this->ConstantBias, this->SlopeBias, this->NormalBias));
+  set("receiverPlane", static_cast<int>(this->ReceiverPlane));
+  // Volumes add up many places along each ray: there one sample each is enough.
+  const bool filters = this->Impl->Radius > 0.0 && !volume;
+  set("filterRadius", filters ? static_cast<float>(this->Impl->Radius) : 0.0f);
+  set("pixelRadius", filters && this->Impl->InPart ? 1.0f : 0.0f);
+  set("filterSamples", filters ? this->Impl->Samples : 1);
+  set("blockerSamples", this->BlockerSamples);
+  set("penumbraSamples", this->PenumbraSamples);
+}
+
 void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int layers)
 {
   const ShadowPlan& plan = *this->Impl->Plan;
@@ -265,29 +303,12 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Facet), &atlas });
-    this->BindFilter(program.Get(), false);
+    this->BindFilter(ProgramSetter{ program }, false);
     glUniform1i(program.Location("firstLight"), layer * 4);
     glUniform1i(program.Location("lightCount"),
       std::min(4, static_cast<int>(plan.LightData.size()) - layer * 4));
     context.DrawFullscreen();
   }
-}
-
-void vtkGIShadowMaps::BindFilter(unsigned int program, bool volume)
-{
-  this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
-  this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
-  const auto place = [program](const char* name) { return glGetUniformLocation(program, name); };
-  glUniform3f(place("bias"), static_cast<GLfloat>(this->ConstantBias),
-    static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
-  glUniform1i(place("receiverPlane"), this->ReceiverPlane);
-  // Volumes add up many places along each ray: there one sample each is enough.
-  const bool filters = this->Impl->Radius > 0.0 && !volume;
-  glUniform1f(place("filterRadius"), filters ? static_cast<GLfloat>(this->Impl->Radius) : 0.0f);
-  glUniform1f(place("pixelRadius"), filters && this->Impl->InPart ? 1.0f : 0.0f);
-  glUniform1i(place("filterSamples"), filters ? this->Impl->Samples : 1);
-  glUniform1i(place("blockerSamples"), this->BlockerSamples);
-  glUniform1i(place("penumbraSamples"), this->PenumbraSamples);
 }
 
 void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
@@ -298,9 +319,8 @@ void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
   visibility.InVolumes = visibility.OnSurfaces;
   visibility.InVolumes.erase("GI_SOFT");
   visibility.Bind = [this](vtkShaderProgram* program, int unit, bool volume) {
-    const auto name = static_cast<GLuint>(program->GetHandle());
-    this->BindFilter(name, volume);
-    glUniform1i(glGetUniformLocation(name, "atlas"), unit);
+    this->BindFilter(MapperSetter{ program }, volume);
+    program->SetUniformi("atlas", unit);
     glBindTexture(GL_TEXTURE_2D, this->Impl->Atlas);
   };
   frame.ShadeForward(std::move(visibility));

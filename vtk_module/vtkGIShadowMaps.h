@@ -68,7 +68,8 @@ private:
   const penumbra::Texture& DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene);
   void DrawMask(penumbra::FrameContext& context, const penumbra::Texture& atlas, int layers);
   void ShadeForward(penumbra::FrameBuilder& frame);
-  void BindFilter(unsigned int program, bool volume);
+  template <typename Setter>
+  void BindFilter(Setter&& set, bool volume);
 
   bool AlwaysRedraw = false;
   int ShadowedLights = 0;

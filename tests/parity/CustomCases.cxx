@@ -5,6 +5,11 @@
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
 
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
 namespace penumbra_test
 {
 namespace
@@ -18,11 +23,21 @@ vtkActor* AddTorus(Stage& stage)
   return actor;
 }
 
+// What a user wrote, in shader_code/.
+std::string ShaderCode(const std::string& name)
+{
+  std::ifstream file(PENUMBRA_SHADER_CODE_DIR "/" + name + ".glsl");
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty()) << name;
+  return text.str();
+}
+
 // The user's code in place of a tag of VTK's fragment shader.
-vtkShaderProperty* AddFragmentCode(Stage& stage, const char* tag, const char* code, bool first)
+vtkShaderProperty* AddFragmentCode(Stage& stage, const char* tag, const char* name, bool first)
 {
   vtkShaderProperty* shader = AddTorus(stage)->GetShaderProperty();
-  shader->AddFragmentShaderReplacement(tag, first, code, false);
+  shader->AddFragmentShaderReplacement(tag, first, ShaderCode(name), false);
   return shader;
 }
 
@@ -31,13 +46,11 @@ void AddVertexCode(Stage& stage)
 {
   vtkShaderProperty* shader = AddTorus(stage)->GetShaderProperty();
   shader->AddVertexShaderReplacement(
-    "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nout vec4 myPosition;\n", false);
-  shader->AddVertexShaderReplacement(
-    "//VTK::Normal::Impl", true, "//VTK::Normal::Impl\n  myPosition = vertexMC;\n", false);
+    "//VTK::Normal::Dec", true, ShaderCode("vertex_declaration"), false);
+  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, ShaderCode("vertex"), false);
   shader->AddFragmentShaderReplacement(
-    "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin vec4 myPosition;\n", false);
-  shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true,
-    "//VTK::Normal::Impl\n  diffuseColor *= 0.5 + 0.5 * sin(40.0 * myPosition.x);\n", false);
+    "//VTK::Normal::Dec", true, ShaderCode("stripes_declaration"), false);
+  shader->AddFragmentShaderReplacement("//VTK::Normal::Impl", true, ShaderCode("stripes"), false);
 }
 }
 
@@ -45,48 +58,25 @@ ParityCases CustomCases()
 {
   return {
     { "shader code on the colour",
-      [](Stage& s) {
-        AddFragmentCode(s, "//VTK::Color::Impl",
-          "//VTK::Color::Impl\n  diffuseColor = diffuseColor.bgr;\n", false);
-      } },
+      [](Stage& s) { AddFragmentCode(s, "//VTK::Color::Impl", "color", false); } },
     { "shader code on the normal",
-      [](Stage& s) {
-        AddFragmentCode(s, "//VTK::Normal::Impl",
-          "//VTK::Normal::Impl\n  normalVCVSOutput = normalize(normalVCVSOutput + vec3(0.3, 0.0, "
-          "0.0));\n",
-          true);
-      } },
+      [](Stage& s) { AddFragmentCode(s, "//VTK::Normal::Impl", "normal", true); } },
     { "shader code after the light",
-      [](Stage& s) {
-        AddFragmentCode(s, "//VTK::Light::Impl",
-          "//VTK::Light::Impl\n  gl_FragData[0].rgb = floor(gl_FragData[0].rgb * 4.0) / 4.0;\n",
-          false);
-      },
-      false },
+      [](Stage& s) { AddFragmentCode(s, "//VTK::Light::Impl", "after_light", false); }, false },
     { "shader code before the light",
-      [](Stage& s) {
-        AddFragmentCode(s, "//VTK::Light::Impl",
-          "  ambientColor = vec3(0.2, 0.0, 0.1);\n//VTK::Light::Impl\n", true);
-      } },
+      [](Stage& s) { AddFragmentCode(s, "//VTK::Light::Impl", "before_light", true); } },
     { "shader code that discards",
-      [](Stage& s) {
-        AddFragmentCode(s, "//VTK::Light::Impl",
-          "//VTK::Light::Impl\n  if (mod(gl_FragCoord.x, 8.0) < 3.0) { discard; }\n", false);
-      } },
+      [](Stage& s) { AddFragmentCode(s, "//VTK::Light::Impl", "discard", false); } },
     { "shader code with a uniform",
       [](Stage& s) {
-        vtkShaderProperty* shader = AddFragmentCode(
-          s, "//VTK::Color::Impl", "//VTK::Color::Impl\n  diffuseColor *= tint;\n", false);
+        vtkShaderProperty* shader = AddFragmentCode(s, "//VTK::Color::Impl", "uniform", false);
         float tint[3] = { 0.2f, 1.0f, 0.6f };
         shader->GetFragmentCustomUniforms()->SetUniform3f("tint", tint);
       } },
     { "shader code of vertices", AddVertexCode },
     { "shader of one's own",
       [](Stage& s) {
-        AddTorus(s)->GetShaderProperty()->SetFragmentShaderCode(
-          "//VTK::System::Dec\n//VTK::Output::Dec\nin vec4 vertexVCVSOutput;\n"
-          "in vec3 normalVCVSOutput;\nvoid main()\n{\n"
-          "  gl_FragData[0] = vec4(abs(normalVCVSOutput), 1.0);\n}\n");
+        AddTorus(s)->GetShaderProperty()->SetFragmentShaderCode(ShaderCode("whole").c_str());
       },
       false },
     { "hidden lines removed",

@@ -186,6 +186,7 @@ TEST_F(DDGI, LightOnAndLightOffArriveAlikeSoon)
   this->Probes->EnabledOn();
   this->After(100);
   const double full = lit - direct;
+  EXPECT_GT(full, 0.2 * direct);
   this->Lamp->SetIntensity(0.0);
   int off = 0;
   while (indirect() > 0.1 * full && off < 100)
@@ -214,6 +215,11 @@ TEST_F(DDGI, AStillSceneIsStill)
   this->Lamp->SetPosition(0.3, -0.2, 0.7);
   this->Lamp->SetIntensity(1.0);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->After(20);
+  const double with = Mean(this->After(1));
+  this->Probes->EnabledOff();
+  EXPECT_GT(with, 1.1 * Mean(this->After(1)));
+  this->Probes->EnabledOn();
   this->After(150);
   std::vector<Values> frames;
   for (int i = 0; i < 100; ++i)

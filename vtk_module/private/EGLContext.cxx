@@ -138,7 +138,7 @@ private:
       this->Error = { "the installed libEGL.so.1 lacks functions of EGL 1.4", EGLRemedy };
       return;
     }
-    // Asked first: eglGetProcAddress may answer a stub for an extension that is not there.
+    // Asked first: eglGetProcAddress may answer with an address for an extension that is not there.
     const char* extensions = this->ClientExtensions();
     if (HasWord(extensions, "EGL_EXT_platform_base"))
     {

@@ -164,11 +164,11 @@ public:
   const char* GetBackendName() const override { return "OSMesa"; }
   void* GetNativeContext() const override { return this->Handle; }
 
-  // libGLdispatch's stubs go to whatever context is current, OSMesa's own addresses only to OSMesa.
+  // libGLdispatch's entries go to whatever context is current, OSMesa's own addresses only to OSMesa.
   Proc GetProcAddress(const char* name) const override
   {
-    const Proc stub = this->Lib.DispatchGetProcAddress(name);
-    return stub ? stub : this->Lib.GetProcAddress(name);
+    const Proc entry = this->Lib.DispatchGetProcAddress(name);
+    return entry ? entry : this->Lib.GetProcAddress(name);
   }
 
   const char* GetVersion() const

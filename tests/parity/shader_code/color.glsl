@@ -1,0 +1,2 @@
+//VTK::Color::Impl
+  diffuseColor = diffuseColor.bgr;

@@ -1,0 +1,2 @@
+//VTK::Normal::Dec
+in vec4 myPosition;

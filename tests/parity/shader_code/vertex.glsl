@@ -1,0 +1,2 @@
+//VTK::Normal::Impl
+  myPosition = vertexMC;

@@ -1,0 +1,2 @@
+//VTK::Normal::Dec
+out vec4 myPosition;
