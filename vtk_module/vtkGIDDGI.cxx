@@ -4,7 +4,6 @@
 
 #include "private/Frame.h"
 #include "private/ProbeGrid.h"
-#include "private/ScopedState.h"
 #include "private/rays/RayProps.h"
 
 #include "vtkCamera.h"
@@ -214,11 +213,6 @@ void Gather(
   FrameContext& context, const Textures& textures, const FieldUniforms& uniforms, double intensity)
 {
   const View& view = context.GetView();
-  ScopedState scope(context.State());
-  scope.Set(GL_BLEND, false);
-  scope.Set(GL_DEPTH_TEST, false);
-  scope.DepthMask(false);
-  context.BindTarget({ resource::Irradiance });
   const Program& program = context.Shaders().Fragment("ddgi/gather.frag");
   context.Use(program,
     { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
@@ -277,7 +271,6 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
       " props of kinds that cannot be traced yet: they send no indirect light");
   }
-  frame.SetIndirectKnown();
   const std::pair<vtkRenderer*, int> key(
     frame.GetRenderer(), frame.GetRenderer()->GetActiveCamera()->GetLeftEye());
   Field& field = this->Impl->Fields[key];
@@ -341,16 +334,12 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
         ++now.Total;
       }
     });
-  frame.AddPass("ddgi")
-    .Read(Blended)
-    .Read(resource::Albedo)
-    .Read(resource::Normal)
-    .Read(resource::WindowDepth)
-    .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
-    .Execute([this, key](FrameContext& context) {
+  frame.AddIndirectLight({ IndirectKind::LiveProbes,
+    { Blended, resource::Albedo, resource::Normal, resource::WindowDepth },
+    [this, key](FrameContext& context) {
       const Field& now = this->Impl->Fields[key];
       Gather(context, now.Maps, now.Update.Uniforms, this->Intensity);
-    });
+    } });
 }
 
 bool vtkGIDDGI::IsFinished(vtkRenderer* renderer)

@@ -78,9 +78,9 @@ void main()
   openness = index == GI_MATERIAL_AS_DRAWN ? 1.0 : texelFetch(ambientVisibility, pixel, 0).r;
 #endif
 
-  vec3 indirect = vec3(0.0);
+  vec4 indirect = vec4(0.0); // a: share of the light that is known
 #ifdef GI_IRRADIANCE
-  indirect = texelFetch(irradianceTexture, pixel, 0).rgb;
+  indirect = texelFetch(irradianceTexture, pixel, 0);
 #endif
 
   vec3 N = giDecodeOctahedral(packedNormal.xy);
@@ -152,11 +152,11 @@ void main()
     vec3 reflectance = matte + f0;
     vec3 surroundings = ambientLight / GI_PI * reflectance;
 #ifdef GI_SURROUNDINGS
-    // The light of the environment that matter sends on is in the indirect light.
-    ambient = texelFetch(surroundingsTexture, pixel, 0).rgb;
-    surroundings += indirect * matte;
+    // The light of the environment that matter sends on is in the indirect light, as far as that is known.
+    ambient = mix(ambient, texelFetch(surroundingsTexture, pixel, 0).rgb, indirect.a);
+    surroundings += indirect.rgb * matte;
 #else
-    surroundings += indirect * reflectance;
+    surroundings += indirect.rgb * reflectance;
 #endif
     result = ambientReaching(openness, reflectance) * (ambient + surface.g * surroundings) +
       surface.g * gloss + emission;
@@ -164,13 +164,13 @@ void main()
   }
   else
   {
-    result = ambientReaching(openness, albedo.rgb) * (ambient + albedo.rgb * (ambientLight + indirect)) +
+    result = ambientReaching(openness, albedo.rgb) * (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
       albedo.rgb * light + material.Specular.rgb * surface.rgb * gloss + emission;
     color.rgb = result;
   }
 #else
   vec3 result = ambientReaching(openness, albedo.rgb) *
-      (ambient + albedo.rgb * (ambientLight + indirect)) +
+      (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
     albedo.rgb * light;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;

@@ -36,9 +36,9 @@ void FrameBuilder::RequestLitRadiance()
   this->RequestSurroundings();
 }
 
-void FrameBuilder::SetIndirectKnown()
+void FrameBuilder::AddIndirectLight(IndirectLight light)
 {
-  this->IndirectKnown = true;
+  this->Indirect.push_back(std::move(light));
   this->RequestSurroundings();
 }
 

@@ -8,6 +8,7 @@
 
 #include "private/ForwardVisibility.h"
 #include "private/FrameGraph.h"
+#include "private/IndirectLight.h"
 #include "private/LightTable.h"
 #include "private/ResourcePool.h"
 #include "private/ShaderLibrary.h"
@@ -43,7 +44,7 @@ constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
 constexpr const char* AmbientVisibility = "visibility.ambient"; ///< 0 closed to 1 open
-constexpr const char* Irradiance = "irradiance";    ///< indirect, on surfaces, divided by pi
+constexpr const char* Irradiance = "irradiance";                ///< see IndirectLight.h
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed
@@ -184,11 +185,11 @@ public:
 
   /// Take a share of the lights' strength and spread it evenly over all directions.
   void SpreadLight(double share) { this->Share = share; }
-  double GetSpreadShare() const { return this->IndirectKnown ? 0.0 : this->Share; }
+  double GetSpreadShare() const { return this->Indirect.empty() ? this->Share : 0.0; }
 
-  /// A technique writes resource::Irradiance, with the light of the environment: lights keep their strength.
-  void SetIndirectKnown();
-  bool IsIndirectKnown() const { return this->IndirectKnown; }
+  /// A technique knows indirect light, with that of the environment: lights keep their strength.
+  void AddIndirectLight(IndirectLight light);
+  const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
 
   /// Take surfaces that hide one another from ambient light for reflecting it too, by so much of
   /// their colour.
@@ -217,10 +218,10 @@ private:
   bool Averaged = false;
   bool DrawnByRays = false;
   bool LitRadianceWanted = false;
-  bool IndirectKnown = false;
   double Share = 0.0;
   double Interreflection = 0.0;
   ForwardVisibility Visibility;
+  std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;
 };
 }

@@ -214,6 +214,7 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   {
     this->Notes += (this->Notes.empty() ? "" : "\n") + note;
   }
+  ContributeIndirectLight(builder, builder.GetIndirectLights());
   this->Capture.Contribute(builder);
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     this->Capture.IsExtended(), self->GetKeepRadiance());

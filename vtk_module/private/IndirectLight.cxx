@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/IndirectLight.h"
+
+#include "private/Frame.h"
+#include "private/ScopedState.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lights)
+{
+  if (lights.empty())
+  {
+    return;
+  }
+  std::stable_sort(lights.begin(), lights.end(),
+    [](const IndirectLight& a, const IndirectLight& b) { return a.Kind < b.Kind; });
+  auto& pass = frame.AddPass("indirect-light");
+  for (const IndirectLight& light : lights)
+  {
+    for (const char* resource : light.Reads)
+    {
+      pass.Read(resource);
+    }
+  }
+  pass.Read(resource::Depth)
+    .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
+    .Execute([lights = std::move(lights)](FrameContext& context) {
+      context.BindTarget({ resource::Irradiance }, resource::Depth);
+      constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+      glClearBufferfv(GL_COLOR, 0, nothing);
+      for (const IndirectLight& light : lights)
+      {
+        ScopedState scope(context.State());
+        scope.Set(GL_DEPTH_TEST, false);
+        scope.DepthMask(false);
+        scope.Set(GL_BLEND, true);
+        context.State()->vtkglBlendFuncSeparate(
+          GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+        context.BindTarget({ resource::Irradiance }, resource::Depth);
+        light.Draw(context);
+      }
+    });
+}
+}

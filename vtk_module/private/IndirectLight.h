@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Which technique's indirect diffuse light a pixel takes: the first of those enabled that knows it.
+ */
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace penumbra
+{
+class FrameBuilder;
+class FrameContext;
+
+/// By how much is known of a surface point: earlier ones come first.
+enum class IndirectKind
+{
+  BakedOnSurfaces, ///< at this very point
+  LiveProbes,      ///< around it, as things are now
+  BakedProbes      ///< around it, as things were
+};
+
+/// What a technique knows of indirect light on the surfaces in the G-buffer.
+struct IndirectLight
+{
+  IndirectKind Kind;
+  std::vector<const char*> Reads; ///< resources
+  /// Draw over resource::Irradiance, bound with the depth that the props left, tests and writing of depth off:
+  /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is
+  /// drawn later counts where and as far as a is below 1.
+  std::function<void(FrameContext&)> Draw;
+};
+
+/// Add the passes that make resource::Irradiance of what the techniques know.
+void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lights);
+}
