@@ -34,11 +34,11 @@ constexpr const char* Blended = "ddgi.blended";
 // once in an update, so that much of a change takes several to arrive.
 constexpr int Agile = 48;
 
-// What came earlier weighs less, as it knew fewer bounces: the next of n updates takes the share 2 / (n + 2).
-double ShareAfter(int updates)
-{
-  return 2.0 / (updates + 2.0);
-}
+// Meanwhile it is judged in one of so many updates where probes should stand, from a certain one on; for so many
+// after that all distances are blended.
+constexpr int Judgement = 8;
+constexpr int FirstJudgement = 3;
+constexpr int Settling = 4;
 
 // Of the next update, after so many since a change.
 double ShareOf(int updates, double hysteresis)
@@ -57,6 +57,8 @@ struct Textures
   Texture* Light = nullptr;
   Texture* Distance = nullptr;
   Texture* Probes = nullptr;
+  Texture* Places = nullptr; ///< to come into Probes
+  Texture* States = nullptr;
 };
 
 // Along a spiral, neighbours in the table being neighbours on the sphere (Bauer 2000, Distribution of Points on
@@ -106,6 +108,8 @@ Textures FieldTextures(FrameContext& context, int probes, int rays, bool& fresh)
   textures.Distance =
     get("ddgi.distance", GL_RG32F, columns * (DistanceTexels + 2), rows * (DistanceTexels + 2));
   textures.Probes = get("ddgi.probes", GL_RGBA32F, columns, rows);
+  textures.Places = get("ddgi.places", GL_RGBA32F, columns, rows);
+  textures.States = get("ddgi.states", GL_RGBA32F, columns, rows);
   if (fresh)
   {
     for (Texture* texture : { textures.Light, textures.Distance })
@@ -113,8 +117,12 @@ Textures FieldTextures(FrameContext& context, int probes, int rays, bool& fresh)
       texture->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
       texture->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }
-    Fill(*textures.Probes,
-      std::vector<glm::vec4>(static_cast<std::size_t>(columns) * rows, glm::vec4(0.0f)));
+    const auto fill = [columns, rows](const Texture& texture, const glm::vec4& value) {
+      Fill(texture, std::vector<glm::vec4>(static_cast<std::size_t>(columns) * rows, value));
+    };
+    fill(*textures.Probes, glm::vec4(0.0f));
+    fill(*textures.Places, glm::vec4(0.0f));
+    fill(*textures.States, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f));
   }
   return textures;
 }
@@ -157,6 +165,7 @@ struct FieldUpdate
     this->Lights->BindWorld(0, this->Rays->Origin());
     this->Uniforms.Set(program);
     glBindImageTexture(0, textures.Found->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    BindStates(textures);
     const glm::vec3 eye(glm::dvec3(context.GetView().ViewToWorld[3]) - this->Rays->Origin());
     glUniform3fv(program.Location("eye"), 1, &eye[0]);
     glUniform1i(program.Location("rays"), this->RayCount);
@@ -170,11 +179,39 @@ struct FieldUpdate
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
+  static void BindStates(const Textures& textures)
+  {
+    glBindImageTexture(2, textures.States->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
+
+  // Where each should stand goes to Places.
+  void Relocate(FrameContext& context, const Textures& textures, bool geometryMoves) const
+  {
+    const Program& program =
+      context.Shaders().Compute("ddgi/relocate.comp", this->Rays->ShaderDefines());
+    context.Use(program,
+      { textures.Found, nullptr, nullptr, textures.Directions, textures.Light, textures.Distance,
+        textures.Probes });
+    this->Rays->Bind(program);
+    this->Uniforms.Set(program);
+    glBindImageTexture(0, textures.Places->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+    glBindImageTexture(1, textures.Light->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+    BindStates(textures);
+    glUniform1i(program.Location("probeCount"), this->Uniforms.Grid.Size());
+    glUniform1i(program.Location("rays"), this->RayCount);
+    glUniform1i(program.Location("update"), this->Number - 1);
+    glUniform1i(program.Location("geometryMoves"), geometryMoves);
+    constexpr int group = 64;
+    glDispatchCompute((this->Uniforms.Grid.Size() + group - 1) / group, 1, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  }
+
+  // Probes go to their Places and learn whom they see from there.
   void Connect(FrameContext& context, const Textures& textures) const
   {
     const Program& program =
       context.Shaders().Compute("ddgi/connect.comp", this->Rays->ShaderDefines());
-    context.Use(program, { nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, textures.Probes });
+    context.Use(program, { nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, textures.Places });
     this->Rays->Bind(program);
     this->Uniforms.Set(program);
     glBindImageTexture(0, textures.Probes->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
@@ -184,8 +221,8 @@ struct FieldUpdate
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
-  void Blend(FrameContext& context, const Textures& textures, bool distances, double share,
-    int first, int stride) const
+  void Blend(FrameContext& context, const Textures& textures, bool distances, double least,
+    int most, int first, int stride) const
   {
     Defines defines;
     if (distances)
@@ -199,7 +236,9 @@ struct FieldUpdate
     glBindImageTexture(1, map->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, map->Desc().Format);
     glUniform1i(program.Location("rays"), this->RayCount);
     glUniform1i(program.Location("update"), this->Number);
-    glUniform1f(program.Location("share"), static_cast<GLfloat>(share));
+    BindStates(textures);
+    glUniform1f(program.Location("least"), static_cast<GLfloat>(least));
+    glUniform1f(program.Location("most"), static_cast<GLfloat>(most));
     glUniform1f(program.Location("farthest"),
       static_cast<GLfloat>(1.5 * glm::length(this->Uniforms.Grid.Spacing)));
     glUniform1i(program.Location("first"), first);
@@ -232,10 +271,12 @@ void Gather(
 struct vtkGIDDGI::Field
 {
   ProbeGrid Grid;
-  int Updates = 0; ///< since the scene changed
-  int Total = 0;   ///< since the grid was made
-  int Seen = 0;    ///< updates of the distances since geometry changed, likewise
-  int Asked = 0;   ///< probes that Grid was made for
+  int Updates = 0;    ///< since the scene changed
+  int Total = 0;      ///< since the grid was made
+  int Seen = 0;       ///< updates of the distances since geometry changed, likewise
+  int Settled = 0;    ///< updates since it was judged where probes should stand
+  bool Moved = false; ///< geometry, since then
+  int Asked = 0;      ///< probes that Grid was made for
   vtkMTimeType Parameters = 0;
   Textures Maps;
   FieldUpdate Update;
@@ -287,6 +328,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   {
     field.Updates = 0;
     field.Seen = view.Changes.Props ? std::min(field.Seen, AllDistances) : field.Seen;
+    field.Moved |= view.Changes.Props;
   }
   LightTable& lights = frame.Lights();
   const TextureDesc token = { GL_R8, 1, 1, 0 };
@@ -304,8 +346,16 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
         now.Total };
       if (now.Updates < this->Updates)
       {
+        const bool judged =
+          now.Total % Judgement == FirstJudgement && now.Updates < Agile && this->Relocate;
+        if (judged)
+        {
+          now.Update.Relocate(context, now.Maps, now.Moved);
+          now.Moved = false;
+          now.Settled = 0;
+        }
         // Neighbours' sight of each other is as the geometry is.
-        if (context.GetView().Changes.Props || now.Total == 0)
+        if (judged || context.GetView().Changes.Props || now.Total == 0)
         {
           now.Update.Connect(context, now.Maps);
         }
@@ -322,14 +372,15 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
         if (now.Seen < MostDistances)
         {
           // After the first updates, a few of the probes at a time: distances take long to blend.
-          const int stride = now.Seen < AllDistances ? 1 : DistanceStride;
+          const int stride = now.Seen < AllDistances || now.Settled < Settling ? 1 : DistanceStride;
           const int seen =
-            stride == 1 ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
-          now.Update.Blend(context, now.Maps, true, ShareAfter(seen), now.Seen % stride, stride);
+            now.Seen < AllDistances ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
+          now.Update.Blend(context, now.Maps, true, 0.0, seen, now.Seen % stride, stride);
           ++now.Seen;
         }
-        now.Update.Blend(context, now.Maps, false,
-          now.Total == 0 ? 1.0 : ShareOf(now.Updates, this->Hysteresis), 0, 1);
+        now.Update.Blend(context, now.Maps, false, ShareOf(now.Updates, this->Hysteresis),
+          std::numeric_limits<int>::max(), 0, 1);
+        ++now.Settled;
         ++now.Updates;
         ++now.Total;
       }

@@ -5,6 +5,7 @@
 #include "lib/sampling.glsl"
 #include "ddgi/field.glsl"
 #include "ddgi/directions.glsl"
+#include "ddgi/states.glsl"
 
 #ifdef GI_BLEND_DISTANCE
 #define TEXELS GI_FIELD_DISTANCE
@@ -21,7 +22,8 @@ uniform int first;  // probe, and from it so many on
 uniform int stride;
 uniform int rays;
 uniform int update;
-uniform float share;    // of this update in the map
+uniform float least;   // share of this update in the map
+uniform float most;    // updates before that count, at most, where they count as many
 uniform float farthest; // distances beyond it count as this
 
 // The border repeats what lies across the fold, so that filters need not know of it.
@@ -51,6 +53,18 @@ void main()
   // A row of texels each: software renderers fetch for every invocation by itself.
   int probe = first + stride * int(gl_WorkGroupID.x);
   int row = int(gl_LocalInvocationID.x);
+  ProbeState state = probeState(probe);
+  if (probeRests(probe, update, state))
+  {
+    return;
+  }
+#ifdef GI_BLEND_DISTANCE
+  float count = state.distances++;
+#else
+  float count = state.lights++;
+#endif
+  // What came earlier weighs less, as it knew fewer bounces: the next of n updates takes the share 2 / (n + 2).
+  float share = max(least, 2.0 / (min(count, most) + 2.0));
   mat3 turn = fieldTurn(probe, update);
   vec3 directions[TEXELS]; // where the rays are not turned yet
   vec4 sums[TEXELS];       // w: weights
@@ -91,5 +105,10 @@ void main()
     vec4 before = imageLoad(map, corner + 1 + texel);
     vec4 now = sums[x].w > 1e-6 ? sums[x] / sums[x].w : before;
     store(corner, texel, share < 1.0 ? mix(before, now, share) : now);
+  }
+  barrier(); // until every row has read the state
+  if (row == 0)
+  {
+    setProbeState(probe, state);
   }
 }

@@ -4,6 +4,7 @@
 // lib/octahedral.glsl. Coordinates are those of the rays' scene.
 #define GI_FIELD_LIGHT 8     // texels across an irradiance map, without its border
 #define GI_FIELD_DISTANCE 16 // and across a map of distances
+#define GI_FIELD_VACANT 0.003 // weight of a place that a probe left
 layout(binding = 4) uniform sampler2D fieldLight;
 layout(binding = 5) uniform sampler2D fieldDistance;
 layout(binding = 6) uniform sampler2D fieldProbes; // xyz how far a probe stands off its grid's place, w which neighbours it sees
@@ -71,16 +72,18 @@ float fieldSees(int probe, vec3 fromProbe)
   return bound * bound * bound;
 }
 
-// What arrives at a point of a surface, divided by pi. V: unit, to where it is seen from.
-vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V)
+// What arrives at a point of a surface, divided by pi. V: unit, to where it is seen from, and how far that is:
+// there is nothing between.
+vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
 {
   float cell = min(fieldSpacing.x, min(fieldSpacing.y, fieldSpacing.z));
-  vec3 off = P + (0.2 * N + 0.8 * V) * (fieldBias * cell);
+  vec3 off = P + 0.2 * N * (fieldBias * cell) + 0.8 * V * min(fieldBias * cell, reach);
   vec3 place = (P - fieldOrigin) / fieldSpacing;
   ivec3 base = clamp(ivec3(floor(place)), ivec3(0), max(fieldCounts - 2, ivec3(0)));
   vec3 share = clamp(place - vec3(base), vec3(0.0), vec3(1.0));
   float weights[8];
   int seen[8];
+  float vacant = 0.0;
   float total = 0.0; // of their squares
   for (int i = 0; i < 8; ++i)
   {
@@ -97,12 +100,14 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V)
     weight *= weight < 0.2 ? weight * weight / 0.04 : 1.0;
     weights[i] = max(weight, 1e-6) * linear.x * linear.y * linear.z;
     seen[i] = int(record.w);
+    vacant += record.xyz != vec3(0.0) ? linear.x * linear.y * linear.z : 0.0;
     total += weights[i] * weights[i];
   }
   // A probe counts as far as the others that count see it: one behind a wall may seem to see the point where
   // that is close to the wall, but none of those before the wall sees the probe.
   vec3 sum = vec3(0.0);
-  float all = 0.0;
+  // Where a probe left it is dark: that counts where no probe sees the point.
+  float all = GI_FIELD_VACANT * vacant;
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);

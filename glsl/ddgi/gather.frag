@@ -25,7 +25,8 @@ void main()
   }
   vec3 P = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r);
   vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  vec3 V = view.Scene.y > 0.5 ? vec3(0.0, 0.0, 1.0) : -normalize(P);
+  float reach = length(P);
+  vec3 V = view.Scene.y > 0.5 ? vec3(0.0, 0.0, 1.0) : -P / reach;
   irradiance = vec4(
-    intensity * fieldIrradiance(eye + viewToScene * P, viewToScene * N, viewToScene * V), 1.0);
+    intensity * fieldIrradiance(eye + viewToScene * P, viewToScene * N, viewToScene * V, reach), 1.0);
 }

@@ -15,6 +15,7 @@
 #endif
 #include "ddgi/field.glsl"
 #include "ddgi/directions.glsl"
+#include "ddgi/states.glsl"
 
 layout(local_size_x = 64) in;
 
@@ -74,6 +75,10 @@ void main()
   {
     return;
   }
+  if (probeRests(probe, update, probeState(probe)))
+  {
+    return;
+  }
   int number = index - probe * rays;
   vec3 direction = fieldTurn(probe, update) * fieldDirection(number);
   uint state = giHash(uint(index) ^ giHash(uint(update) * 0x9e3779b9u));
@@ -97,7 +102,7 @@ void main()
       vec3 light = lampLight(at, pbr, state);
       if (lit)
       {
-        light += fieldIrradiance(at.position, at.normal, -direction);
+        light += fieldIrradiance(at.position, at.normal, -direction, result.a);
       }
       result.rgb += min(albedo, vec3(1.0)) * light;
     }

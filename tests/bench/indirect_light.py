@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Indirect light by probes beside the path tracer, in a Cornell box: where all stands still, and while its lamp and a
+box move. Exit code 1 where an error is above its limit."""
+import argparse
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
+
+import numpy as np  # noqa: E402
+import penumbra  # noqa: E402
+from cornell_moving_light import Room  # noqa: E402
+
+STILL, STILL_MEAN, MOVING = 0.02, 0.02, 0.03  # limits: relMSE, signed mean, mean relMSE over the frames
+BOUNCES = 30
+FINER = 4  # pixels of ours for each of the truth's, each way, as paths go through all of a pixel
+
+
+def options():
+    """From the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--size", type=int, default=96, help="of the pictures, pixels each way")
+    parser.add_argument("--spp", type=int, default=256, help="paths through each pixel of the moving pictures' truth")
+    parser.add_argument("--frames", type=int, default=60, help="of the lamp's way around")
+    parser.add_argument("--step", type=int, default=1, help="compare every so many of them")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of technique ddgi")
+    parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write pairs of pictures there")
+    parser.add_argument("--verbose", action="store_true", help="print the error of each frame")
+    parser.add_argument("--only", choices=("still", "moving"))
+    return parser.parse_args()
+
+
+class Camera:
+    """Linear radiance of a room, by one way of drawing it."""
+
+    def __init__(self, size, preset, **parameters):
+        self.room = Room()
+        self.gi = penumbra.enable(self.room.renderer, preset, **parameters)
+        self.gi.KeepRadianceOn()
+        self.window = penumbra.window(self.room.renderer, size=(size, size), multisamples=0)
+
+    def picture(self, frames=1):
+        """After so many frames."""
+        for _ in range(frames):
+            self.window.Render()
+        return penumbra.radiance(self.gi, self.room.renderer)[..., :3].astype(float)
+
+
+def smaller(picture):
+    """Each pixel the mean of FINER by FINER."""
+    height, width, channels = picture.shape
+    return picture.reshape(height // FINER, FINER, width // FINER, FINER, channels).mean(axis=(1, 3))
+
+
+def direct_preset(ddgi, settings):
+    """Shadows by rays, and nothing else that could differ from the truth."""
+    return {"on": ["ray-traced-shadows"] + (["ddgi"] if ddgi else []),
+            **({f"ddgi.{name}": value for name, value in settings.items()} if ddgi else {})}
+
+
+def relative_error(picture, truth):
+    """relMSE and signed mean of the error, of luminance's mean over the picture."""
+    epsilon = 0.01 * truth.mean() ** 2
+    return (((picture - truth) ** 2) / (truth ** 2 + epsilon)).mean(), picture.mean() / truth.mean() - 1
+
+
+def kept(folder, name, make):
+    """An array from an earlier run, or made now."""
+    path = folder and os.path.join(folder, name + ".npy")
+    if path and os.path.exists(path):
+        return np.load(path)
+    made = make()
+    if path:
+        os.makedirs(folder, exist_ok=True)
+        np.save(path, made)
+    return made
+
+
+def write(folder, name, *pictures):
+    """Side by side, as a screen shows them."""
+    if not folder:
+        return
+    from PIL import Image
+    os.makedirs(folder, exist_ok=True)
+    row = np.concatenate(pictures, axis=1)
+    Image.fromarray((255 * np.clip(row, 0, 1) ** (1 / 2.2) + 0.5).astype(np.uint8)).save(os.path.join(folder, name))
+
+
+def traced(size, spp, bounces, moment=0.0):
+    """The truth at one moment."""
+    camera = Camera(size, "reference", **{"path-tracing.samples": spp, "path-tracing.bounces": bounces})
+    camera.room.at(moment)
+    return camera.picture(spp)
+
+
+def still(args, settings):
+    """Indirect light alone: with it less without it, on both sides."""
+    spp = 16 * args.spp
+    name = f"{args.size}_{spp}"
+    full = kept(args.keep, f"full_{name}", lambda: traced(args.size, spp, BOUNCES))
+    once = kept(args.keep, f"once_{name}", lambda: traced(args.size, spp, 0))
+    pictures = []
+    for ddgi in (True, False):
+        camera = Camera(FINER * args.size, "off", **direct_preset(ddgi, settings))
+        pictures.append(smaller(camera.picture(400 if ddgi else 1)))
+    ours, truth = pictures[0] - pictures[1], full - once
+    error, mean = relative_error(ours, truth)
+    whole, whole_mean = relative_error(pictures[0], full)
+    write(args.pictures, "still.png", pictures[0], full, ours, truth)
+    print(f"still, indirect light alone: relMSE {error:.4f} (at most {STILL}), signed mean {100 * mean:+.2f} % "
+          f"(within {100 * STILL_MEAN:.0f} %); whole picture {whole:.4f}, {100 * whole_mean:+.2f} %")
+    return error <= STILL and abs(mean) <= STILL_MEAN
+
+
+def moving(args, settings):
+    """The whole picture of every frame, one update of the probes a frame."""
+    camera = Camera(FINER * args.size, "off", **direct_preset(True, settings))
+    camera.picture(60)
+    errors = []
+    for frame in range(args.frames):
+        moment = frame / args.frames
+        camera.room.at(moment)
+        ours = smaller(camera.picture())
+        if frame % args.step:
+            continue
+        truth = kept(args.keep, f"moving_{args.size}_{args.spp}_{args.frames}_{frame}",
+                     lambda: traced(args.size, args.spp, BOUNCES, frame / args.frames))
+        errors.append(relative_error(ours, truth))
+        if args.verbose:
+            print(f"frame {frame}: relMSE {errors[-1][0]:.4f}, signed mean {100 * errors[-1][1]:+.2f} %")
+        write(args.pictures, f"moving_{frame:02d}.png", ours, truth)
+    error, mean = np.mean(errors, axis=0)
+    print(f"moving, {len(errors)} frames: mean relMSE {error:.4f} (at most {MOVING}), worst {max(e for e, _ in errors):.4f}, "
+          f"signed mean {100 * mean:+.2f} %")
+    return error <= MOVING
+
+
+def main():
+    """Both."""
+    args = options()
+    settings = dict(item.split("=", 1) for item in args.set)
+    passed = [work(args, settings) for name, work in (("still", still), ("moving", moving)) if args.only in (None, name)]
+    sys.exit(0 if all(passed) else 1)
+
+
+if __name__ == "__main__":
+    main()
