@@ -160,7 +160,7 @@ TEST_F(SHProbes, ClosedEnclosureKeepsItsEnergy)
   constexpr double emission = 0.1;
   constexpr double albedo = 0.8;
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, albedo)->GetProperty()->SetAmbient(emission);
-  this->Bake(125, 8192);
+  this->Bake(64, 16384);
   const Values values = this->After(1);
   const double expected = emission / (1.0 - albedo);
   double most = 0.0;
@@ -170,7 +170,9 @@ TEST_F(SHProbes, ClosedEnclosureKeepsItsEnergy)
   }
   std::printf(
     "radiosity %.5f of %.5f, largest error %.2f %%\n", Mean(values), expected, 100.0 * most);
-  EXPECT_LT(most, 0.02);
+  // Chance makes single probes err; their mean has what is systematic.
+  EXPECT_LT(std::abs(Mean(values) / expected - 1.0), 0.005);
+  EXPECT_LT(most, 0.03);
 }
 
 TEST_F(SHProbes, ARoomNextDoorStaysDark)
@@ -371,7 +373,7 @@ TEST_F(SHProbes, RefuseWhatIsNoBake)
 TEST_F(SHProbes, BallsShowThemUnlessSomethingIsBefore)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0)->GetProperty()->SetAmbient(1.0);
-  this->Bake(125, 64);
+  this->Bake(125, 1024);
   this->Scene.Window->SetSize(96, 72);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
   this->Scene.Renderer->RemoveAllViewProps();

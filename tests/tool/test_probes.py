@@ -14,7 +14,7 @@ import command
 WALL = {"color": [0.7, 0.7, 0.7], "shading": "flat"}
 ROOM = {"size": [32, 24],
         "objects": [{"name": "room", "box": {"size": [2, 2, 2]}, "material": WALL},
-                    {"name": "ball", "sphere": {"radius": 0.2}, "position": [0.4, 0, 0], "material": WALL}],
+                    {"name": "ball", "sphere": {"radius": 0.2}, "transform": {"translate": [0.4, 0, 0]}, "material": WALL}],
         "lights": [{"type": "point", "position": [0.3, -0.2, 0.6]}],
         "camera": {"position": [-0.9, -0.8, 0.5], "focal": [0.6, 0.5, -0.4], "up": [0, 0, 1], "angle": 70}}
 BAKE = ("--probes", 64, "--samples", 64)
@@ -43,7 +43,7 @@ class Probes(command.CommandTest):
         self.assertGreater(self.brightness(self.scene({**ROOM, "bakes": ["room.vti"]}, "with.json")), -1e-6)
         # The ball is no part of the bake; the lamp is.
         moved = json.loads(json.dumps(ROOM))
-        moved["objects"][1]["position"] = [0.5, 0.2, 0]
+        moved["objects"][1]["transform"] = {"translate": [0.5, 0.2, 0]}
         self.assertGreater(self.brightness(self.scene(moved, "moved.json"), "--bake", "room.vti"), 0.1)
         moved["lights"][0]["position"] = [0.3, -0.2, 0.5]
         dark = self.brightness(self.scene(moved, "dark.json"), "--bake", "room.vti", notes=("no longer fit: light",))
@@ -51,9 +51,9 @@ class Probes(command.CommandTest):
 
     def test_a_killed_bake_is_gone_on_with(self):
         scene = self.scene(ROOM, "killed.json")
-        whole = self.succeeds("bake", "probes", scene, "-o", "whole.vti", "--probes", 64, "--samples", 8192, "--stats")
+        whole = self.succeeds("bake", "probes", scene, "-o", "whole.vti", "--probes", 64, "--samples", 4096, "--stats")
         self.assertEqual(json.loads(whole.stdout)["resumed-samples"], 0)
-        arguments = ["bake", "probes", scene, "-o", "killed.vti", "--probes", "64", "--samples", "8192"]
+        arguments = ["bake", "probes", scene, "-o", "killed.vti", "--probes", "64", "--samples", "4096"]
         part = self.folder / "killed.vti.part"
         running = subprocess.Popen([command.COMMAND, *map(str, arguments)], cwd=self.folder,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
