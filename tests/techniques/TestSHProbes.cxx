@@ -22,6 +22,7 @@
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkReverseSense.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 
@@ -209,6 +210,7 @@ TEST_F(SHProbes, ARoomNextDoorStaysDark)
     EXPECT_LT(thickness, 0.5 * this->Field->GetSpacing()[0]);
     EXPECT_GT(bright - direct, 0.1 * direct);
     EXPECT_LT(Mean(dark) - Mean(none), 0.01 * (bright - direct));
+    EXPECT_LT(most, 0.01 * (bright - direct));
     this->Scene.Renderer->RemoveActor(left);
     this->Scene.Renderer->RemoveActor(right);
   }
@@ -264,6 +266,47 @@ TEST_F(SHProbes, AMovingBallIsLitAsThePathTracerLightsIt)
       100.0 * error / sum, 100.0 * sign / sum);
     EXPECT_LT(error / sum, 0.05);
     this->Scene.Renderer->RemoveActor(ball);
+  }
+}
+
+// A room is a box seen from inside, a block one seen from outside: which side is which says nothing of light.
+TEST_F(SHProbes, SurfacesTurnedInsideOutMakeNoDifference)
+{
+  this->Lamp->SetPosition(0.4, -0.3, 0.8);
+  this->Lamp->SetIntensity(0.7);
+  this->LookFrom(0.9, 0.8, 0.8, -0.7, -0.6, -0.3);
+  std::vector<double> means;
+  for (int turned = 0; turned < 4; ++turned)
+  {
+    vtkActor* parts[2] = { this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.6),
+      this->AddBox(-0.9, -0.2, -0.9, -0.2, -1.0, 0.1, 0.6) };
+    for (int i = 0; i < 2; ++i)
+    {
+      if ((turned >> i & 1) != 0)
+      {
+        vtkNew<vtkReverseSense> reverse;
+        reverse->SetInputConnection(parts[i]->GetMapper()->GetInputConnection(0, 0));
+        reverse->ReverseCellsOn();
+        reverse->ReverseNormalsOn();
+        parts[i]->GetMapper()->SetInputConnection(reverse->GetOutputPort());
+      }
+    }
+    this->Bake(512, 1024);
+    const double with = Mean(this->After(1));
+    this->Probes->EnabledOff();
+    means.push_back(with - Mean(this->After(1)));
+    this->Probes->EnabledOn();
+    std::printf("room %s, block %s: indirect light %.4f\n", turned & 1 ? "turned" : "as it is",
+      turned & 2 ? "turned" : "as it is", means.back());
+    for (vtkActor* part : parts)
+    {
+      this->Scene.Renderer->RemoveActor(part);
+    }
+  }
+  for (const double mean : means)
+  {
+    EXPECT_GT(mean, 0.05);
+    EXPECT_NEAR(mean, means[0], 0.02 * means[0]);
   }
 }
 
