@@ -4,6 +4,7 @@
 #include "ComputeHarness.h"
 
 #include "private/GLObjects.h"
+#include "private/Harmonics.h"
 
 #include "light.h"
 
@@ -155,6 +156,27 @@ TEST_F(LightLib, ReflectionIsReciprocal)
   for (const auto& r : results)
   {
     EXPECT_NEAR(r.x, r.y, 1e-5 + 1e-4 * r.x);
+  }
+}
+
+TEST_F(LightLib, HarmonicsAreTheProcessors)
+{
+  const auto directions = UnitVectors(200);
+  std::vector<glm::vec4> inputs;
+  for (const auto& d : directions)
+  {
+    inputs.emplace_back(glm::vec3(d), 0.0f);
+  }
+  for (int k = 0; k < 9; ++k)
+  {
+    const auto results = this->Run({ "lib/spherical_harmonics.glsl" },
+      "float y[GI_HARMONICS];\ngiHarmonics(IN(0).xyz, y);\nRESULT = vec4(y[" + std::to_string(k) +
+        "]);",
+      1, inputs);
+    for (std::size_t i = 0; i < directions.size(); ++i)
+    {
+      EXPECT_NEAR(results[i].x, penumbra::HarmonicsOf(directions[i])[k], 1e-5) << k;
+    }
   }
 }
 

@@ -28,6 +28,8 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   pass.Read(resource::Depth)
     .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
     .Execute([lights = std::move(lights)](FrameContext& context) {
+      // Later passes draw to the framebuffer that was bound before.
+      ScopedState outer(context.State());
       context.BindTarget({ resource::Irradiance }, resource::Depth);
       constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
       glClearBufferfv(GL_COLOR, 0, nothing);

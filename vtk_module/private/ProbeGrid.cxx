@@ -7,34 +7,62 @@
 
 namespace penumbra
 {
-ProbeGrid ProbeGrid::Around(const std::array<double, 6>& bounds, int probes)
+namespace
 {
-  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
-  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
-  // A flat scene still gets a volume.
-  const double diagonal = std::max(glm::length(high - low), 1e-30);
-  const glm::dvec3 size = glm::max(high - low, glm::dvec3(1e-3 * diagonal));
+glm::dvec3 Middle(const std::array<double, 6>& bounds)
+{
+  return 0.5 * glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
+}
+
+// A flat scene still gets a volume.
+glm::dvec3 SizeOf(const std::array<double, 6>& bounds)
+{
+  const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+  const double diagonal = std::max(glm::length(size), 1e-30);
+  return glm::max(size, glm::dvec3(1e-3 * diagonal));
+}
+
+glm::dvec3 CellsOf(const glm::dvec3& size, double cell)
+{
+  return glm::max(glm::ceil(size / cell - 1e-9), glm::dvec3(1.0));
+}
+
+ProbeGrid OfCells(const std::array<double, 6>& bounds, const glm::dvec3& cells)
+{
   ProbeGrid grid;
-  double cell = std::cbrt(size.x * size.y * size.z / probes);
-  for (;;)
-  {
-    const glm::dvec3 cells = glm::max(glm::ceil(size / cell - 1e-9), glm::dvec3(1.0));
-    const glm::dvec3 counts = cells + 2.0;
-    if (counts.x * counts.y * counts.z <= std::max(probes, 27))
-    {
-      grid.Counts = glm::ivec3(counts);
-      grid.Spacing = size / cells;
-      break;
-    }
-    cell *= 1.02;
-  }
+  grid.Counts = glm::ivec3(cells + 2.0);
+  grid.Spacing = SizeOf(bounds) / cells;
   // Along a thin side of the scene cells are as long as along the others.
   const double longest = std::max({ grid.Spacing.x, grid.Spacing.y, grid.Spacing.z });
   grid.Spacing = glm::max(grid.Spacing, glm::dvec3(0.5 * longest));
   // A little off the middle: scenes are made of round numbers, and a probe within a surface sees nothing well.
   const glm::dvec3 off(0.047, 0.053, 0.059);
-  grid.First = 0.5 * (low + high) + grid.Spacing * (off - 0.5 * glm::dvec3(grid.Counts - 1));
+  grid.First = Middle(bounds) + grid.Spacing * (off - 0.5 * glm::dvec3(grid.Counts - 1));
   return grid;
+}
+}
+
+ProbeGrid ProbeGrid::Around(const std::array<double, 6>& bounds, int probes)
+{
+  const glm::dvec3 size = SizeOf(bounds);
+  double cell = std::cbrt(size.x * size.y * size.z / probes);
+  for (;;)
+  {
+    const glm::dvec3 cells = CellsOf(size, cell);
+    const glm::dvec3 counts = cells + 2.0;
+    if (counts.x * counts.y * counts.z <= std::max(probes, 27))
+    {
+      return OfCells(bounds, cells);
+    }
+    cell *= 1.02;
+  }
+}
+
+ProbeGrid ProbeGrid::Spaced(const std::array<double, 6>& bounds, double spacing, int most)
+{
+  const glm::dvec3 cells = CellsOf(SizeOf(bounds), spacing);
+  const glm::dvec3 counts = cells + 2.0;
+  return counts.x * counts.y * counts.z <= most ? OfCells(bounds, cells) : ProbeGrid();
 }
 
 bool ProbeGrid::Suits(const std::array<double, 6>& bounds) const

@@ -25,6 +25,9 @@ struct ProbeGrid
   /// that surfaces at the bounds have probes on both sides.
   static ProbeGrid Around(const std::array<double, 6>& bounds, int probes);
 
+  /// Likewise, with at most such distances between neighbours; empty where that takes more probes than most.
+  static ProbeGrid Spaced(const std::array<double, 6>& bounds, double spacing, int most);
+
   /// Whether the bounds lie within, and fill enough of it that a grid of their own would not be much finer.
   bool Suits(const std::array<double, 6>& bounds) const;
 };

@@ -1,0 +1,9 @@
+#version 430 core
+// What the probes send to each pixel's surface, divided by pi.
+#include "shared/view.h"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/spherical_harmonics.glsl"
+#include "probes/field.glsl"
+#include "sh_probes/light.glsl"
+#include "probes/gather.glsl"

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What probes hold in spherical harmonics: irradiance divided by pi, nine coefficients of three colours, in
+// seven texels of four (Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment
+// Maps). Needs lib/spherical_harmonics.glsl, probes/field.glsl.
+layout(binding = 4) uniform sampler2D probeLight;
+
+uniform float lightScale; // of the numbers in the texture
+
+const int LIGHT_TEXELS = 7;
+
+void addProbe(int probe, float weight, inout vec4 sums[LIGHT_TEXELS])
+{
+  ivec2 tile = fieldTile(probe) * ivec2(LIGHT_TEXELS, 1);
+  for (int i = 0; i < LIGHT_TEXELS; ++i)
+  {
+    sums[i] += weight * texelFetch(probeLight, tile + ivec2(i, 0), 0);
+  }
+}
+
+// In a direction. Few harmonics can fall a little below zero there.
+vec3 harmonicLight(vec4 sums[LIGHT_TEXELS], vec3 N)
+{
+  float y[GI_HARMONICS];
+  giHarmonics(N, y);
+  vec3 light = vec3(0.0);
+  for (int k = 0; k < GI_HARMONICS; ++k)
+  {
+    int at = 3 * k;
+    light += y[k] *
+      vec3(sums[at / 4][at % 4], sums[(at + 1) / 4][(at + 1) % 4], sums[(at + 2) / 4][(at + 2) % 4]);
+  }
+  return lightScale * max(light, vec3(0.0));
+}
+
+vec3 probeIrradiance(int probe, vec3 N)
+{
+  vec4 sums[LIGHT_TEXELS];
+  for (int i = 0; i < LIGHT_TEXELS; ++i)
+  {
+    sums[i] = vec4(0.0);
+  }
+  addProbe(probe, 1.0, sums);
+  return harmonicLight(sums, N);
+}
+
+// What arrives at a point of a surface, divided by pi. V: unit, to where it is seen from.
+vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
+{
+  int probes[8];
+  float weights[8];
+  fieldWeights(P, N, V, reach, probes, weights);
+  vec4 sums[LIGHT_TEXELS];
+  for (int i = 0; i < LIGHT_TEXELS; ++i)
+  {
+    sums[i] = vec4(0.0);
+  }
+  const float least = 1e-4; // less makes no difference that is seen
+  for (int i = 0; i < 8; ++i)
+  {
+    if (weights[i] > least)
+    {
+      addProbe(probes[i], weights[i], sums);
+    }
+  }
+  return harmonicLight(sums, N);
+}

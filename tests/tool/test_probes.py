@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""penumbra bake probes: its files, its sentences, its life."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+import command
+
+WALL = {"color": [0.7, 0.7, 0.7], "shading": "flat"}
+ROOM = {"size": [32, 24],
+        "objects": [{"name": "room", "box": {"size": [2, 2, 2]}, "material": WALL},
+                    {"name": "ball", "sphere": {"radius": 0.2}, "transform": {"translate": [0.4, 0, 0]}, "material": WALL}],
+        "lights": [{"type": "point", "position": [0.3, -0.2, 0.6]}],
+        "camera": {"position": [-0.9, -0.8, 0.5], "focal": [0.6, 0.5, -0.4], "up": [0, 0, 1], "angle": 70}}
+BAKE = ("--probes", 64, "--samples", 64)
+
+
+class Probes(command.CommandTest):
+    def bake(self, scene, *arguments, notes=()):
+        ended = self.succeeds("bake", "probes", scene, "-o", "room.vti", "--stats", *BAKE, *arguments, notes=notes)
+        return json.loads(ended.stdout)
+
+    def brightness(self, scene, *arguments, notes=()):
+        self.succeeds("render", scene, "-o", "seen.exr", "--preset", "off", "--frames", 1, *arguments, notes=notes)
+        self.succeeds("render", scene, "-o", "plain.exr", "--preset", "off", "--frames", 1)
+        compared = json.loads(self.succeeds("compare", "seen.exr", "plain.exr", "--json").stdout)
+        return compared["signed-mean"]
+
+    def test_a_room_is_lit_by_its_bake(self):
+        scene = self.scene(ROOM)
+        report = self.bake(scene, "--without", "ball")
+        self.assertEqual(report["samples"], 64)
+        self.assertLessEqual(report["probes"], 64)
+        self.assertEqual(report["resumed-samples"], 0)
+        self.assertFalse((self.folder / "room.vti.part").exists())
+        self.assertGreater(self.brightness(scene, "--bake", "room.vti"), 0.1)
+        # From the scene file too.
+        self.assertGreater(self.brightness(self.scene({**ROOM, "bakes": ["room.vti"]}, "with.json")), -1e-6)
+        # The ball is no part of the bake; the lamp is.
+        moved = json.loads(json.dumps(ROOM))
+        moved["objects"][1]["transform"] = {"translate": [0.5, 0.2, 0]}
+        self.assertGreater(self.brightness(self.scene(moved, "moved.json"), "--bake", "room.vti"), 0.1)
+        moved["lights"][0]["position"] = [0.3, -0.2, 0.5]
+        dark = self.brightness(self.scene(moved, "dark.json"), "--bake", "room.vti", notes=("no longer fit: light",))
+        self.assertAlmostEqual(dark, 0.0, places=6)
+
+    def test_a_killed_bake_is_gone_on_with(self):
+        scene = self.scene(ROOM, "killed.json")
+        whole = self.succeeds("bake", "probes", scene, "-o", "whole.vti", "--probes", 64, "--samples", 4096, "--stats")
+        self.assertEqual(json.loads(whole.stdout)["resumed-samples"], 0)
+        arguments = ["bake", "probes", scene, "-o", "killed.vti", "--probes", "64", "--samples", "4096"]
+        part = self.folder / "killed.vti.part"
+        running = subprocess.Popen([command.COMMAND, *map(str, arguments)], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        until = time.monotonic() + command.LONGEST
+        while not part.exists() and running.poll() is None and time.monotonic() < until:
+            time.sleep(0.01)
+        os.killpg(running.pid, signal.SIGKILL)
+        running.wait()
+        self.assertTrue(part.exists())
+        self.assertFalse((self.folder / "killed.vti").exists())
+        resumed = json.loads(self.succeeds(*arguments, "--stats").stdout)
+        self.assertGreater(resumed["resumed-samples"], 0)
+        self.assertFalse(part.exists())
+        for name in ("whole", "killed"):
+            self.succeeds("render", scene, "--bake", f"{name}.vti", "--preset", "off", "--frames", 1, "-o",
+                          f"{name}.exr")
+        compared = json.loads(self.succeeds("compare", "whole.exr", "killed.exr", "--json").stdout)
+        self.assertLess(compared["maximum"], 0.002, "half floats round")
+
+    def test_a_foreign_part_is_left(self):
+        scene = self.scene(ROOM)
+        self.bake(scene)
+        other = self.folder / "room.vti.part"
+        other.write_bytes((self.folder / "room.vti").read_bytes())
+        self.assertEqual(self.bake(scene, notes=("begins anew",))["resumed-samples"], 0)
+        other.write_text("nothing of use")
+        self.assertEqual(self.bake(scene, notes=("begins anew",))["resumed-samples"], 0)
+
+    def test_damaged_and_foreign_files(self):
+        scene = self.scene(ROOM)
+        self.bake(scene)
+        content = (self.folder / "room.vti").read_bytes()
+
+        def refused(name, data, says):
+            (self.folder / name).write_bytes(data)
+            self.refused("render", scene, "--bake", name, "-o", "x.png", says=says, status=1)
+
+        refused("cut.vti", content[:len(content) // 2], "cut.vti")
+        at = content.index(b'Spacing="') + 9
+        refused("moved.vti", content[:at] + (b"9" if content[at:at + 1] != b"9" else b"8") + content[at + 1:],
+                "digest")
+        refused("text.vti", b"no picture at all", "holds no baked light")
+        self.succeeds("render", scene, "--stock", "-o", "sky.png")
+        refused("picture.vti", (self.folder / "sky.png").read_bytes(), "holds no baked light")
+        self.refused("render", scene, "--bake", "none.vti", "-o", "x.png", says="does not exist", status=1)
+
+    def test_sentences(self):
+        scene = self.scene(ROOM)
+        for arguments, says in (
+                (("-o", "x.exr"), ".vti"), (("-o", "x.vti", "--probes", 3), "--probes"),
+                (("-o", "x.vti", "--samples", 0), "--samples"), (("-o", "x.vti", "--without", "bal"), "ball")):
+            self.refused("bake", "probes", scene, *arguments, says=says, status=2)
+        self.refused("bake", "probes", scene, "-o", "/nowhere/x.vti", says="cannot be written", status=1)
+        self.refused("bake", "probes", scene, "-o", "x.vti", "--probe-spacing", 0.0001, says="million", status=1)
+        camera = {**ROOM, "lights": [{"type": "head"}]}
+        self.bake(self.scene(camera, "head.json"), notes=("follow the camera",))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LoadBakes.h"
+
+#include "../scene/Failure.h"
+#include "../scene/ProbeFile.h"
+
+#include <vtkGIPass.h>
+#include <vtkGISHProbes.h>
+#include <vtkImageData.h>
+
+#include <filesystem>
+
+namespace penumbra::tool
+{
+namespace
+{
+void LoadProbes(const std::string& path, vtkGIPass* pass)
+{
+  const vtkSmartPointer<vtkImageData> field = ReadProbes(path);
+  auto* technique = vtkGISHProbes::SafeDownCast(pass->GetTechnique("sh-probes"));
+  if (!technique->SetBake(field))
+  {
+    Fail("the probes '{}' cannot be used: {}", path, technique->GetBakeError());
+  }
+  technique->EnabledOn();
+}
+
+struct BakeKind
+{
+  bool (*Is)(const std::string& path);
+  void (*Load)(const std::string& path, vtkGIPass* pass);
+};
+constexpr BakeKind Kinds[] = { { IsProbes, LoadProbes } };
+}
+
+void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass)
+{
+  for (const std::string& path : files)
+  {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+    {
+      Fail("the bake '{}' does not exist: make one with penumbra bake", path);
+    }
+    bool found = false;
+    for (const BakeKind& kind : Kinds)
+    {
+      if (kind.Is(path))
+      {
+        kind.Load(path, pass);
+        found = true;
+        break;
+      }
+    }
+    if (!found)
+    {
+      Fail("'{}' holds no baked light, or is damaged beyond telling which: give a file that "
+           "penumbra bake "
+           "probes wrote",
+        path);
+    }
+  }
+}
+}

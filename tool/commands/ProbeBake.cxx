@@ -1,0 +1,342 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// penumbra bake probes: indirect light in space, kept at the points of a grid.
+#include "Command.h"
+#include "RenderOptions.h"
+
+#include "../scene/Failure.h"
+#include "../scene/Names.h"
+#include "../scene/ProbeFile.h"
+#include "../scene/SceneBuilder.h"
+#include "../scene/Windows.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <vtkCallbackCommand.h>
+#include <vtkFloatArray.h>
+#include <vtkGIProbeBaker.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace penumbra::tool
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// A call of the baker, as a part of a step.
+class Progress
+{
+public:
+  Progress(vtkGIProbeBaker* baker, Step& step, double first, double part)
+    : Baker(baker)
+    , Target(step)
+    , First(first)
+    , Part(part)
+  {
+    this->Watch->SetClientData(this);
+    this->Watch->SetCallback([](vtkObject*, unsigned long, void* self, void* progress) {
+      auto* that = static_cast<Progress*>(self);
+      that->Target.Advance(that->First + that->Part * *static_cast<double*>(progress));
+    });
+    this->Tag = baker->AddObserver(vtkCommand::ProgressEvent, this->Watch);
+  }
+  ~Progress() { this->Baker->RemoveObserver(this->Tag); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+private:
+  vtkGIProbeBaker* Baker;
+  Step& Target;
+  double First;
+  double Part;
+  vtkNew<vtkCallbackCommand> Watch;
+  unsigned long Tag = 0;
+};
+
+class ProbeBake : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& app) override
+  {
+    CLI::App* command =
+      app.add_subcommand("probes", "indirect light in space, for what stands and what moves there");
+    command->add_option("-o,--output", this->Options.Output, "the probes (.vti)")->required();
+    DeclareSceneOptions(*command, this->Options, "the scene's", false);
+    const char* group = "Probes";
+    command->add_option("--probes", this->Probes, "at most, in a grid around the scene")
+      ->capture_default_str()
+      ->group(group);
+    command
+      ->add_option("--probe-spacing", this->Spacing,
+        "between neighbours at most, world units, in place of --probes")
+      ->group(group);
+    command->add_option("--samples", this->Samples, "paths from each probe")
+      ->capture_default_str()
+      ->group(group);
+    command->add_option("--bounces", this->Bounces, "reflections after which a path ends")
+      ->capture_default_str()
+      ->group(group);
+    command->add_flag("--uniform", this->Uniform, "leave probes where the grid puts them")
+      ->group(group);
+    command
+      ->add_option("--without", this->Without,
+        "an object of the scene file that moves, by its name; may be repeated")
+      ->allow_extra_args(false)
+      ->group(group);
+    command->add_flag("--anew", this->Anew, "keep nothing of a bake that was broken off")
+      ->group(group);
+    command->add_option("--backend", this->Options.Backend, "egl, osmesa, x11 or auto")
+      ->capture_default_str()
+      ->group("Output");
+    command->footer(
+      "Examples:\n"
+      "  penumbra bake probes examples/cornell_lamp.json -o room.vti\n"
+      "  penumbra bake probes room.json --without robot --probe-spacing 0.5 -o room.vti\n"
+      "  penumbra render room.json --bake room.vti -o room.png");
+    return command;
+  }
+
+  int Run(Console& console) override
+  {
+    console.SetQuiet(this->Options.Quiet);
+    console.SetVerbose(this->Options.Verbose);
+    this->Check();
+    const Scene scene = MakeScene(this->Options);
+    const auto window = MakeWindow(this->Options.Backend);
+    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
+    this->Hide(built);
+    ConfigureWindow(scene, built, window);
+    constexpr int side = 16; // nothing is drawn in it
+    window->SetSize(side, side);
+    window->SetMultiSamples(0);
+    {
+      Step step(console, "opening an OpenGL window");
+      OpenWindow(window);
+    }
+    const auto start = Clock::now();
+    vtkNew<vtkGIProbeBaker> baker;
+    baker->SetProbes(this->Probes);
+    baker->SetSpacing(this->Spacing);
+    baker->SetAdaptive(!this->Uniform);
+    baker->SetBounces(this->Bounces);
+    vtkNew<vtkImageData> field;
+    const int resumed = this->Begin(baker, built.Renderer, field, console);
+    this->Gather(baker, built.Renderer, field, console);
+    this->Comment(baker, console);
+    vtkNew<vtkImageData> compact;
+    Require(baker->Compact(field, compact), baker);
+    WriteProbes(this->Options.Output, compact);
+    std::error_code ignored;
+    fs::remove(this->Partial(), ignored);
+    this->Report(field, resumed, SecondsSince(start));
+    baker->ReleaseGraphicsResources(window);
+    window->Finalize();
+    return 0;
+  }
+
+private:
+  static void Require(bool done, vtkGIProbeBaker* baker)
+  {
+    if (!done)
+    {
+      Fail("the probes cannot be baked: {}", baker->GetLastError());
+    }
+  }
+
+  void Check() const
+  {
+    const std::string& output = this->Options.Output;
+    if (fs::path(output).extension() != ".vti")
+    {
+      FailUsage("'{}' does not end in .vti: probes are written as a VTK image", output);
+    }
+    const auto folder = fs::path(output).parent_path();
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 || fs::is_directory(output))
+    {
+      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
+        output);
+    }
+    const auto within = [](const char* option, double value, double least, double most) {
+      if (!(value >= least && value <= most))
+      {
+        FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
+      }
+    };
+    within("--probes", this->Probes, 27, 1 << 20);
+    within("--probe-spacing", this->Spacing, 0, 1e30);
+    within("--samples", this->Samples, 1, 1 << 24);
+    within("--bounces", this->Bounces, 1, 10000);
+  }
+
+  void Hide(const BuiltScene& built) const
+  {
+    for (const std::string& name : this->Without)
+    {
+      bool found = false;
+      std::vector<std::string> names;
+      for (const auto& [prop, called] : built.Names)
+      {
+        names.push_back(called);
+        if (called == name)
+        {
+          prop->VisibilityOff();
+          found = true;
+        }
+      }
+      if (!found)
+      {
+        FailUsage("{}", UnknownName("object", name, "", names));
+      }
+    }
+  }
+
+  std::string Partial() const { return this->Options.Output + ".part"; }
+
+  /// What a bake that was broken off must have been made with to be gone on with; its scene is kept beside.
+  std::string Settings() const
+  {
+    return fmt::format("probes {} spacing {:.17g} bounces {} uniform {}", this->Probes,
+      this->Spacing, this->Bounces, this->Uniform);
+  }
+
+  /// Places the probes, or takes them from a bake that was broken off. Returns the samples that these have.
+  int Begin(
+    vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
+  {
+    {
+      Step step(console, "placing probes");
+      Progress progress(baker, step, 0.0, 1.0);
+      Require(baker->Place(renderer, field), baker);
+    }
+    SetProbeText(field, "settings", this->Settings());
+    if (this->Anew || !fs::exists(this->Partial()))
+    {
+      return 0;
+    }
+    try
+    {
+      const vtkSmartPointer<vtkImageData> partial = ReadProbes(this->Partial());
+      const int samples = baker->CountSamples(partial);
+      const bool same = ProbeText(partial, "settings") == this->Settings() &&
+        ProbeText(partial, "scene") == ProbeText(field, "scene") && samples <= this->Samples;
+      if (same && samples > 0)
+      {
+        field->ShallowCopy(partial);
+        return samples;
+      }
+    }
+    catch (const Failure&)
+    {
+      // Said below: whatever is wrong with it, it is of no use.
+    }
+    console.Note(
+      fmt::format("'{}' is of another scene or of other settings, or damaged: the bake begins anew",
+        this->Partial()));
+    return 0;
+  }
+
+  void Gather(
+    vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
+  {
+    // What is lost by a kill is what was gathered in so many seconds.
+    constexpr double interval = 5.0;
+    Step step(console, "gathering light");
+    int part = 16;
+    for (int done = baker->CountSamples(field); done < this->Samples;)
+    {
+      const int now = std::min(part, this->Samples - done);
+      const auto start = Clock::now();
+      {
+        Progress progress(baker, step, double(done) / this->Samples, double(now) / this->Samples);
+        Require(baker->AddSamples(renderer, field, now), baker);
+      }
+      done += now;
+      SetProbeText(field, "settings", this->Settings());
+      const double factor = interval / std::max(SecondsSince(start), 1e-3);
+      part = std::max(16, static_cast<int>(now * std::clamp(factor, 0.25, 4.0)) / 16 * 16);
+      if (done < this->Samples)
+      {
+        WriteProbes(this->Partial(), field);
+      }
+    }
+  }
+
+  static void Comment(vtkGIProbeBaker* baker, Console& console)
+  {
+    if (const int lamps = baker->GetNumberOfLampsLeftOut())
+    {
+      console.Note(fmt::format("{} that follow the camera are left out: their light would not stay",
+        lamps == 1 ? std::string("lamps (1)") : fmt::format("lamps ({})", lamps)));
+    }
+    if (const int props = baker->GetNumberOfPropsLeftOut())
+    {
+      console.Note(
+        fmt::format("{} objects are of kinds that rays do not see: they reflect no light", props));
+    }
+  }
+
+  void Report(vtkImageData* field, int resumed, double seconds) const
+  {
+    constexpr double moved = 0.01; // of a cell
+    const auto* offsets =
+      vtkFloatArray::SafeDownCast(field->GetPointData()->GetArray("offset"))->GetPointer(0);
+    const auto* backs =
+      vtkUnsignedCharArray::SafeDownCast(field->GetPointData()->GetArray("backs"))->GetPointer(0);
+    int away = 0;
+    int behind = 0;
+    for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
+    {
+      const float* o = offsets + 3 * i;
+      away += std::hypot(o[0], o[1], o[2]) > moved;
+      behind += backs[i] > 64;
+    }
+    const int* counts = field->GetDimensions();
+    const double* spacing = field->GetSpacing();
+    if (!this->Options.Statistics)
+    {
+      std::cout << fmt::format("{} x {} x {} probes, {} of them moved; {} samples each; {:.1f} s\n",
+                     counts[0], counts[1], counts[2], away, this->Samples, seconds)
+                << std::flush;
+      return;
+    }
+    const nlohmann::ordered_json report = { { "output", this->Options.Output },
+      { "grid", { counts[0], counts[1], counts[2] } },
+      { "spacing", { spacing[0], spacing[1], spacing[2] } },
+      { "probes", field->GetNumberOfPoints() }, { "moved", away }, { "behind-surfaces", behind },
+      { "samples", this->Samples }, { "resumed-samples", resumed },
+      { "bytes", fs::file_size(this->Options.Output) }, { "seconds", seconds } };
+    std::cout << report.dump(2) << std::endl;
+  }
+
+  RenderOptions Options;
+  int Probes = 1024;
+  double Spacing = 0.0;
+  int Samples = 1024;
+  int Bounces = 64;
+  bool Uniform = false;
+  bool Anew = false;
+  std::vector<std::string> Without;
+};
+}
+
+std::unique_ptr<Command> MakeProbeBake()
+{
+  return std::make_unique<ProbeBake>();
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A baked field of probes on the graphics card, as glsl/sh_probes/light.glsl reads it.
+ */
+#pragma once
+
+#include "private/GLObjects.h"
+#include "private/ProbeField.h"
+
+#include <memory>
+
+namespace penumbra
+{
+class Program;
+
+class ProbeTextures
+{
+public:
+  /// The context must be current. window: smooth harmonics that go below zero.
+  ProbeTextures(const ProbeField& field, bool window);
+
+  const Texture* Light() const { return &this->LightTexture; }
+  const Texture* Distance() const { return &this->DistanceTexture; }
+  const Texture* Probes() const { return &this->ProbeTexture; }
+
+  /// For a program in use. Coordinates of its scene are relative to Origin().
+  void Set(const Program& program, double bias) const;
+  const glm::dvec3& Origin() const { return this->Grid.First; }
+
+private:
+  void FillLight(const ProbeField& field, bool window);
+  void FillDistance(const ProbeField& field);
+  void FillProbes(const ProbeField& field);
+
+  ProbeGrid Grid;
+  int Columns;
+  double Scale = 1.0;
+  Texture LightTexture;
+  Texture DistanceTexture;
+  Texture ProbeTexture;
+};
+}

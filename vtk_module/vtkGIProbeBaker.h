@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGIProbeBaker
+ * @brief   puts probes into a renderer's scene and gathers the light that arrives there
+ *
+ * What it makes is for vtkGISHProbes: an image whose points are the places of a grid of probes, with these arrays
+ * at points: "light" (27 components: vtkGILightGatherer's harmonics of radiance), "distance" (512: the mean and
+ * standard deviation of how far surfaces are, in an octahedral map of 16 x 16 directions, rows first, in units of
+ * 1.5 diagonals of a cell, at most 1), "offset" (3: how far the probe stands off its place, in cells), "sight" (a
+ * bit for each of 13 neighbours that it sees) and "backs" (0 to 255: the share of directions in which it sees
+ * backs of surfaces); and field arrays "format", "scene" (what the bake depends on), "samples" and "light scale".
+ * Compact() stores light and distance as half floats, light over "light scale".
+ *
+ * ProgressEvent is invoked with the share of the work that is done, a double from 0 to 1; an observer may call
+ * AbortOn().
+ */
+#ifndef vtkGIProbeBaker_h
+#define vtkGIProbeBaker_h
+
+#include "vtkObject.h"
+#include "vtkRenderingGIModule.h"
+
+#include <memory> // for the implementation
+
+class vtkImageData;
+class vtkRenderer;
+class vtkWindow;
+
+class VTKRENDERINGGI_EXPORT vtkGIProbeBaker : public vtkObject
+{
+public:
+  static vtkGIProbeBaker* New();
+  vtkTypeMacro(vtkGIProbeBaker, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * How many probes at most fill the bounds of the visible props, in a grid of nearly cubic cells that reaches
+   * half a cell beyond; 1024 by default.
+   */
+  vtkSetClampMacro(Probes, int, 27, 1 << 20);
+  vtkGetMacro(Probes, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest distance between neighbours, world units; 0, the default, leaves it to Probes.
+   */
+  vtkSetClampMacro(Spacing, double, 0.0, 1e300);
+  vtkGetMacro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Move probes off surfaces that are close, and out of what is solid. On by default.
+   */
+  vtkSetMacro(Adaptive, bool);
+  vtkGetMacro(Adaptive, bool);
+  vtkBooleanMacro(Adaptive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * As vtkGILightGatherer's; Samples are what Bake() takes. 1024 samples, 64 bounces, seed 0 by default.
+   */
+  vtkSetClampMacro(Samples, int, 1, 1 << 24);
+  vtkGetMacro(Samples, int);
+  vtkSetClampMacro(Bounces, int, 1, 10000);
+  vtkGetMacro(Bounces, int);
+  vtkSetMacro(Seed, int);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /**
+   * End the call that runs, soon. Each call switches it off as it begins.
+   */
+  vtkSetMacro(Abort, bool);
+  vtkGetMacro(Abort, bool);
+  vtkBooleanMacro(Abort, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Place probes in the scene as it is shown now, without light yet; then add the light of so many more samples,
+   * as often as wanted: the mean of all is kept, as if they had been taken at once. Or all of it, with Compact().
+   * They return false, with a sentence in GetLastError() and the field as it was, for a renderer without an
+   * OpenGL 4.3 window, a scene without bounds or too large, or a field that is not of this scene; and without a
+   * sentence where they were aborted.
+   */
+  bool Place(vtkRenderer* renderer, vtkImageData* field);
+  bool AddSamples(vtkRenderer* renderer, vtkImageData* field, int samples);
+  bool Bake(vtkRenderer* renderer, vtkImageData* field);
+  ///@}
+
+  /**
+   * The same field with half floats. Returns false, with a sentence, where it is none.
+   */
+  bool Compact(vtkImageData* field, vtkImageData* compact);
+
+  /**
+   * The samples that a field is the mean of, or -1 with a sentence in GetLastError() where it is none.
+   */
+  int CountSamples(vtkImageData* field);
+
+  /**
+   * Of the last call: lamps that follow the camera and were left out, and visible props of kinds that rays do not
+   * see.
+   */
+  int GetNumberOfLampsLeftOut();
+  int GetNumberOfPropsLeftOut();
+
+  /**
+   * Why the last call returned false, or "".
+   */
+  const char* GetLastError();
+
+  /**
+   * Free what is kept on the GPU. The render window lives on until then.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkGIProbeBaker();
+  ~vtkGIProbeBaker() override;
+
+  int Probes = 1024;
+  double Spacing = 0.0;
+  bool Adaptive = true;
+  int Samples = 1024;
+  int Bounces = 64;
+  int Seed = 0;
+  bool Abort = false;
+
+private:
+  vtkGIProbeBaker(const vtkGIProbeBaker&) = delete;
+  void operator=(const vtkGIProbeBaker&) = delete;
+
+  bool Tell(double progress);
+  void Forward(vtkObject* caller, unsigned long event, void* progress);
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGISHProbes.h"
+
+#include "private/BakedScene.h"
+#include "private/Frame.h"
+#include "private/ProbeTextures.h"
+#include "private/ScopedState.h"
+
+#include "vtkImageData.h"
+
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkGISHProbes);
+
+using namespace penumbra;
+
+namespace
+{
+// Among the passes that modify the picture: over what is lit, before anti-aliasing.
+constexpr int ShowOrder = 750;
+constexpr double ShownRadius =
+  0.09; // of a cell: at most 0.4 off its place, a ball stays in its cell
+}
+
+struct vtkGISHProbes::Internals
+{
+  ProbeField Field;
+  BakedSceneWatch Watch;
+  std::map<vtkRenderer*, std::string> Mismatches; ///< of renderers' last frames
+  std::string Error;
+  std::unique_ptr<ProbeTextures> Textures;
+  int Window = -1;   ///< as Textures have it
+  bool Stale = true; ///< Textures are of another field
+
+  const ProbeTextures& Ready(int window)
+  {
+    if (!this->Textures || this->Stale || this->Window != window)
+    {
+      this->Textures = std::make_unique<ProbeTextures>(this->Field, window != 0);
+      this->Stale = false;
+      this->Window = window;
+    }
+    return *this->Textures;
+  }
+
+  static void SetView(const Program& program, const View& view, const ProbeTextures& textures)
+  {
+    const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
+    const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - textures.Origin());
+    glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
+    glUniform3fv(program.Location("eye"), 1, &eye[0]);
+  }
+
+  void Gather(FrameContext& context, const vtkGISHProbes& settings)
+  {
+    const ProbeTextures& textures = this->Ready(settings.Window);
+    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag");
+    context.Use(program,
+      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
+        context.Input(resource::Normal), nullptr, textures.Light(), textures.Distance(),
+        textures.Probes() });
+    textures.Set(program, settings.Bias);
+    SetView(program, context.GetView(), textures);
+    glUniform1f(program.Location("intensity"), static_cast<GLfloat>(settings.Intensity));
+    context.DrawFullscreen();
+  }
+
+  void Show(FrameContext& context, const vtkGISHProbes& settings, const char* target)
+  {
+    const ProbeTextures& textures = this->Ready(settings.Window);
+    ScopedState scope(context.State());
+    scope.Set(GL_BLEND, false);
+    scope.Set(GL_DEPTH_TEST, false);
+    scope.DepthMask(false);
+    const Program& program = context.Shaders().Fragment("sh_probes/show.frag");
+    context.BindTarget({ target });
+    context.Use(program,
+      { context.Input(resource::WindowDepth), context.Input(target), nullptr, nullptr,
+        textures.Light(), textures.Distance(), textures.Probes() });
+    textures.Set(program, settings.Bias);
+    SetView(program, context.GetView(), textures);
+    const glm::dvec3& spacing = this->Field.Grid.Spacing;
+    glUniform1f(program.Location("radius"),
+      static_cast<GLfloat>(ShownRadius * std::min({ spacing.x, spacing.y, spacing.z })));
+    context.DrawFullscreen();
+  }
+};
+
+vtkGISHProbes::vtkGISHProbes()
+  : Impl(new Internals)
+{
+}
+
+vtkGISHProbes::~vtkGISHProbes() = default;
+
+bool vtkGISHProbes::SetBake(vtkImageData* image)
+{
+  Internals& impl = *this->Impl;
+  impl.Error.clear();
+  try
+  {
+    ProbeField field = image ? ProbeField::FromImage(image) : ProbeField();
+    BakedSceneWatch watch;
+    if (image)
+    {
+      watch.SetBaked(field.Scene);
+    }
+    impl.Field = std::move(field);
+    impl.Watch = std::move(watch);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    impl.Error = error.what();
+    return false;
+  }
+  // Textures are freed where their context is current.
+  impl.Stale = true;
+  this->Modified();
+  return true;
+}
+
+bool vtkGISHProbes::HasBake()
+{
+  return !this->Impl->Field.IsEmpty();
+}
+
+const char* vtkGISHProbes::GetBakeError()
+{
+  return this->Impl->Error.c_str();
+}
+
+std::string vtkGISHProbes::GetMismatch(vtkRenderer* renderer)
+{
+  const auto found = this->Impl->Mismatches.find(renderer);
+  return found == this->Impl->Mismatches.end() ? std::string() : found->second;
+}
+
+void vtkGISHProbes::ReleaseGraphicsResources(vtkWindow*)
+{
+  this->Impl->Textures.reset();
+  this->Impl->Watch.Forget();
+}
+
+void vtkGISHProbes::Contribute(FrameBuilder& frame)
+{
+  if (!this->HasBake())
+  {
+    frame.AddNote("the probes are on without a bake: make one with penumbra bake probes");
+    return;
+  }
+  const View& view = frame.GetView();
+  std::string& mismatch = this->Impl->Mismatches[frame.GetRenderer()];
+  mismatch = this->Impl->Watch.Difference(
+    frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
+  if (mismatch.empty())
+  {
+    frame.AddIndirectLight(
+      { IndirectKind::BakedProbes, { resource::WindowDepth, resource::Albedo, resource::Normal },
+        [this](FrameContext& context) { this->Impl->Gather(context, *this); } });
+  }
+  else
+  {
+    frame.AddNote("the probes no longer fit: " + mismatch + " since the bake");
+  }
+  if (this->Show)
+  {
+    frame.AddPass("probe-balls")
+      .Read(resource::WindowDepth)
+      .Modify(resource::Color, ShowOrder)
+      .Execute(
+        [this](FrameContext& context) { this->Impl->Show(context, *this, resource::Color); });
+    frame.AddPass("probe-balls-radiance")
+      .Read(resource::WindowDepth)
+      .ModifyIfPresent(resource::Radiance, ShowOrder)
+      .Execute(
+        [this](FrameContext& context) { this->Impl->Show(context, *this, resource::Radiance); });
+  }
+}
