@@ -1,6 +1,5 @@
 // Irradiance at a point between probes that keep it, divided by pi, in an octahedral map over all directions
 // with a border of one texel. Needs lib/octahedral.glsl.
-#define GI_FIELD_VACANT 0.003
 #include "probes/field.glsl"
 #define GI_FIELD_LIGHT 8 // texels across a map of irradiance, without its border
 layout(binding = 4) uniform sampler2D fieldLight;
@@ -10,7 +9,7 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
 {
   int probes[8];
   float weights[8];
-  fieldWeights(P, N, V, reach, probes, weights);
+  fieldWeights(P, N, V, reach, 0.003, probes, weights);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 8; ++i)
   {

@@ -73,8 +73,9 @@ float fieldSees(int probe, vec3 fromProbe)
 }
 
 // The eight probes around a point of a surface, and weights that add up to 1, or to less where probes left dark places
-// (GI_FIELD_VACANT: the weight of such a place, which counts where no probe sees the point). V: unit, to where it is seen from, and how far that is: there is nothing between.
-void fieldWeights(vec3 P, vec3 N, vec3 V, float reach, out int probes[8], out float weights[8])
+// (emptiness: the weight of such a place, which counts where no probe sees the point). V: unit, to where it is seen
+// from; reach: how far that is, with nothing between.
+void fieldWeights(vec3 P, vec3 N, vec3 V, float reach, float emptiness, out int probes[8], out float weights[8])
 {
   float cell = min(fieldSpacing.x, min(fieldSpacing.y, fieldSpacing.z));
   vec3 off = P + 0.2 * N * (fieldBias * cell) + 0.8 * V * min(fieldBias * cell, reach);
@@ -106,11 +107,7 @@ void fieldWeights(vec3 P, vec3 N, vec3 V, float reach, out int probes[8], out fl
   // A probe counts as far as the others that count see it: one behind a wall may seem to see the point where
   // that is close to the wall, but none of those before the wall sees the probe.
   float agreements[8];
-#ifdef GI_FIELD_VACANT
-  float all = GI_FIELD_VACANT * vacant;
-#else
-  float all = 0.0;
-#endif
+  float all = emptiness * vacant;
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);

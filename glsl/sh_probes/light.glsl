@@ -49,7 +49,7 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
 {
   int probes[8];
   float weights[8];
-  fieldWeights(P, N, V, reach, probes, weights);
+  fieldWeights(P, N, V, reach, 0.0, probes, weights);
   vec4 sums[LIGHT_TEXELS];
   for (int i = 0; i < LIGHT_TEXELS; ++i)
   {
