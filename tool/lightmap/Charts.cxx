@@ -17,6 +17,7 @@ namespace penumbra::lightmap
 namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
+constexpr double Shift = 15.0; // degrees that a chart's mean may turn while it grows
 
 /// Triangles across each edge.
 class Edges
@@ -80,6 +81,7 @@ public:
   Grower(const Surfaces& surfaces, const ChartSettings& settings)
     : From(surfaces)
     , LeanCosine(std::cos(glm::radians(settings.Lean)))
+    , LeastCosine(std::cos(glm::radians(settings.Lean + Shift)))
     , Owner(surfaces.Triangles.size(), None)
     , Next(3 * surfaces.Triangles.size())
   {
@@ -131,13 +133,16 @@ private:
     queue.push({ 1.0, seed });
     std::vector<std::uint32_t> members;
     Vec3 sum(0.0);
+    const Vec3& seeds = this->From.Triangles[seed].Normal;
     while (!queue.empty())
     {
       const std::uint32_t t = queue.top().second;
       queue.pop();
       const Triangle& triangle = this->From.Triangles[t];
       if (this->Owner[t] != None ||
-        (!members.empty() && glm::dot(glm::normalize(sum), triangle.Normal) < this->LeanCosine))
+        (!members.empty() &&
+          (glm::dot(glm::normalize(sum), triangle.Normal) < this->LeanCosine ||
+            glm::dot(seeds, triangle.Normal) < this->LeastCosine)))
       {
         continue;
       }
@@ -167,7 +172,6 @@ private:
     chart.Axes[0] = glm::normalize(glm::cross(helper, normal));
     chart.Axes[1] = glm::cross(normal, chart.Axes[0]);
     const double extent = this->SetBox(chart, members);
-    const double least = 0.5 * this->LeanCosine; // the mean shifted while the chart grew
     constexpr double cells = 256.0;
     constexpr double rounding = 1e-9;
     FlatSet taken(std::max(this->MeanSize(members), extent / cells), rounding * extent);
@@ -176,7 +180,7 @@ private:
       const Flat flat = this->Project(chart, t);
       const bool first = chart.Triangles.empty();
       if (!first &&
-        (glm::dot(this->From.Triangles[t].Normal, normal) < least || taken.CountHits(flat) > 0))
+        (glm::dot(this->From.Triangles[t].Normal, normal) < this->LeastCosine || taken.CountHits(flat) > 0))
       {
         this->Owner[t] = None;
         continue;
@@ -268,6 +272,7 @@ private:
 
   const Surfaces& From;
   double LeanCosine;
+  double LeastCosine;
   std::vector<std::uint32_t> Owner; ///< chart of each triangle
   std::vector<std::vector<std::uint32_t>>
     Next; ///< triangles over each edge that may be of the same chart

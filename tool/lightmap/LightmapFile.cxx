@@ -155,29 +155,52 @@ void ReadHead(Lightmap& lightmap, const std::string& text, std::size_t counts[3]
   lightmap.Scene.assign(std::istreambuf_iterator<char>(head), {});
 }
 
-OIIO::ImageSpec SpecOf(const Part& part)
+// All parts of a file have the same display window.
+OIIO::ImageSpec SpecOf(const Part& part, const Part& shown)
 {
   OIIO::ImageSpec spec(part.Width, part.Height, static_cast<int>(part.Channels.size()), part.Type);
   spec.channelnames = part.Channels;
+  spec.full_width = shown.Width;
+  spec.full_height = shown.Height;
   spec.attribute("compression", "zip");
   spec.attribute("oiio:subimagename", part.Name);
   return spec;
 }
 
-Part ReadPart(OIIO::ImageInput& input, int number)
+/// The part's pixels with their channels in this order: OpenEXR keeps an order of its own. Without bytes where it
+/// cannot be read or has other channels.
+Part ReadPart(OIIO::ImageInput& input, int number, const std::vector<std::string>& channels)
 {
   const OIIO::ImageSpec spec = input.spec(number);
-  Part part{ "", spec.format, spec.channelnames, spec.width, spec.height, {} };
+  Part part{ "", spec.format, channels, spec.width, spec.height, {} };
   constexpr int largest = 65536;
   if (spec.width < 1 || spec.height < 1 || spec.width > largest || spec.height > largest ||
-    spec.depth > 1 || !spec.channelformats.empty())
+    spec.depth > 1 || !spec.channelformats.empty() ||
+    spec.nchannels != static_cast<int>(channels.size()))
   {
     return part;
   }
-  part.Bytes.resize(part.PixelBytes() * spec.width * spec.height);
-  if (!input.read_image(number, 0, 0, spec.nchannels, spec.format, part.Bytes.data()))
+  const std::size_t size = spec.format.size();
+  std::vector<unsigned char> stored(part.PixelBytes() * spec.width * spec.height);
+  if (!input.read_image(number, 0, 0, spec.nchannels, spec.format, stored.data()))
   {
-    part.Bytes.clear();
+    return part;
+  }
+  part.Bytes.resize(stored.size());
+  for (std::size_t c = 0; c < channels.size(); ++c)
+  {
+    const auto found =
+      std::find(spec.channelnames.begin(), spec.channelnames.end(), channels[c]);
+    if (found == spec.channelnames.end())
+    {
+      part.Bytes.clear();
+      return part;
+    }
+    const auto from = static_cast<std::size_t>(found - spec.channelnames.begin());
+    for (std::size_t at = 0; at < stored.size(); at += part.PixelBytes())
+    {
+      std::memcpy(&part.Bytes[at + c * size], &stored[at + from * size], size);
+    }
   }
   return part;
 }
@@ -244,7 +267,7 @@ void WriteLightmap(const std::string& path, const Lightmap& lightmap)
   std::vector<OIIO::ImageSpec> specs;
   for (const Part& part : parts)
   {
-    specs.push_back(SpecOf(part));
+    specs.push_back(SpecOf(part, parts.front()));
   }
   const std::string head = HeadText(lightmap);
   specs.front().attribute(Kind, ThisKind);
@@ -311,22 +334,20 @@ Lightmap ReadLightmap(const std::string& path)
   }
   const std::string head(input->spec().get_string_attribute("penumbra:bake"));
   const std::string sum(input->spec().get_string_attribute("penumbra:checksum"));
-  constexpr int count = 4;
+  const bool directional = input->spec().nchannels > static_cast<int>(LightChannels(3).size());
+  const std::vector<std::vector<std::string>> channels = { LightChannels(directional ? 12 : 3),
+    PointChannels, TriangleChannels, PatchChannels };
   std::vector<Part> parts;
-  for (int number = 0; number < count && input->seek_subimage(number, 0); ++number)
+  for (std::size_t i = 0; i < channels.size() && input->seek_subimage(static_cast<int>(i), 0); ++i)
   {
-    parts.push_back(ReadPart(*input, number));
+    parts.push_back(ReadPart(*input, static_cast<int>(i), channels[i]));
   }
   input->geterror();
   Lightmap lightmap;
   std::size_t counts[3] = {};
   ReadHead(lightmap, head, counts);
-  const bool whole = parts.size() == count && Checksum(parts, head) == sum;
-  const bool shaped = whole && parts[0].Type == OIIO::TypeDesc::HALF &&
-    (parts[0].Channels == LightChannels(3) || parts[0].Channels == LightChannels(12)) &&
-    parts[1].Channels == PointChannels && parts[2].Channels == TriangleChannels &&
-    parts[3].Channels == PatchChannels;
-  if (!shaped)
+  const bool whole = parts.size() == channels.size() && Checksum(parts, head) == sum;
+  if (!whole || parts[0].Type != OIIO::TypeDesc::HALF)
   {
     Fail("the lightmap '{}' is damaged: its checksum does not fit; bake it again", path);
   }
