@@ -55,6 +55,7 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
     entry.Exponent = light->GetExponent();
     entry.Positional = light->GetPositional() != 0;
     entry.Headlight = light->LightTypeIsHeadlight() != 0;
+    entry.FollowsCamera = light->LightTypeIsSceneLight() == 0;
     this->Positional |= entry.Positional;
     this->All.push_back(entry);
   }

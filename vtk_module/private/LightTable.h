@@ -29,8 +29,9 @@ struct Light
   double ConeAngle = 90.0; ///< degrees, half aperture; 90 and more shine all round
   double Exponent = 1.0;
   bool Positional = false;
-  bool Headlight = false; ///< shines from the camera: what it does not reach is not seen
-  int MaskChannel = -1;   ///< channel of the direct visibility mask, -1 for none
+  bool Headlight = false;     ///< shines from the camera: what it does not reach is not seen
+  bool FollowsCamera = false; ///< a headlight, or one fixed in the camera's coordinates
+  int MaskChannel = -1;       ///< channel of the direct visibility mask, -1 for none
 
   bool IsCone() const { return this->Positional && this->ConeAngle < 90.0; }
 };
