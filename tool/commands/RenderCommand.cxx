@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Command.h"
+#include "LoadBakes.h"
 #include "RenderOptions.h"
 
 #include "../image/Picture.h"
@@ -118,6 +119,7 @@ public:
     if (!this->Options.Stock)
     {
       ApplyTechniques(scene.Techniques, pass);
+      LoadBakes(scene.Bakes, pass);
     }
     this->CheckTracing(pass);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);

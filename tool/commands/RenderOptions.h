@@ -41,6 +41,7 @@ struct RenderOptions
   std::vector<std::string> On;
   std::vector<std::string> Off;
   std::vector<std::string> Set;
+  std::vector<std::string> Bakes;
   std::vector<std::string> Lights;
   std::string Camera;
   std::string Environment;

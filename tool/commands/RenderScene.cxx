@@ -231,6 +231,7 @@ Scene MakeScene(const RenderOptions& options)
   }
   scene.Frames = options.Frames.value_or(scene.Frames);
   ApplyTechniqueOptions(options, scene.Techniques);
+  scene.Bakes.insert(scene.Bakes.end(), options.Bakes.begin(), options.Bakes.end());
   scene.FramesGiven = options.Frames.has_value();
   return scene;
 }

@@ -114,6 +114,10 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
     for (vtkActor* actor : made.Actors)
     {
       built.Renderer->AddActor(actor);
+      if (!object.Name.empty())
+      {
+        built.Names[actor] = object.Name;
+      }
     }
     if (made.Coloring)
     {

@@ -11,6 +11,8 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include <map>
+
 namespace penumbra::tool
 {
 /// What rendering may cost before it is refused.
@@ -22,6 +24,7 @@ struct SceneLimits
 struct BuiltScene
 {
   vtkSmartPointer<vtkRenderer> Renderer;
+  std::map<vtkProp*, std::string> Names; ///< of the objects that have one
   vtkIdType Triangles = 0;
   vtkIdType Balls = 0;
   bool DepthPeeling = false; ///< the scene is translucent and peeling is not switched off

@@ -101,6 +101,10 @@ void MakePathsAbsolute(Scene& scene, const std::filesystem::path& folder)
       MakeAbsolute(object.Look->EmissionTexture, folder);
     }
   }
+  for (std::string& bake : scene.Bakes)
+  {
+    MakeAbsolute(bake, folder);
+  }
   if (scene.Surroundings)
   {
     MakeAbsolute(scene.Surroundings->Path, folder);
@@ -225,6 +229,7 @@ Scene ReadSceneFile(const std::string& path)
   ReadSize(object, scene);
   object.Read("frames", scene.Frames, Bounds{ 1, 65536 });
   object.Read("depth-peeling", scene.DepthPeeling);
+  object.Read("bakes", scene.Bakes);
   object.Finish();
   MakePathsAbsolute(scene, std::filesystem::absolute(path).parent_path());
   return scene;

@@ -214,6 +214,7 @@ struct Scene
   std::optional<Environment> Surroundings;
   Background Backdrop;
   TechniqueSettings Techniques;
+  std::vector<std::string> Bakes; ///< files of baked light
   int Width = 1280;
   int Height = 720;
   int Frames = 16;          ///< still frames to accumulate

@@ -28,6 +28,8 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   pass.Read(resource::Depth)
     .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
     .Execute([lights = std::move(lights)](FrameContext& context) {
+      // Whatever is bound now, a multisampled window for one, is drawn to later.
+      const ScopedState before(context.State());
       context.BindTarget({ resource::Irradiance }, resource::Depth);
       constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
       glClearBufferfv(GL_COLOR, 0, nothing);
