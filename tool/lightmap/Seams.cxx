@@ -64,13 +64,13 @@ struct Equation
 };
 
 /// The normal equations' matrix times x: equations first, then each texel kept where it was.
-std::vector<double> Multiply(
-  const std::vector<Equation>& equations, const std::vector<double>& x, double keep)
+std::vector<double> Multiply(const std::vector<Equation>& equations, const std::vector<double>& x,
+  const std::vector<double>& keep)
 {
   std::vector<double> result(x.size());
   for (std::size_t i = 0; i < x.size(); ++i)
   {
-    result[i] = keep * x[i];
+    result[i] = keep[i] * x[i];
   }
   for (const Equation& equation : equations)
   {
@@ -97,15 +97,16 @@ double Dot(const std::vector<double>& a, const std::vector<double>& b)
   return sum;
 }
 
-/// Conjugate gradients (Hestenes and Stiefel 1952), from x on.
-void Solve(const std::vector<Equation>& equations, std::vector<double>& x, double keep)
+/// Conjugate gradients (Hestenes and Stiefel 1952), from x on. keep: how much each texel is to stay what it is.
+void Solve(const std::vector<Equation>& equations, std::vector<double>& x,
+  const std::vector<double>& keep)
 {
-  constexpr int most = 400;
-  constexpr double enough = 1e-12; // of the first residual, squared
+  constexpr int most = 2000;
+  constexpr double enough = 1e-14; // of the first residual, squared
   std::vector<double> wanted(x);
-  for (double& value : wanted)
+  for (std::size_t i = 0; i < x.size(); ++i)
   {
-    value *= keep;
+    wanted[i] *= keep[i];
   }
   const std::vector<double> product = Multiply(equations, x, keep);
   std::vector<double> residual(x.size());
@@ -169,8 +170,9 @@ void CloseSeams(Light& light, const std::vector<SeamLine>& lines)
     }
     equations.push_back(equation);
   });
-  // What remains of a step is about this share of it.
-  constexpr double keep = 0.01;
+  constexpr double little = 1e-4; // what remains of a step is about this share of it
+  constexpr double fast = 1000.0;
+  constexpr int rounds = 4;
   for (int channel = 0; channel < light.Channels; ++channel)
   {
     std::vector<double> x(texels.size());
@@ -178,10 +180,29 @@ void CloseSeams(Light& light, const std::vector<SeamLine>& lines)
     {
       x[i] = light.At(texels[i])[channel];
     }
-    Solve(equations, x, keep);
+    const bool irradiance = channel < 3; // is never below 0, its first moments may be
+    std::vector<double> keep(texels.size(), little);
+    for (int round = 0; round < rounds; ++round)
+    {
+      Solve(equations, x, keep);
+      // What had to be darker than black is black, and the others make up for it.
+      bool below = false;
+      for (std::size_t i = 0; i < texels.size() && irradiance; ++i)
+      {
+        if (x[i] < 0.0)
+        {
+          below = true;
+          x[i] = 0.0;
+          keep[i] = fast;
+        }
+      }
+      if (!below)
+      {
+        break;
+      }
+    }
     for (std::size_t i = 0; i < texels.size(); ++i)
     {
-      const bool irradiance = channel < 3; // is never below 0, its first moments may be
       light.At(texels[i])[channel] = static_cast<float>(irradiance ? std::max(x[i], 0.0) : x[i]);
     }
   }
