@@ -27,9 +27,9 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 using namespace penumbra_test;
 
@@ -364,6 +364,35 @@ TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
   this->Lamp->SetIntensity(0.001);
   const Picture picture = Shoot(this->Scene.Window);
   EXPECT_NEAR(picture.Grey(13, 32), 0.3 * 255.0, 2.0);
+}
+
+// By processor time, all threads together: other programs' work does not count.
+TEST_F(LightmapTechnique, AFetchCostsLittleBesideDirectLight)
+{
+  this->Scene.Window->SetSize(1280, 720);
+  this->Pass->KeepRadianceOff();
+  this->Pass->GetTechnique("shadow-maps")->EnabledOn();
+  this->AddWall(0.5, 1.0);
+  this->Bake();
+  this->Scene.Renderer->GetActiveCamera()->SetViewAngle(35.0);
+  std::array<std::vector<double>, 2> times;
+  for (int i = 0; i < 26; ++i)
+  {
+    this->Map->SetEnabled(i % 2 == 0);
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(0.01); // nothing is averaged
+    const std::clock_t start = std::clock();
+    this->Scene.Window->Render();
+    this->Scene.Window->WaitForCompletion();
+    times[i % 2].push_back(double(std::clock() - start) / CLOCKS_PER_SEC);
+  }
+  for (auto& some : times)
+  {
+    some.erase(some.begin());
+    std::sort(some.begin(), some.end());
+  }
+  const double with = times[0][times[0].size() / 2], without = times[1][times[1].size() / 2];
+  std::printf("a frame of 1280 x 720: %.1f ms of processor time, with the lightmap %.1f ms: %.3f\n",
+    1e3 * without, 1e3 * with, with / without);
 }
 
 TEST_F(LightmapTechnique, WhatIsNoMapIsRefused)

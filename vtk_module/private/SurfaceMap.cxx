@@ -47,8 +47,7 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
   const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
   this->Origin = 0.5 * (low + high);
-  this->Size = glm::length(high - low);
-  if (!std::isfinite(this->Size) || surfaces->GetNumberOfPolys() == 0)
+  if (!std::isfinite(glm::length(high - low)) || surfaces->GetNumberOfPolys() == 0)
   {
     Refuse("it has no surfaces");
   }
@@ -155,33 +154,24 @@ void SurfaceMap::Draw(FrameContext& context, double intensity)
     context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag",
       this->Layers > 1 ? Defines{ { "GI_LIGHTMAP_DIRECTIONAL", "1" } } : Defines{});
   context.Use(program,
-    { context.Input(resource::WindowDepth), context.Input(resource::Normal),
-      this->OnCard->Light.get(), context.Input(resource::Albedo) });
+    { context.Input(resource::WindowDepth), this->OnCard->Light.get(),
+      context.Input(resource::Normal) });
   const glm::dmat4 toView = glm::translate(view.WorldToView, this->Origin);
-  const glm::mat4 toViewFloat(toView);
   const glm::mat4 toClip(view.ViewToClip * toView);
   const glm::mat3 toWorld(glm::dmat3(view.ViewToWorld));
-  glUniformMatrix4fv(program.Location("mapToView"), 1, GL_FALSE, &toViewFloat[0][0]);
   glUniformMatrix4fv(program.Location("mapToClip"), 1, GL_FALSE, &toClip[0][0]);
   glUniformMatrix3fv(program.Location("viewToWorld"), 1, GL_FALSE, &toWorld[0][0]);
-  glUniform1f(program.Location("mapSize"), static_cast<GLfloat>(this->Size));
   glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
-  // A side's triangles are seen from that side only. What is hidden the depth test takes away, first of all what
-  // costs most; it is asked a little nearer, as another program's positions differ by rounding, and what passes
-  // the shader compares well.
+  // A side's triangles are seen from that side only.
   ScopedState scope(context.State());
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthFunc(GL_LEQUAL);
   scope.Set(GL_CULL_FACE, true);
   context.State()->vtkglCullFace(GL_BACK);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-2.0f, -64.0f);
   glBindVertexArray(this->OnCard->Layout.Get());
   glDrawElements(
     GL_TRIANGLES, static_cast<GLsizei>(this->Corners.size()), GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
-  glPolygonOffset(0.0f, 0.0f);
-  glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void SurfaceMap::Release()

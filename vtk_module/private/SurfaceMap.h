@@ -53,7 +53,6 @@ private:
   void Upload();
 
   glm::dvec3 Origin{ 0.0 };
-  double Size = 0.0; ///< diagonal of the surfaces
   std::vector<Point> Points;
   std::vector<std::uint32_t> Corners; ///< three a triangle
   int Width = 0;
