@@ -98,7 +98,8 @@ Atlas PackAll(const std::vector<Chart>& charts, double texel, int largest = 2048
 // The light that a texel should have: smooth over the surface.
 float Wanted(const Vec3& at, int channel)
 {
-  return static_cast<float>(1.0 + 0.5 * std::sin(2.0 * at.x + channel) * std::cos(1.5 * at.y - at.z));
+  return static_cast<float>(
+    1.0 + 0.5 * std::sin(2.0 * at.x + channel) * std::cos(1.5 * at.y - at.z));
 }
 
 Light Fill(const Atlas& atlas, const std::vector<Texel>& texels, std::vector<unsigned char>& known)
@@ -359,7 +360,8 @@ class LightmapFiles : public ::testing::Test
 protected:
   void SetUp() override
   {
-    this->Folder = std::filesystem::temp_directory_path() / ("penumbra_lightmap_" + std::to_string(getpid()));
+    this->Folder =
+      std::filesystem::temp_directory_path() / ("penumbra_lightmap_" + std::to_string(getpid()));
     std::filesystem::create_directories(this->Folder);
     Scene scene;
     scene.AddBox();
@@ -446,5 +448,6 @@ TEST_F(LightmapFiles, BrokenOnesAreRefused)
   }
   std::printf("%d of 40 files with a byte changed were accepted\n", accepted);
   EXPECT_LT(accepted, 8);
-  EXPECT_NE(this->Refusal((this->Folder / "none.exr").string()).find("does not exist"), std::string::npos);
+  EXPECT_NE(
+    this->Refusal((this->Folder / "none.exr").string()).find("does not exist"), std::string::npos);
 }

@@ -54,7 +54,7 @@ class Lightmap(command.CommandTest):
         for reflectance in (0.5, 0.8):
             emission = 0.2
             scene = self.scene(room(reflectance, emission))
-            self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--anew")
+            self.bake(scene, "--texel-size", 0.7, "--samples", 4096, "--anew")
             self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "lit.exr")
             expected = emission / (1 - reflectance)
             flat = {"objects": [{"box": {}}], "background": [expected] * 3, "camera": {"position": [0, 0, 9],

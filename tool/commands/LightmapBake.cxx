@@ -28,14 +28,15 @@ class LightmapBake : public Command
 public:
   CLI::App* Declare(CLI::App& app) override
   {
-    CLI::App* command =
-      app.add_subcommand("lightmap", "indirect light on still surfaces, in a picture laid over them");
+    CLI::App* command = app.add_subcommand(
+      "lightmap", "indirect light on still surfaces, in a picture laid over them");
     command->add_option("-o,--output", this->Options.Output, "the lightmap (.exr)")->required();
     DeclareSceneOptions(*command, this->Options, "the scene's", false);
     const char* group = "Lightmap";
     lightmap::BakeSettings& s = this->Settings;
     command
-      ->add_option("--texel-size", s.TexelSize, "width of texels, world units [1/128 of the scene's diagonal]")
+      ->add_option(
+        "--texel-size", s.TexelSize, "width of texels, world units [1/128 of the scene's diagonal]")
       ->group(group);
     command->add_option("--max-size", s.LargestSide, "texels a side of the picture, at most")
       ->capture_default_str()
@@ -47,23 +48,29 @@ public:
       ->capture_default_str()
       ->group(group);
     command
-      ->add_flag("--directional", s.Directional, "keep where light comes from too, for normals that pictures bend")
+      ->add_flag("--directional", s.Directional,
+        "keep where light comes from too, for normals that pictures bend")
       ->group(group);
-    command->add_flag("--no-denoise", this->Noisy, "leave the noise of few samples in")->group(group);
-    command->add_flag("--open-seams", this->OpenSeams, "leave steps between charts as they are")->group(group);
+    command->add_flag("--no-denoise", this->Noisy, "leave the noise of few samples in")
+      ->group(group);
+    command->add_flag("--open-seams", this->OpenSeams, "leave steps between charts as they are")
+      ->group(group);
     command
-      ->add_option("--without", this->Without, "an object of the scene file that moves, by its name; may be repeated")
+      ->add_option("--without", this->Without,
+        "an object of the scene file that moves, by its name; may be repeated")
       ->allow_extra_args(false)
       ->group(group);
-    command->add_flag("--anew", s.Anew, "keep nothing of an earlier bake, or of one that was broken off")
+    command
+      ->add_flag("--anew", s.Anew, "keep nothing of an earlier bake, or of one that was broken off")
       ->group(group);
     command->add_option("--backend", this->Options.Backend, "egl, osmesa, x11 or auto")
       ->capture_default_str()
       ->group("Output");
-    command->footer("Examples:\n"
-                    "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
-                    "  penumbra bake lightmap room.json --without robot --samples 1024 -o room.exr\n"
-                    "  penumbra render room.json --bake room.exr -o room.png");
+    command->footer(
+      "Examples:\n"
+      "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
+      "  penumbra bake lightmap room.json --without robot --samples 1024 -o room.exr\n"
+      "  penumbra render room.json --bake room.exr -o room.png");
     return command;
   }
 
@@ -86,7 +93,8 @@ public:
     }
     const auto start = std::chrono::steady_clock::now();
     this->Settings.Names = built.Names;
-    const lightmap::BakeResult result = lightmap::BakeLightmap(built.Renderer, this->Settings, console);
+    const lightmap::BakeResult result =
+      lightmap::BakeLightmap(built.Renderer, this->Settings, console);
     const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     this->Report(result, seconds);
@@ -104,9 +112,11 @@ private:
       FailUsage("'{}' does not end in .exr: the lightmap is an OpenEXR picture", output);
     }
     const auto folder = std::filesystem::path(output).parent_path();
-    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 || std::filesystem::is_directory(output))
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 ||
+      std::filesystem::is_directory(output))
     {
-      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to", output);
+      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
+        output);
     }
     const auto within = [](const char* option, double value, double least, double most) {
       if (!(value >= least && value <= most))
@@ -120,7 +130,8 @@ private:
     within("--bounces", s.Bounces, 1, 1000);
     if (s.Samples % lightmap::BakeSettings::Rounds != 0)
     {
-      FailUsage("--samples is {}: it must be a multiple of {}", s.Samples, lightmap::BakeSettings::Rounds);
+      FailUsage(
+        "--samples is {}: it must be a multiple of {}", s.Samples, lightmap::BakeSettings::Rounds);
     }
     s.Denoise = !this->Noisy;
     s.CloseSeams = !this->OpenSeams;
@@ -154,18 +165,20 @@ private:
     const lightmap::Light& light = result.Map.Baked;
     if (!this->Options.Statistics)
     {
-      std::cout << fmt::format("{} x {} texels up to {:.3g} wide, {} charts; step across seams at most {:.2g} %; {:.1f} s\n",
-                     light.Width, light.Height, result.TexelSize, result.Tiles, 100.0 * result.SeamStep, seconds)
+      std::cout << fmt::format("{} x {} texels up to {:.3g} wide, {} charts; step across seams at "
+                               "most {:.2g} %; {:.1f} s\n",
+                     light.Width, light.Height, result.TexelSize, result.Tiles,
+                     100.0 * result.SeamStep, seconds)
                 << std::flush;
       return;
     }
     const nlohmann::ordered_json report = { { "output", this->Options.Output },
       { "width", light.Width }, { "height", light.Height }, { "texel-size", result.TexelSize },
       { "charts", result.Charts }, { "tiles", result.Tiles }, { "dark-sides", result.DarkSides },
-      { "texels", result.Texels }, { "buried-texels", result.Buried }, { "kept-tiles", result.KeptTiles },
-      { "resumed", result.Resumed }, { "seam-step", result.SeamStep },
-      { "open-seam-step", result.OpenSeamStep }, { "samples", this->Settings.Samples },
-      { "seconds", seconds } };
+      { "texels", result.Texels }, { "buried-texels", result.Buried },
+      { "kept-tiles", result.KeptTiles }, { "resumed", result.Resumed },
+      { "seam-step", result.SeamStep }, { "open-seam-step", result.OpenSeamStep },
+      { "samples", this->Settings.Samples }, { "seconds", seconds } };
     std::cout << report.dump(2) << std::endl;
   }
 

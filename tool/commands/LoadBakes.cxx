@@ -58,7 +58,8 @@ void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass)
     }
     if (!found)
     {
-      Fail("'{}' holds no baked light, or is damaged beyond telling which: give a file that penumbra bake "
+      Fail("'{}' holds no baked light, or is damaged beyond telling which: give a file that "
+           "penumbra bake "
            "lightmap wrote",
         path);
     }

@@ -71,7 +71,8 @@ private:
     }
     if (this->Options.TexelSize > 0.0 && this->Places.TexelSize > texel)
     {
-      this->Reporter.Note(fmt::format("texels are {:.3g} wide, to fit into --max-size", this->Places.TexelSize));
+      this->Reporter.Note(
+        fmt::format("texels are {:.3g} wide, to fit into --max-size", this->Places.TexelSize));
     }
     this->Texels = PlaceTexels(this->Scene, this->Charts, this->Places);
     this->Result.TexelSize = this->Places.TexelSize;
@@ -129,8 +130,9 @@ private:
     }
     if (tiles == 0)
     {
-      tool::Fail("no indirect light reaches any surface: give the scene lights, an environment or surfaces "
-                 "that glow");
+      tool::Fail(
+        "no indirect light reaches any surface: give the scene lights, an environment or surfaces "
+        "that glow");
     }
     return lit;
   }
@@ -153,10 +155,11 @@ private:
       std::memcpy(&key, keys[i].digest().data(), sizeof(key));
       this->Result.Map.Patches.push_back({ tile.At, tile.Texels, key });
     }
-    this->Result.Map.Settings = fmt::format("{} samples, {} bounces{}{}", this->Options.Samples, this->Options.Bounces,
-      this->Options.Directional ? ", directional" : "", this->Options.Denoise ? ", denoised" : "");
-    this->Result.Map.Made = fmt::format("{}, {} texels up to {:.6g} wide in {} charts", this->Result.Map.Settings,
-      this->Texels.size(), this->Places.TexelSize, this->Charts.size());
+    this->Result.Map.Settings = fmt::format("{} samples, {} bounces{}{}", this->Options.Samples,
+      this->Options.Bounces, this->Options.Directional ? ", directional" : "",
+      this->Options.Denoise ? ", denoised" : "");
+    this->Result.Map.Made = fmt::format("{}, {} texels up to {:.6g} wide in {} charts",
+      this->Result.Map.Settings, this->Texels.size(), this->Places.TexelSize, this->Charts.size());
   }
 
   /// A bake that is there already, if it can be compared with.
@@ -192,7 +195,8 @@ private:
     if (this->Earlier)
     {
       sum.append(this->Earlier->Scene.data(), this->Earlier->Scene.size());
-      sum.append(this->Earlier->First.Values.data(), this->Earlier->First.Values.size() * sizeof(float));
+      sum.append(
+        this->Earlier->First.Values.data(), this->Earlier->First.Values.size() * sizeof(float));
     }
     return sum.digest();
   }
@@ -214,7 +218,8 @@ private:
       const std::string reason = file.Load(this->Sums);
       if (!reason.empty())
       {
-        this->Reporter.Note(fmt::format("'{}.baking' {}: baking begins anew", this->Options.Output, reason));
+        this->Reporter.Note(
+          fmt::format("'{}.baking' {}: baking begins anew", this->Options.Output, reason));
       }
     }
     const auto blocks = static_cast<std::uint32_t>((count + BlockSize - 1) / BlockSize);
@@ -298,14 +303,16 @@ private:
     for (std::size_t i = 0; i < patches.size(); ++i)
     {
       const auto found = known.find(patches[i].Key);
-      same[i] = found != known.end() && found->second->Texels == patches[i].Texels ? found->second : nullptr;
+      same[i] = found != known.end() && found->second->Texels == patches[i].Texels ? found->second
+                                                                                   : nullptr;
     }
     const auto channels = static_cast<std::size_t>(this->Gather.Channels());
     constexpr float rounding = 2e-3f; // of half floats, and of another origin of the rays
     for (std::size_t i = 0; i < this->Texels.size(); ++i)
     {
       const std::uint32_t tile = this->Texels[i].Tile;
-      const float* old = same[tile] ? this->Earlier->First.At(this->IndexIn(*same[tile], i)) : nullptr;
+      const float* old =
+        same[tile] ? this->Earlier->First.At(this->IndexIn(*same[tile], i)) : nullptr;
       for (std::size_t c = 0; c < 3 && old; ++c)
       {
         const float now = this->Sums.First[i * channels + c];
@@ -327,7 +334,8 @@ private:
   {
     const Tile& tile = this->Places.Tiles[this->Texels[i].Tile];
     const auto index = static_cast<int>(this->Texels[i].Index);
-    const glm::ivec2 within = glm::ivec2(index % this->Places.Width, index / this->Places.Width) - tile.At;
+    const glm::ivec2 within =
+      glm::ivec2(index % this->Places.Width, index / this->Places.Width) - tile.At;
     const glm::ivec2 there = patch.At + within;
     return std::size_t(there.y) * this->Earlier->Baked.Width + there.x;
   }
@@ -351,7 +359,8 @@ private:
       {
         for (int half = 0; half < 2; ++half)
         {
-          halves[half].At(index)[c] = this->Sums.Halves[half][i * channels + c] / (BakeSettings::Rounds / 2);
+          halves[half].At(index)[c] =
+            this->Sums.Halves[half][i * channels + c] / (BakeSettings::Rounds / 2);
         }
         if (c < 3)
         {
@@ -408,9 +417,8 @@ private:
       const std::uint32_t tile = this->Texels[i].Tile;
       kept[tile] = true;
       const auto& patches = this->Earlier->Patches;
-      const auto found = std::find_if(patches.begin(), patches.end(), [&](const Patch& patch) {
-        return patch.Key == this->Result.Map.Patches[tile].Key;
-      });
+      const auto found = std::find_if(patches.begin(), patches.end(),
+        [&](const Patch& patch) { return patch.Key == this->Result.Map.Patches[tile].Key; });
       const float* old = this->Earlier->Baked.At(this->IndexIn(*found, i));
       std::copy_n(old, this->Gather.Channels(), this->Result.Map.Baked.At(this->Texels[i].Index));
       known[this->Texels[i].Index] = 1;

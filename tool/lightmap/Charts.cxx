@@ -180,7 +180,8 @@ private:
       const Flat flat = this->Project(chart, t);
       const bool first = chart.Triangles.empty();
       if (!first &&
-        (glm::dot(this->From.Triangles[t].Normal, normal) < this->LeastCosine || taken.CountHits(flat) > 0))
+        (glm::dot(this->From.Triangles[t].Normal, normal) < this->LeastCosine ||
+          taken.CountHits(flat) > 0))
       {
         this->Owner[t] = None;
         continue;

@@ -27,7 +27,8 @@ struct Chart
 
 struct ChartSettings
 {
-  double Lean = 40.0;   ///< degrees between a triangle and its chart's plane as it joins; 15 more in the end
+  double Lean =
+    40.0; ///< degrees between a triangle and its chart's plane as it joins; 15 more in the end
   double Crease = 20.0; ///< degrees between normals at an edge, above which it parts charts
 };
 

@@ -40,8 +40,8 @@ GatherLight::~GatherLight()
   this->Gatherer->ReleaseGraphicsResources(nullptr);
 }
 
-void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals, int firstSample,
-  int samples, const std::function<void(double)>& advance)
+void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+  int firstSample, int samples, const std::function<void(double)>& advance)
 {
   vtkNew<vtkDoubleArray> at, to;
   vtkNew<vtkFloatArray> light, around;

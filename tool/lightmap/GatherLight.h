@@ -22,8 +22,8 @@ public:
 
   /// Means over these samples: Channels() values of light for each point, and the share of rays that met backs.
   /// Throws a Failure.
-  void operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals, int firstSample, int samples,
-    const std::function<void(double)>& advance);
+  void operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+    int firstSample, int samples, const std::function<void(double)>& advance);
 
   int Channels() const { return this->Directional ? 12 : 3; }
   std::vector<float> Light;

@@ -189,8 +189,7 @@ Part ReadPart(OIIO::ImageInput& input, int number, const std::vector<std::string
   part.Bytes.resize(stored.size());
   for (std::size_t c = 0; c < channels.size(); ++c)
   {
-    const auto found =
-      std::find(spec.channelnames.begin(), spec.channelnames.end(), channels[c]);
+    const auto found = std::find(spec.channelnames.begin(), spec.channelnames.end(), channels[c]);
     if (found == spec.channelnames.end())
     {
       part.Bytes.clear();

@@ -93,7 +93,8 @@ void ProgressFile::Save(const Gathered& gathered)
   // So that it takes no more than a twentieth of the time.
   constexpr int share = 20;
   const auto now = std::chrono::steady_clock::now();
-  this->Next = now + std::max<std::chrono::steady_clock::duration>(FirstWait, share * (now - start));
+  this->Next =
+    now + std::max<std::chrono::steady_clock::duration>(FirstWait, share * (now - start));
 }
 
 void ProgressFile::Remove() const

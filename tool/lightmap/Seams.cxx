@@ -98,8 +98,8 @@ double Dot(const std::vector<double>& a, const std::vector<double>& b)
 }
 
 /// Conjugate gradients (Hestenes and Stiefel 1952), from x on. keep: how much each texel is to stay what it is.
-void Solve(const std::vector<Equation>& equations, std::vector<double>& x,
-  const std::vector<double>& keep)
+void Solve(
+  const std::vector<Equation>& equations, std::vector<double>& x, const std::vector<double>& keep)
 {
   constexpr int most = 2000;
   constexpr double enough = 1e-14; // of the first residual, squared

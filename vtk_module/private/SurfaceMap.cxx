@@ -38,7 +38,8 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
   }
   vtkDataArray* places = surfaces->GetPointData()->GetTCoords();
   vtkDataArray* normals = surfaces->GetPointData()->GetNormals();
-  if (!places || !normals || places->GetNumberOfComponents() < 2)
+  if (!places || !normals || places->GetNumberOfComponents() != 2 ||
+    normals->GetNumberOfComponents() != 3)
   {
     Refuse("its surfaces lack texture coordinates or normals");
   }
