@@ -1,104 +1,134 @@
 #!/usr/bin/env python3
-"""A room with baked probes, and a ball that moves through their light: baked_room.py OUT.png [WIDTH] [SAMPLES]
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A room whose indirect light is baked, and a ball that moves through it in the light of probes.
 
-The bake is kept beside OUT.png as a .vti file, and taken from there the next time. OUT.png shows three places of
-the ball, and the probes.
+    baked_room.py FOLDER [WIDTHxHEIGHT] [SAMPLES]
+
+Writes a picture with and without indirect light, two of the ball on its way, and one of the room with another lamp:
+the map no longer fits then, says so, and DDGI takes over. Walls here are rectangles, whose texels are easy to
+place; `penumbra bake lightmap` unwraps any surface.
 """
 import pathlib
 import sys
 
+import numpy
 import penumbra
-from PIL import Image
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
-out = pathlib.Path(sys.argv[1])
-width = int(sys.argv[2]) if len(sys.argv) > 2 else 320
-samples = int(sys.argv[3]) if len(sys.argv) > 3 else 1024
+TEXELS = 32  # along a wall
+# A corner, what leads to the two next to it (so that their cross product points into the room), and a colour.
+WALLS = [((-1, -1, -1), (2, 0, 0), (0, 2, 0), (0.75, 0.75, 0.75)),
+         ((-1, -1, 1), (0, 2, 0), (2, 0, 0), (0.75, 0.75, 0.75)),
+         ((-1, 1, -1), (2, 0, 0), (0, 0, 2), (0.75, 0.75, 0.75)),
+         ((-1, -1, -1), (0, 2, 0), (0, 0, 2), (0.8, 0.15, 0.1)),
+         ((1, -1, -1), (0, 0, 2), (0, 2, 0), (0.15, 0.6, 0.2))]
 
-renderer = vtkRenderer()
-renderer.SetBackground(0, 0, 0)
 
-
-def add(source, color, **position):
+def actor_of(source, color):
     mapper, actor = vtkPolyDataMapper(), vtkActor()
     mapper.SetInputConnection(source.GetOutputPort())
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(color)
-    actor.GetProperty().SetAmbient(0)
-    renderer.AddActor(actor)
     return actor
 
 
-def box(x0, x1, y0, y1, z0, z1, color):
-    cube = vtkCubeSource()
-    cube.SetBounds(x0, x1, y0, y1, z0, z1)
-    add(cube, color).GetProperty().SetInterpolationToFlat()
+def make_room():
+    renderer = vtkRenderer()
+    renderer.AutomaticLightCreationOff()
+    for corner, u, v, color in WALLS:
+        plane = vtkPlaneSource()
+        plane.SetOrigin(corner)
+        plane.SetPoint1(numpy.add(corner, u))
+        plane.SetPoint2(numpy.add(corner, v))
+        renderer.AddActor(actor_of(plane, color))
+    lamp = vtkLight()
+    lamp.SetLightTypeToSceneLight()
+    lamp.PositionalOn()
+    lamp.SetConeAngle(180)
+    lamp.SetPosition(0.3, -0.3, 0.7)
+    lamp.SetIntensity(0.8)
+    renderer.AddLight(lamp)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(0, -4.2, 0)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    camera.SetClippingRange(0.5, 20)
+    return renderer, lamp
 
 
-white, thick = (0.75, 0.75, 0.75), 0.1
-box(-2, 2, -1.5, 1.5, -thick, 0, white)             # floor
-box(-2, 2, -1.5, 1.5, 2, 2 + thick, white)          # ceiling
-box(-2, 2, 1.5, 1.5 + thick, 0, 2, white)           # back
-box(-2 - thick, -2, -1.5, 1.5, 0, 2, (0.75, 0.15, 0.1))
-box(2, 2 + thick, -1.5, 1.5, 0, 2, (0.1, 0.3, 0.7))
-box(-0.1, 0.1, 0.2, 1.5, 0, 1.4, white)             # a screen
-lamp = vtkLight()
-lamp.SetLightTypeToSceneLight()
-lamp.PositionalOn()
-lamp.SetConeAngle(180)
-lamp.SetPosition(-1.2, 0.4, 1.7)
-lamp.SetIntensity(0.8)
-renderer.AddLight(lamp)
-camera = renderer.GetActiveCamera()
-camera.SetPosition(0, -5.2, 1.2)
-camera.SetFocalPoint(0, 0, 0.9)
-camera.SetViewUp(0, 0, 1)
-renderer.ResetCameraClippingRange()
+def vtk_array(values):
+    return numpy_to_vtk(numpy.ascontiguousarray(values), deep=True)
 
-window = penumbra.window(renderer, size=(width, width * 9 // 16))
-gi = penumbra.enable(renderer, "balanced", on=["sh-probes"])
 
-# Bake what stands, before the ball comes.
-field, kept = vtkImageData(), out.with_suffix(".vti")
-if kept.exists():
-    reader = vtkXMLImageDataReader()
-    reader.SetFileName(str(kept))
-    reader.Update()
-    field = reader.GetOutput()
-else:
-    baker = penumbra.vtkGIProbeBaker()
-    baker.SetProbes(768)
-    baker.SetSamples(samples)
-    if not baker.Bake(renderer, field):
-        sys.exit(baker.GetLastError())
-    writer = vtkXMLImageDataWriter()
-    writer.SetFileName(str(kept))
-    writer.SetInputData(field)
-    writer.SetDataModeToBinary()
-    writer.Write()
-probes = gi.GetTechnique("sh-probes")
-if not probes.SetBake(field):
-    sys.exit(probes.GetBakeError())
+def bake(renderer, samples):
+    """Texels' middles run from edge to edge of each wall; the walls stand above one another in the picture."""
+    steps = numpy.linspace(0.002, 0.998, TEXELS)  # off the edges, where other walls begin
+    points, normals, corners, places, directions = [], [], [], [], []
+    for number, (corner, u, v, _) in enumerate(WALLS):
+        corner, u, v = (numpy.array(value, float) for value in (corner, u, v))
+        facing = numpy.cross(u, v) / numpy.linalg.norm(numpy.cross(u, v))
+        points += [corner + s * u + t * v for t in steps for s in steps]
+        normals += [facing] * TEXELS * TEXELS
+        for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            corners.append(corner + s * u + t * v)
+            places.append(((0.5 + s * (TEXELS - 1)) / TEXELS, (number + (0.5 + t * (TEXELS - 1)) / TEXELS) / len(WALLS)))
+            directions.append(facing)
+    gatherer, light = penumbra.vtkGILightGatherer(), vtkFloatArray()
+    gatherer.SetSamples(samples)
+    if not gatherer.Gather(renderer, vtk_array(points), vtk_array(normals), light):
+        raise RuntimeError(gatherer.GetLastError())
+    image = vtkImageData()
+    image.SetDimensions(TEXELS, TEXELS * len(WALLS), 1)
+    image.GetPointData().SetScalars(vtk_array(vtk_to_numpy(light)))
+    surfaces, at, cells, scene = vtkPolyData(), vtkPoints(), vtkCellArray(), vtkStringArray()
+    at.SetData(vtk_array(corners))
+    first = 4 * numpy.arange(len(WALLS))[:, None]
+    triangles = numpy.concatenate([first + [[0, 1, 2]], first + [[0, 2, 3]]])
+    cells.SetCells(len(triangles), numpy_to_vtkIdTypeArray(numpy.insert(triangles, 0, 3, axis=1).ravel(), deep=True))
+    surfaces.SetPoints(at)
+    surfaces.SetPolys(cells)
+    surfaces.GetPointData().SetTCoords(vtk_array(numpy.array(places, numpy.float32)))
+    surfaces.GetPointData().SetNormals(vtk_array(numpy.array(directions, numpy.float32)))
+    scene.SetName("scene")
+    scene.InsertNextValue(penumbra.vtkGILightmap.DescribeScene(renderer))
+    surfaces.GetFieldData().AddArray(scene)
+    return surfaces, image
 
-source = vtkSphereSource()
-source.SetRadius(0.3)
-source.SetPhiResolution(48)
-source.SetThetaResolution(96)
-ball = add(source, (0.9, 0.9, 0.9))
-pictures = []
-for x, y in ((-1.2, -0.6), (0, -0.6), (1.3, 0.3)):
-    ball.SetPosition(x, y, 0.35)
-    pictures.append(penumbra.render(window, frames=4))
-    if gi.GetNotes():
-        print(gi.GetNotes())
-probes.SetShow(True)
-pictures.append(penumbra.render(window, frames=4))
 
-height = pictures[0].shape[0]
-sheet = Image.new("RGB", (2 * width, 2 * height))
-for i, picture in enumerate(pictures):
-    sheet.paste(Image.fromarray(picture[:, :, :3]), (i % 2 * width, i // 2 * height))
-sheet.save(out)
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    size = tuple(map(int, (sys.argv[2] if len(sys.argv) > 2 else "640x480").split("x")))
+    samples = int(sys.argv[3]) if len(sys.argv) > 3 else 1024
+    renderer, lamp = make_room()
+    window = penumbra.window(renderer, size=size, multisamples=0)
+    gi = penumbra.enable(renderer, "fast")
+    penumbra.save_png(window, str(folder / "direct.png"))
+    lightmap = gi.GetTechnique("lightmap")
+    lightmap.SetBake(*bake(renderer, samples))
+    lightmap.EnabledOn()
+    penumbra.save_png(window, str(folder / "baked.png"))
+    # The map does not know the ball: probes light it.
+    ball = vtkSphereSource()
+    ball.SetRadius(0.35)
+    ball.SetThetaResolution(48)
+    ball.SetPhiResolution(32)
+    moving = actor_of(ball, (0.9, 0.9, 0.9))
+    renderer.AddActor(moving)
+    gi.GetTechnique("ddgi").EnabledOn()
+    for number, x in enumerate((-0.5, 0.5)):
+        moving.SetPosition(x, -0.2, -0.5)
+        penumbra.save_png(window, str(folder / f"moving_{number}.png"), frames=24)
+        print("notes:", gi.GetNotes() or "none")
+    lamp.SetPosition(-0.5, -0.3, 0.7)
+    penumbra.save_png(window, str(folder / "another_lamp.png"), frames=24)
+    print("notes:", gi.GetNotes())
+
+
+if __name__ == "__main__":
+    main()

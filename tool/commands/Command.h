@@ -36,6 +36,7 @@ std::unique_ptr<Command> MakeShadowBiasLab();
 
 /// Light worked out beforehand: subcommands of bake.
 std::unique_ptr<Command> MakeProbeBake();
+std::unique_ptr<Command> MakeLightmapBake();
 std::unique_ptr<Command> MakeRadiosityBake();
 }
 

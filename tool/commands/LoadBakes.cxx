@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LoadBakes.h"
 
+#include "../lightmap/LightmapFile.h"
 #include "../scene/Failure.h"
 #include "../scene/ProbeFile.h"
+#include "../scene/VtkMessages.h"
 
+#include <vtkGILightmap.h>
 #include <vtkGIPass.h>
 #include <vtkGISHProbes.h>
 #include <vtkImageData.h>
+#include <vtkPolyData.h>
 
 #include <filesystem>
 
@@ -15,6 +19,18 @@ namespace penumbra::tool
 {
 namespace
 {
+void LoadLightmap(const std::string& path, vtkGIPass* pass)
+{
+  const lightmap::Lightmap map = lightmap::ReadLightmap(path);
+  auto* technique = vtkGILightmap::SafeDownCast(pass->GetTechnique("lightmap"));
+  if (!technique->SetBake(lightmap::MakeSurfaces(map), lightmap::MakeImage(map)))
+  {
+    TakeVtkMessages(); // said below
+    Fail("the lightmap '{}' cannot be used: bake it again with this version", path);
+  }
+  technique->EnabledOn();
+}
+
 void LoadProbes(const std::string& path, vtkGIPass* pass)
 {
   const vtkSmartPointer<vtkImageData> field = ReadProbes(path);
@@ -31,7 +47,7 @@ struct BakeKind
   bool (*Is)(const std::string& path);
   void (*Load)(const std::string& path, vtkGIPass* pass);
 };
-constexpr BakeKind Kinds[] = { { IsProbes, LoadProbes } };
+constexpr BakeKind Kinds[] = { { lightmap::IsLightmap, LoadLightmap }, { IsProbes, LoadProbes } };
 }
 
 void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass)
@@ -56,8 +72,7 @@ void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass)
     if (!found)
     {
       Fail("'{}' holds no baked light, or is damaged beyond telling which: give a file that "
-           "penumbra bake "
-           "probes wrote",
+           "penumbra bake lightmap or penumbra bake probes wrote",
         path);
     }
   }

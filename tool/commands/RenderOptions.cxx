@@ -118,7 +118,8 @@ void DeclareTechniques(CLI::App& command, RenderOptions& options)
     ->group(group);
   DeclareParameters(command, options);
   command
-    .add_option("--bake", options.Bakes, "file of penumbra bake whose light to use; may be repeated")
+    .add_option(
+      "--bake", options.Bakes, "file of penumbra bake whose light to use; may be repeated")
     ->allow_extra_args(false)
     ->group(group);
   command.add_flag("--stock", options.Stock, "draw as VTK does without Penumbra")->group(group);

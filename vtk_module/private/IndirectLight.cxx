@@ -38,7 +38,8 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
         ScopedState scope(context.State());
         scope.Set(GL_DEPTH_TEST, false);
         scope.DepthMask(false);
-        scope.Set(GL_BLEND, true);
+        // Over nothing there is nothing to blend with, and blending takes time.
+        scope.Set(GL_BLEND, &light != &lights.front());
         context.State()->vtkglBlendFuncSeparate(
           GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
         context.BindTarget({ resource::Irradiance }, resource::Depth);

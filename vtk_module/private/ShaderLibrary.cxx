@@ -113,6 +113,20 @@ const Program& ShaderLibrary::Fragment(const std::string& name, const Defines& d
       { GL_FRAGMENT_SHADER, this->Source(name, defines) } });
 }
 
+const Program& ShaderLibrary::Raster(
+  const std::string& vertex, const std::string& fragment, const Defines& defines)
+{
+  const std::string key = Key(vertex + "+" + fragment, defines);
+  auto found = this->Programs.find(key);
+  if (found != this->Programs.end())
+  {
+    return *found->second;
+  }
+  return this->Build(key,
+    { { GL_VERTEX_SHADER, this->Source(vertex, defines) },
+      { GL_FRAGMENT_SHADER, this->Source(fragment, defines) } });
+}
+
 const Program& ShaderLibrary::Compute(const std::string& name, const Defines& defines)
 {
   const std::string key = Key(name, defines);

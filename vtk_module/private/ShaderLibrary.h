@@ -58,6 +58,10 @@ public:
   /// Throws std::runtime_error with the compiler's message where it does not compile.
   const Program& Fragment(const std::string& name, const Defines& defines = {});
 
+  /// A program of these vertex and fragment shaders, both with the defines.
+  const Program& Raster(
+    const std::string& vertex, const std::string& fragment, const Defines& defines = {});
+
   /// A program of one compute shader.
   const Program& Compute(const std::string& name, const Defines& defines = {});
 

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Baked light from files of penumbra bake."""
+import hashlib
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+
+from . import exr
+
+_AGAIN = "bake it again with penumbra bake lightmap"
+_LIGHT = ["R", "G", "B"]
+_MOMENTS = [f"moment-{axis}.{color}" for axis in "xyz" for color in "RGB"]
+_FIRST = [f"first.{color}" for color in "RGB"]
+_POINTS = ["x", "y", "z", "u", "v", "nx", "ny", "nz"]
+
+
+def _table(part, names):
+    return numpy.stack([part.channels[name] for name in names], -1).reshape(-1, len(names))
+
+
+def read_lightmap(path):
+    """A lightmap's surfaces (vtkPolyData) and light (vtkImageData), as vtkGILightmap.SetBake() takes them.
+
+    Raises ValueError, with a sentence, for a file that is damaged or no lightmap.
+    """
+    parts = exr.read(path)
+    kind = parts[0].attributes.get("penumbra:kind", "")
+    if not kind.startswith("lightmap"):
+        raise ValueError(f"'{path}' is a picture but not a lightmap: give a file that penumbra bake lightmap wrote")
+    if kind != "lightmap 1":
+        raise ValueError(f"'{path}' is of another version of Penumbra: {_AGAIN}")
+    try:
+        channels = _LIGHT + (_MOMENTS if _MOMENTS[0] in parts[0].channels else [])
+        tables = [_table(parts[0], channels + _FIRST), _table(parts[1], _POINTS), _table(parts[2], ["a", "b", "c"]),
+                  _table(parts[3], ["x", "y", "width", "height", "high", "low"])]
+        head = parts[0].attributes["penumbra:bake"]
+        numbers = head.split("\n", 1)[0].split()
+        scene = head.split("\n", 3)[3]
+        expected = parts[0].attributes["penumbra:checksum"]
+    except (KeyError, IndexError) as error:
+        raise ValueError(f"the lightmap '{path}' is damaged: {_AGAIN}") from error
+    summed = hashlib.sha1(head.encode())
+    for table in tables:
+        summed.update(table.tobytes())
+    if summed.hexdigest().lower() != expected.lower():
+        raise ValueError(f"the lightmap '{path}' is damaged, its checksum does not fit: {_AGAIN}")
+    origin, points, triangles = numpy.array(numbers[:3], float), int(numbers[3]), int(numbers[4])
+    return (_surfaces(tables[1][:points], tables[2][:triangles], origin, scene),
+            _image(tables[0][:, :len(channels)], parts[0].channels["R"].shape))
+
+
+def _surfaces(points, triangles, origin, scene):
+    surfaces, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    places.SetData(numpy_to_vtk(origin + points[:, :3].astype(float), deep=True))
+    surfaces.SetPoints(places)
+    surfaces.GetPointData().SetTCoords(numpy_to_vtk(numpy.ascontiguousarray(points[:, 3:5]), deep=True))
+    surfaces.GetPointData().SetNormals(numpy_to_vtk(numpy.ascontiguousarray(points[:, 5:8]), deep=True))
+    corners = numpy.insert(triangles.astype(numpy.int64), 0, 3, axis=1).ravel()
+    cells.SetCells(len(triangles), numpy_to_vtkIdTypeArray(corners, deep=True))
+    surfaces.SetPolys(cells)
+    text = vtkStringArray()
+    text.SetName("scene")
+    text.InsertNextValue(scene)
+    surfaces.GetFieldData().AddArray(text)
+    return surfaces
+
+
+def _image(light, shape):
+    image = vtkImageData()
+    image.SetDimensions(shape[1], shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(light.astype(numpy.float32), deep=True))
+    return image
+
+
+def load_bake(gi, path):
+    """Give baked light to its technique of a pass, and switch that on. Returns the technique.
+
+    Raises ValueError, with a sentence, for a file that holds no baked light or is damaged.
+    """
+    surfaces, light = read_lightmap(path)
+    technique = gi.GetTechnique("lightmap")
+    if not technique.SetBake(surfaces, light):
+        raise ValueError(f"the lightmap '{path}' cannot be used: {_AGAIN}")
+    technique.EnabledOn()
+    return technique

@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""penumbra bake lightmap: against known light and the path tracer, its files, its life."""
+import copy
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+import command
+
+CORNELL = pathlib.Path(__file__).resolve().parents[2] / "examples" / "cornell.json"
+OFF = {"type": "directional", "position": [0, 0, -1], "intensity": 0}  # VTK lights nothing without any light
+SMALL = ("--size", "48x36", "--preset", "off", "--frames", "1")
+
+
+def room(reflectance, emission):
+    """A closed box whose walls give off light, seen from inside."""
+    return {"objects": [{"name": "room", "box": {"size": [2, 2, 2]},
+                         "material": {"color": [reflectance] * 3, "shading": "flat", "emission": [emission] * 3}}],
+            "lights": [OFF], "background": [0, 0, 0],
+            "camera": {"position": [0.7, 0.6, 0.8], "focal": [-0.5, -0.6, -0.3], "up": [0, 0, 1], "angle": 75}}
+
+
+def lamp_room():
+    """A room with a lamp, a ball and a block, open to the eye."""
+    grey = {"color": [0.7, 0.7, 0.7], "shading": "flat"}
+    wall = [
+        ("floor", [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1]], grey),
+        ("left wall", [[-1, -1, -1], [-1, 1, -1], [-1, 1, 1], [-1, -1, 1]], {**grey, "color": [0.8, 0.2, 0.1]}),
+        ("back wall", [[-1, 1, -1], [1, 1, -1], [1, 1, 1], [-1, 1, 1]], grey),
+    ]
+    objects = [{"name": name, "mesh": {"points": points, "polygons": [[0, 1, 2, 3]]}, "material": material}
+               for name, points, material in wall]
+    objects.append({"name": "ball", "sphere": {"center": [0.3, 0.2, -0.5], "radius": 0.4},
+                    "material": {"color": [0.6, 0.7, 0.8], "shading": "phong"}})
+    return {"objects": objects, "background": [0, 0, 0],
+            "lights": [{"type": "point", "position": [0.5, -0.6, 0.9], "intensity": 0.8}],
+            "camera": {"position": [0.4, -4, 0.3], "focal": [0, 0, -0.1], "up": [0, 0, 1], "angle": 35}}
+
+
+class Lightmap(command.CommandTest):
+    def bake(self, scene, *arguments, notes=(), output="map.exr"):
+        ended = self.succeeds("bake", "lightmap", scene, "-o", output, "--stats", *arguments, notes=notes)
+        return json.loads(ended.stdout)
+
+    def compare(self, one, other, *arguments):
+        return json.loads(self.succeeds("compare", one, other, *arguments, "--json").stdout)
+
+    def test_closed_enclosure(self):
+        for reflectance in (0.5, 0.8):
+            emission = 0.2
+            scene = self.scene(room(reflectance, emission))
+            self.bake(scene, "--texel-size", 0.7, "--samples", 4096, "--anew")
+            self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "lit.exr")
+            expected = emission / (1 - reflectance)
+            flat = {"objects": [{"box": {}}], "background": [expected] * 3, "camera": {"position": [0, 0, 9],
+                                                                                       "focal": [0, 0, 90]}}
+            self.succeeds("render", self.scene(flat, "flat.json"), *SMALL, "-o", "flat.exr")
+            compared = self.compare("lit.exr", "flat.exr")
+            error = compared["maximum"] / expected
+            print(f"\nreflectance {reflectance}: E / (1 - r) = {expected}, off by {100 * error:.2f} % at most")
+            self.assertLess(error, 0.01)
+
+    def test_cornell_box_is_the_path_tracers(self):
+        scene = json.loads(CORNELL.read_text())
+        scene["lights"] = [OFF]
+        path = self.scene(scene, "cornell.json")
+        size = ("--size", "64x64")
+        baked = self.bake(path, "--texel-size", 16, "--samples", 64, "--anew")
+        self.succeeds("render", path, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.exr", *size, "-o",
+                      "lit.exr")
+        self.succeeds("render", path, "--preset", "reference", "--spp", 256, *size, "-o", "traced.exr")
+        compared = self.compare("lit.exr", "traced.exr", "--mask-above", 3)
+        print(f"\nCornell box, {baked['texels']} texels of 64 samples: relMSE {compared['relmse']:.6f}, "
+              f"signed mean {compared['signed-mean']:+.6f}")
+        self.assertLess(compared["relmse"], 0.003)
+        self.assertGreater(baked["buried-texels"], 0, "the floor below the blocks")
+        self.assertGreater(baked["dark-sides"], 0, "the insides of the blocks")
+
+    def test_no_seam_shows(self):
+        """A ball of many charts: the step where they meet, of the light there."""
+        scene = self.scene(lamp_room())
+        baked = self.bake(scene, "--texel-size", 0.1, "--samples", 64, "--anew")
+        print(f"\n{baked['tiles']} charts: step across seams {100 * baked['open-seam-step']:.2f} %, closed "
+              f"{100 * baked['seam-step']:.2f} %")
+        self.assertGreater(baked["tiles"], 8)
+        self.assertGreater(baked["open-seam-step"], 0.01)
+        self.assertLess(baked["seam-step"], 0.01)
+
+    def test_denoising_pays(self):
+        """Error against many samples, of few samples with and without."""
+        scene = self.scene(lamp_room())
+        few = ("--texel-size", 0.06, "--open-seams", "--anew")
+        self.bake(scene, *few, "--samples", 512, "--no-denoise", output="exact.exr")
+        self.bake(scene, *few, "--samples", 32, "--no-denoise", output="noisy.exr")
+        self.bake(scene, *few, "--samples", 32, output="denoised.exr")
+        noisy = self.compare("noisy.exr", "exact.exr")["relmse"]
+        denoised = self.compare("denoised.exr", "exact.exr")["relmse"]
+        print(f"\nrelMSE of the map at 32 samples {noisy:.5f}, denoised {denoised:.5f}")
+        self.assertLess(denoised, 0.6 * noisy)
+
+    def test_a_changed_scene_is_told(self):
+        scene = lamp_room()
+        self.bake(self.scene(scene), "--texel-size", 0.4, "--samples", 16, "--anew")
+
+        def changed(change, says):
+            other = copy.deepcopy(scene)
+            change(other)
+            path = self.scene(other, "other.json")
+            self.succeeds("render", path, *SMALL, "-o", "without.exr")
+            notes = (f"no longer fits: {says} since the bake",) if says else ()
+            self.succeeds("render", path, "--bake", "map.exr", *SMALL, "-o", "with.exr", notes=notes)
+            same = self.compare("with.exr", "without.exr")["maximum"] == 0
+            self.assertEqual(same, bool(says), f"stale light in '{says}'")
+
+        changed(lambda s: None, "")
+        changed(lambda s: s["objects"][0]["mesh"]["points"][0].__setitem__(0, -1.1), "'floor' changed its shape")
+        changed(lambda s: s["objects"][3].update(transform={"translate": [0.01, 0, 0]}), "'ball' moved")
+        changed(lambda s: s["objects"][1]["material"].update(color=[0.8, 0.21, 0.1]), "'left wall' changed its look")
+        changed(lambda s: s["lights"][0].update(intensity=0.81), "light 1 changed its colour or strength")
+        changed(lambda s: s["objects"].pop(2), "'back wall' is gone or hidden")
+        changed(lambda s: s["objects"].append({"name": "visitor", "box": {"size": [0.2, 0.2, 0.2]}}), "")
+
+    def test_what_moves_is_left_out(self):
+        scene = self.scene(lamp_room())
+        self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--anew", "--without", "ball")
+        other = lamp_room()
+        other["objects"][3]["transform"] = {"translate": [0.1, 0, 0]}
+        self.succeeds("render", self.scene(other, "other.json"), "--bake", "map.exr", *SMALL, "-o", "with.exr")
+        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--without", "bal", says="ball", status=2)
+
+    def test_killed_and_resumed(self):
+        """A bake that is killed goes on where it was, to the light that one without a break has."""
+        scene = self.scene(lamp_room())
+        settings = ("--texel-size", 0.08, "--samples", 256)
+        self.bake(scene, *settings, "--anew", output="whole.exr")
+        process = subprocess.Popen(
+            [command.COMMAND, "bake", "lightmap", str(scene), "-o", "broken.exr", *map(str, settings)],
+            cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        progress = self.folder / "broken.exr.baking"
+        until = time.monotonic() + command.LONGEST
+        while not progress.exists() and time.monotonic() < until:
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        self.assertTrue(progress.exists())
+        self.assertFalse((self.folder / "broken.exr").exists())
+        kept = progress.read_bytes()
+        # Of another scene's, and one that is cut off, nothing is taken.
+        progress.write_bytes(kept[:-100])
+        damaged = self.bake(scene, "--texel-size", 0.4, "--samples", 16, notes=("is damaged",), output="broken.exr")
+        self.assertEqual(damaged["resumed"], 0)
+        (self.folder / "broken.exr").unlink()
+        progress.write_bytes(kept)
+        other = self.bake(scene, "--texel-size", 0.4, "--samples", 16, notes=("of another scene",), output="broken.exr")
+        self.assertEqual(other["resumed"], 0)
+        (self.folder / "broken.exr").unlink()
+        progress.write_bytes(kept)
+        resumed = self.bake(scene, *settings, output="broken.exr")
+        compared = self.compare("broken.exr", "whole.exr")
+        print(f"\nkilled at {100 * resumed['resumed']:.0f} %, resumed: differs by {compared['maximum']:.2g} at most")
+        self.assertGreater(resumed["resumed"], 0)
+        self.assertLess(compared["maximum"], 1e-3, "rounding of half floats")
+        self.assertFalse(progress.exists())
+
+    def test_baked_again_what_changed(self):
+        """Two closed rooms: a change in one leaves the other's light as it was baked."""
+        def rooms(color):
+            left, right = room(0.5, 0.2)["objects"][0], room(0.5, 0.2)["objects"][0]
+            left = {**left, "name": "left"}
+            right = {**right, "name": "right", "transform": {"translate": [3, 0, 0]}}
+            right["material"] = {**right["material"], "color": color}
+            return {**room(0.5, 0.2), "objects": [left, right]}
+        settings = ("--texel-size", 0.4, "--samples", 64)
+        first = self.bake(self.scene(rooms([0.5] * 3)), *settings, "--anew")
+        again = self.bake(self.scene(rooms([0.5] * 3)), *settings)
+        self.assertEqual((first["kept-tiles"], again["kept-tiles"]), (0, first["tiles"]))
+        before = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings, "--anew", output="whole.exr")
+        changed = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings)
+        print(f"\n{changed['kept-tiles']} of {changed['tiles']} tiles kept")
+        self.assertGreaterEqual(changed["kept-tiles"], 6)
+        self.assertLess(changed["kept-tiles"], changed["tiles"])
+        self.assertEqual(before["tiles"], changed["tiles"])
+        self.assertLess(self.compare("map.exr", "whole.exr")["maximum"], 2e-3)
+
+    def test_directional(self):
+        scene = self.scene(room(0.5, 0.2))
+        self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--directional", "--anew")
+        self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "with.exr")
+        self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--anew")
+        self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "plain.exr")
+        difference = self.compare("with.exr", "plain.exr")["maximum"]
+        self.assertLess(difference, 0.01 * 0.4, "normals are as baked, other directions are sampled")
+
+    def test_what_is_refused(self):
+        scene = self.scene(lamp_room())
+        self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--anew")
+        whole = (self.folder / "map.exr").read_bytes()
+
+        def refused(content, says, name="bad.exr"):
+            (self.folder / name).write_bytes(content)
+            self.refused("render", scene, "--bake", name, "-o", "no.png", says=says, status=1)
+        refused(whole[: len(whole) // 2], "damaged")
+        refused(b"no picture", "bad.exr")
+        refused(whole[:2000] + b"\x55" * 64 + whole[2064:], "bad.exr")
+        self.succeeds("render", scene, *SMALL, "-o", "picture.exr")
+        refused((self.folder / "picture.exr").read_bytes(), "no baked light")
+        self.refused("render", scene, "--bake", "nowhere.exr", "-o", "no.png", says="nowhere.exr", status=1)
+        (self.folder / "map.exr").write_bytes(b"no picture")
+        self.refused("bake", "lightmap", scene, "-o", "map.exr", says="--anew", status=1)
+        self.refused("bake", "lightmap", scene, "-o", "map.png", says=".exr", status=2)
+        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--samples", 40, says="multiple of 16", status=2)
+        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--texel-size", -1, says="--texel-size", status=2)
+        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--max-size", 16, says="--max-size", status=1)
+        dark = {**lamp_room(), "lights": [OFF]}
+        self.refused("bake", "lightmap", self.scene(dark, "dark.json"), "-o", "no.exr", says="no indirect light",
+                     status=1)
+        self.assertFalse((self.folder / "no.exr").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// penumbra bake lightmap: indirect light on surfaces, kept in a picture that is laid over them.
+#include "Command.h"
+#include "RenderOptions.h"
+
+#include "../lightmap/Bake.h"
+#include "../scene/Failure.h"
+#include "../scene/Names.h"
+#include "../scene/SceneBuilder.h"
+#include "../scene/Windows.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace penumbra::tool
+{
+namespace
+{
+class LightmapBake : public Command
+{
+public:
+  CLI::App* Declare(CLI::App& app) override
+  {
+    CLI::App* command = app.add_subcommand(
+      "lightmap", "indirect light on still surfaces, in a picture laid over them");
+    command->add_option("-o,--output", this->Options.Output, "the lightmap (.exr)")->required();
+    DeclareSceneOptions(*command, this->Options, "the scene's", false);
+    const char* group = "Lightmap";
+    lightmap::BakeSettings& s = this->Settings;
+    command
+      ->add_option(
+        "--texel-size", s.TexelSize, "width of texels, world units [1/128 of the scene's diagonal]")
+      ->group(group);
+    command->add_option("--max-size", s.LargestSide, "texels a side of the picture, at most")
+      ->capture_default_str()
+      ->group(group);
+    command->add_option("--samples", s.Samples, "paths from each texel, a multiple of 16")
+      ->capture_default_str()
+      ->group(group);
+    command->add_option("--bounces", s.Bounces, "reflections after which a path ends")
+      ->capture_default_str()
+      ->group(group);
+    command
+      ->add_flag("--directional", s.Directional,
+        "keep where light comes from too, for normals that pictures bend")
+      ->group(group);
+    command->add_flag("--no-denoise", this->Noisy, "leave the noise of few samples in")
+      ->group(group);
+    command->add_flag("--open-seams", this->OpenSeams, "leave steps between charts as they are")
+      ->group(group);
+    command
+      ->add_option("--without", this->Without,
+        "an object of the scene file that moves, by its name; may be repeated")
+      ->allow_extra_args(false)
+      ->group(group);
+    command
+      ->add_flag("--anew", s.Anew, "keep nothing of an earlier bake, or of one that was broken off")
+      ->group(group);
+    command->add_option("--backend", this->Options.Backend, "egl, osmesa, x11 or auto")
+      ->capture_default_str()
+      ->group("Output");
+    command->footer(
+      "Examples:\n"
+      "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
+      "  penumbra bake lightmap room.json --without robot --samples 1024 -o room.exr\n"
+      "  penumbra render room.json --bake room.exr -o room.png");
+    return command;
+  }
+
+  int Run(Console& console) override
+  {
+    console.SetQuiet(this->Options.Quiet);
+    console.SetVerbose(this->Options.Verbose);
+    this->Check();
+    const Scene scene = MakeScene(this->Options);
+    const auto window = MakeWindow(this->Options.Backend);
+    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
+    this->Hide(built);
+    ConfigureWindow(scene, built, window);
+    constexpr int side = 16; // nothing is drawn in it
+    window->SetSize(side, side);
+    window->SetMultiSamples(0);
+    {
+      Step step(console, "opening an OpenGL window");
+      OpenWindow(window);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    this->Settings.Names = built.Names;
+    const lightmap::BakeResult result =
+      lightmap::BakeLightmap(built.Renderer, this->Settings, console);
+    const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    this->Report(result, seconds);
+    window->Finalize();
+    return 0;
+  }
+
+private:
+  void Check()
+  {
+    lightmap::BakeSettings& s = this->Settings;
+    const std::string& output = this->Options.Output;
+    if (std::filesystem::path(output).extension() != ".exr")
+    {
+      FailUsage("'{}' does not end in .exr: the lightmap is an OpenEXR picture", output);
+    }
+    const auto folder = std::filesystem::path(output).parent_path();
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 ||
+      std::filesystem::is_directory(output))
+    {
+      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
+        output);
+    }
+    const auto within = [](const char* option, double value, double least, double most) {
+      if (!(value >= least && value <= most))
+      {
+        FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
+      }
+    };
+    within("--texel-size", s.TexelSize, 0, 1e30);
+    within("--max-size", s.LargestSide, 16, 16384);
+    within("--samples", s.Samples, lightmap::BakeSettings::Rounds, 1e6);
+    within("--bounces", s.Bounces, 1, 1000);
+    if (s.Samples % lightmap::BakeSettings::Rounds != 0)
+    {
+      FailUsage(
+        "--samples is {}: it must be a multiple of {}", s.Samples, lightmap::BakeSettings::Rounds);
+    }
+    s.Denoise = !this->Noisy;
+    s.CloseSeams = !this->OpenSeams;
+    s.Output = output;
+  }
+
+  void Hide(const BuiltScene& built) const
+  {
+    for (const std::string& name : this->Without)
+    {
+      bool found = false;
+      std::vector<std::string> names;
+      for (const auto& [prop, called] : built.Names)
+      {
+        names.push_back(called);
+        if (called == name)
+        {
+          prop->VisibilityOff();
+          found = true;
+        }
+      }
+      if (!found)
+      {
+        FailUsage("{}", UnknownName("object", name, "", names));
+      }
+    }
+  }
+
+  void Report(const lightmap::BakeResult& result, double seconds) const
+  {
+    const lightmap::Light& light = result.Map.Baked;
+    if (!this->Options.Statistics)
+    {
+      std::cout << fmt::format("{} x {} texels up to {:.3g} wide, {} charts; step across seams at "
+                               "most {:.2g} %; {:.1f} s\n",
+                     light.Width, light.Height, result.TexelSize, result.Tiles,
+                     100.0 * result.SeamStep, seconds)
+                << std::flush;
+      return;
+    }
+    const nlohmann::ordered_json report = { { "output", this->Options.Output },
+      { "width", light.Width }, { "height", light.Height }, { "texel-size", result.TexelSize },
+      { "charts", result.Charts }, { "tiles", result.Tiles }, { "dark-sides", result.DarkSides },
+      { "texels", result.Texels }, { "buried-texels", result.Buried },
+      { "kept-tiles", result.KeptTiles }, { "resumed", result.Resumed },
+      { "seam-step", result.SeamStep }, { "open-seam-step", result.OpenSeamStep },
+      { "samples", this->Settings.Samples }, { "seconds", seconds } };
+    std::cout << report.dump(2) << std::endl;
+  }
+
+  RenderOptions Options;
+  lightmap::BakeSettings Settings;
+  std::vector<std::string> Without;
+  bool Noisy = false;
+  bool OpenSeams = false;
+};
+}
+
+std::unique_ptr<Command> MakeLightmapBake()
+{
+  return std::make_unique<LightmapBake>();
+}
+}

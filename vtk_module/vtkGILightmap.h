@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGILightmap
+ * @brief   diffuse indirect light from a picture that was baked for the surfaces
+ *
+ * `penumbra bake lightmap` writes the picture; penumbra.load_bake() and `penumbra render --bake` bring it here.
+ * The baked triangles are drawn over the pixels that show them, with one fetch each. Props that the bake does not
+ * know, moving ones for instance, get no light from it: another technique lights them.
+ *
+ * The bake holds while the props that it knows, the lamps and the environment are what they were. In the
+ * first frame where one is not, vtkGIPass::GetNotes() says which, and the map lights nothing.
+ */
+#ifndef vtkGILightmap_h
+#define vtkGILightmap_h
+
+#include "vtkGILightmapParameters.h"
+
+#include <memory> // for the state
+#include <string> // for text
+
+class vtkImageData;
+class vtkPolyData;
+class vtkRenderer;
+
+class VTKRENDERINGGI_EXPORT vtkGILightmap : public vtkGILightmapParameters
+{
+public:
+  static vtkGILightmap* New();
+  vtkTypeMacro(vtkGILightmap, vtkGILightmapParameters);
+
+  /**
+   * Take a baked map, or none (nullptr). surfaces: triangles in world coordinates, counter-clockwise from the
+   * side that the light is for, with normals and texture coordinates (0 to 1, rows of the picture from the first
+   * on) at points, and a field array of strings "scene" with DescribeScene() of what was baked. light: a float
+   * image of 3 components, irradiance divided by pi, or of 12, followed by the means over the hemisphere of
+   * radiance times x, y and z of its direction in the world, each in red, green and blue. Both are copied. Returns
+   * false, with an error that says why, and keeps the former map where they are not so.
+   */
+  bool SetBake(vtkPolyData* surfaces, vtkImageData* light);
+
+  /**
+   * Whether there is a map.
+   */
+  bool HasBake();
+
+  /**
+   * What a map baked of the renderer's scene would depend on, as text: the visible props that rays see, with
+   * places, shapes and looks, lamps that do not follow the camera, and the environment.
+   */
+  static std::string DescribeScene(vtkRenderer* renderer);
+
+  /**
+   * What differs from the baked scene in the renderer's last frame, as in "light 1 moved"; "" where the map fits.
+   */
+  std::string GetMismatch(vtkRenderer* renderer);
+
+  void Contribute(penumbra::FrameBuilder& frame) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGILightmap();
+  ~vtkGILightmap() override;
+
+private:
+  vtkGILightmap(const vtkGILightmap&) = delete;
+  void operator=(const vtkGILightmap&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
