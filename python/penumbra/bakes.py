@@ -7,8 +7,10 @@ import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 from . import exr
+from .passes import _quiet
 
 _AGAIN = "bake it again with penumbra bake lightmap"
 _LIGHT = ["R", "G", "B"]
@@ -75,11 +77,30 @@ def _image(light, shape):
     return image
 
 
+def _load_probes(gi, path):
+    reader = vtkXMLImageDataReader()
+    with _quiet():
+        if not reader.CanReadFile(str(path)):
+            raise ValueError(f"'{path}' holds no baked light: give a file that penumbra bake probes wrote")
+        reader.SetFileName(str(path))
+        reader.Update()
+    if reader.GetErrorCode():
+        raise ValueError(f"the probes '{path}' are damaged: bake them again with penumbra bake probes")
+    technique = gi.GetTechnique("sh-probes")
+    if not technique.SetBake(reader.GetOutput()):
+        raise ValueError(f"the probes '{path}' cannot be used: {technique.GetBakeError()}")
+    technique.EnabledOn()
+    return technique
+
+
 def load_bake(gi, path):
     """Give baked light to its technique of a pass, and switch that on. Returns the technique.
 
     Raises ValueError, with a sentence, for a file that holds no baked light or is damaged.
     """
+    with open(path, "rb") as file:
+        if b"<VTKFile" in file.read(256):
+            return _load_probes(gi, path)
     surfaces, light = read_lightmap(path)
     technique = gi.GetTechnique("lightmap")
     if not technique.SetBake(surfaces, light):

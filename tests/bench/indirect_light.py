@@ -29,6 +29,7 @@ def options():
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of technique ddgi")
     parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write pairs of pictures there")
+    parser.add_argument("--updates", type=int, default=400, help="of the probes before the still picture")
     parser.add_argument("--verbose", action="store_true", help="print the error of each frame")
     parser.add_argument("--only", choices=("still", "moving"))
     return parser.parse_args()
@@ -106,7 +107,7 @@ def still(args, settings):
     pictures = []
     for ddgi in (True, False):
         camera = Camera(FINER * args.size, "off", **direct_preset(ddgi, settings))
-        pictures.append(smaller(camera.picture(400 if ddgi else 1)))
+        pictures.append(smaller(camera.picture(args.updates if ddgi else 1)))
     ours, truth = pictures[0] - pictures[1], full - once
     error, mean = relative_error(ours, truth)
     whole, whole_mean = relative_error(pictures[0], full)
