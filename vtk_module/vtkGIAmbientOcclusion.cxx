@@ -203,8 +203,10 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
 {
   frame.SpreadLight(this->AmbientShare);
   frame.SetInterreflection(this->Interreflection);
-  const double radius =
-    this->Radius > 0.0 ? this->Radius : AutomaticRadius * frame.GetView().Diagonal;
+  // Occlusion further off is in indirect light that is known.
+  const double radius = this->Radius > 0.0
+    ? this->Radius
+    : std::min(AutomaticRadius * frame.GetView().Diagonal, frame.GetIndirectDetail());
   if (radius <= 0.0)
   {
     return;

@@ -385,7 +385,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
         ++now.Total;
       }
     });
-  frame.AddIndirectLight({ IndirectKind::LiveProbes,
+  frame.AddIndirectLight({ IndirectKind::LiveProbes, field.Grid.Detail(),
     { Blended, resource::Albedo, resource::Normal, resource::WindowDepth },
     [this, key](FrameContext& context) {
       const Field& now = this->Impl->Fields[key];

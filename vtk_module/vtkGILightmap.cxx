@@ -97,6 +97,6 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
     return;
   }
   frame.AddIndirectLight(
-    { IndirectKind::BakedOnSurfaces, { resource::WindowDepth, resource::Normal },
+    { IndirectKind::BakedOnSurfaces, 0.0, { resource::WindowDepth, resource::Normal },
       [this](FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity); } });
 }

@@ -155,9 +155,9 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
     frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
   if (mismatch.empty())
   {
-    frame.AddIndirectLight(
-      { IndirectKind::BakedProbes, { resource::WindowDepth, resource::Albedo, resource::Normal },
-        [this](FrameContext& context) { this->Impl->Gather(context, *this); } });
+    frame.AddIndirectLight({ IndirectKind::BakedProbes, this->Impl->Field.Grid.Detail(),
+      { resource::WindowDepth, resource::Albedo, resource::Normal },
+      [this](FrameContext& context) { this->Impl->Gather(context, *this); } });
   }
   else
   {

@@ -29,6 +29,7 @@ def options():
     parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of technique ddgi")
     parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write pairs of pictures there")
+    parser.add_argument("--occlusion", type=float, metavar="RADIUS", help="with ambient occlusion of that radius; 0: automatic")
     parser.add_argument("--updates", type=int, default=400, help="of the probes before the still picture")
     parser.add_argument("--verbose", action="store_true", help="print the error of each frame")
     parser.add_argument("--only", choices=("still", "moving"))
@@ -106,7 +107,11 @@ def still(args, settings):
     once = kept(args.keep, f"once_{name}", lambda: traced(args.size, spp, 0))
     pictures = []
     for ddgi in (True, False):
-        camera = Camera(FINER * args.size, "off", **direct_preset(ddgi, settings))
+        drawn = direct_preset(ddgi, settings)
+        if ddgi and args.occlusion is not None:
+            drawn["on"].append("ambient-occlusion")
+            drawn["ambient-occlusion.radius"] = args.occlusion
+        camera = Camera(FINER * args.size, "off", **drawn)
         pictures.append(smaller(camera.picture(args.updates if ddgi else 1)))
     ours, truth = pictures[0] - pictures[1], full - once
     error, mean = relative_error(ours, truth)

@@ -42,6 +42,16 @@ void FrameBuilder::AddIndirectLight(IndirectLight light)
   this->RequestSurroundings();
 }
 
+double FrameBuilder::GetIndirectDetail() const
+{
+  double detail = this->Indirect.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const IndirectLight& light : this->Indirect)
+  {
+    detail = std::max(detail, light.Detail);
+  }
+  return detail;
+}
+
 void FrameBuilder::RequestSurroundings()
 {
   // Environments light PBR only, and PBR needs the extended set.

@@ -190,6 +190,8 @@ public:
   /// A technique knows indirect light, with that of the environment: lights keep their strength.
   void AddIndirectLight(IndirectLight light);
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
+  /// The coarsest detail of what is known so far; infinity where nothing is.
+  double GetIndirectDetail() const;
 
   /// Take surfaces that hide one another from ambient light for reflecting it too, by so much of
   /// their colour.

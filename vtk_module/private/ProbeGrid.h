@@ -18,6 +18,12 @@ struct ProbeGrid
   glm::ivec3 Counts{ 0 };
 
   int Size() const { return this->Counts.x * this->Counts.y * this->Counts.z; }
+  /// Occlusion nearer than this, a quarter of a cell, is not in the light that probes know (measured, see
+  /// docs/indirect-light.md).
+  double Detail() const
+  {
+    return 0.25 * glm::min(this->Spacing.x, glm::min(this->Spacing.y, this->Spacing.z));
+  }
   bool IsEmpty() const { return this->Size() == 0; }
   glm::dvec3 Last() const { return this->First + this->Spacing * glm::dvec3(this->Counts - 1); }
 
