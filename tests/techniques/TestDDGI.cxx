@@ -3,25 +3,11 @@
 /**
  * Probes that are updated every frame: energy, leaks, how fast they follow and how still they stand.
  */
-#include "Messages.h"
-#include "Picture.h"
-#include "Stage.h"
+#include "RoomStage.h"
 
 #include "vtkGIDDGI.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCubeSource.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
-
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -29,85 +15,16 @@ using namespace penumbra_test;
 
 namespace
 {
-using Values = std::vector<double>;
-
-class DDGI : public ::testing::Test
+class DDGI : public RoomStage
 {
 protected:
   void SetUp() override
   {
-    this->Scene.Window->SetSize(96, 72);
-    this->Scene.Renderer->AutomaticLightCreationOff();
-    this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Pass = this->Scene.SetPasses().front();
-    this->Pass->KeepRadianceOn();
+    this->Prepare("ddgi", 96, 72);
     this->Probes = vtkGIDDGI::SafeDownCast(this->Pass->GetTechnique("ddgi"));
     ASSERT_NE(this->Probes, nullptr);
-    this->Probes->EnabledOn();
-    this->Lamp->SetLightTypeToSceneLight();
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(180.0);
-    this->Lamp->SetIntensity(0.0);
-    this->Scene.Renderer->AddLight(this->Lamp);
-  }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
-
-  vtkActor* AddBox(double x0, double x1, double y0, double y1, double z0, double z1, double albedo)
-  {
-    vtkNew<vtkCubeSource> cube;
-    cube->SetBounds(x0, x1, y0, y1, z0, z1);
-    vtkActor* box = this->Scene.Add(cube);
-    box->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    box->GetProperty()->SetDiffuse(albedo);
-    box->GetProperty()->SetAmbient(0.0);
-    box->GetProperty()->SetInterpolationToFlat();
-    return box;
   }
 
-  // A view from inside with all walls in sight of a turn.
-  void LookFrom(double x, double y, double z, double atX, double atY, double atZ)
-  {
-    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-    camera->SetPosition(x, y, z);
-    camera->SetFocalPoint(atX, atY, atZ);
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    camera->SetViewAngle(75.0);
-    camera->SetClippingRange(0.01, 20.0);
-  }
-
-  // Luminance of every pixel after so many frames.
-  Values After(int frames)
-  {
-    for (int i = 0; i < frames; ++i)
-    {
-      this->Scene.Window->Render();
-    }
-    vtkNew<vtkImageData> image;
-    EXPECT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, image));
-    Values values;
-    auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
-    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-    {
-      values.push_back((scalars->GetTypedComponent(i, 0) + scalars->GetTypedComponent(i, 1) +
-                         scalars->GetTypedComponent(i, 2)) /
-        3.0);
-    }
-    return values;
-  }
-
-  static double Mean(const Values& values)
-  {
-    double sum = 0.0;
-    for (const double value : values)
-    {
-      sum += value;
-    }
-    return sum / static_cast<double>(values.size());
-  }
-
-  Stage Scene;
-  vtkNew<vtkLight> Lamp;
-  vtkSmartPointer<vtkGIPass> Pass;
   vtkGIDDGI* Probes = nullptr;
 };
 }
@@ -245,4 +162,26 @@ TEST_F(DDGI, AStillSceneIsStill)
     "frames 151 to 250: deviation of a pixel %.4f %% of its mean on the average, %.4f %% at most\n",
     100.0 * sum / static_cast<double>(frames.front().size()), 100.0 * most);
   EXPECT_LT(most, 0.005);
+}
+
+TEST_F(DDGI, OcclusionIsCountedOnce)
+{
+  this->Probes->SetProbes(343);
+  this->Probes->SetUpdates(40);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+  this->AddBox(-0.6, 0.0, -0.6, 0.0, -1.0, 0.2, 0.5);
+  this->Lamp->SetPosition(0.3, -0.2, 0.7);
+  this->Lamp->SetIntensity(1.0);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  const double without = Mean(this->After(41));
+  vtkGITechnique* occlusion = this->Pass->GetTechnique("ambient-occlusion");
+  occlusion->EnabledOn();
+  const double with = Mean(this->After(1));
+  this->Probes->EnabledOff();
+  occlusion->EnabledOff();
+  const double direct = Mean(this->After(1));
+  const double taken = 1.0 - (with - direct) / (without - direct);
+  std::printf("of the indirect light, occlusion beside it takes %.2f %%\n", 100.0 * taken);
+  EXPECT_GT(taken, 0.0005); // creases closer than the probes know
+  EXPECT_LT(taken, 0.04);
 }

@@ -3,31 +3,18 @@
 /**
  * Probes baked beforehand: energy, leaks, what moves among them, and when they no longer fit.
  */
-#include "Messages.h"
-#include "Picture.h"
-#include "Stage.h"
+#include "RoomStage.h"
 
 #include "vtkGIPathTracing.h"
 #include "vtkGIProbeBaker.h"
 #include "vtkGISHProbes.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCubeSource.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
-#include <vtkLight.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
 #include <vtkReverseSense.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -35,63 +22,25 @@ using namespace penumbra_test;
 
 namespace
 {
-using Values = std::vector<double>;
-
-class SHProbes : public ::testing::Test
+class SHProbes : public RoomStage
 {
 protected:
   void SetUp() override
   {
-    this->Scene.Window->SetSize(48, 36);
-    this->Scene.Renderer->AutomaticLightCreationOff();
-    this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
-    this->Pass = this->Scene.SetPasses().front();
-    this->Pass->KeepRadianceOn();
+    this->Prepare("sh-probes", 48, 36);
     this->Probes = vtkGISHProbes::SafeDownCast(this->Pass->GetTechnique("sh-probes"));
     ASSERT_NE(this->Probes, nullptr);
-    this->Probes->EnabledOn();
-    this->Lamp->SetLightTypeToSceneLight();
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(180.0);
-    this->Lamp->SetIntensity(0.0);
-    this->Scene.Renderer->AddLight(this->Lamp);
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
-  vtkActor* Paint(vtkActor* actor, double albedo)
-  {
-    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    actor->GetProperty()->SetDiffuse(albedo);
-    actor->GetProperty()->SetAmbient(0.0);
-    return actor;
-  }
-  vtkActor* AddBox(double x0, double x1, double y0, double y1, double z0, double z1, double albedo)
-  {
-    vtkNew<vtkCubeSource> cube;
-    cube->SetBounds(x0, x1, y0, y1, z0, z1);
-    vtkActor* box = this->Paint(this->Scene.Add(cube), albedo);
-    box->GetProperty()->SetInterpolationToFlat();
-    return box;
-  }
   vtkActor* AddBall(double x, double y, double z, double radius)
   {
     vtkNew<vtkSphereSource> ball;
     ball->SetRadius(radius);
     ball->SetPhiResolution(48);
     ball->SetThetaResolution(96);
-    vtkActor* actor = this->Paint(this->Scene.Add(ball), 0.8);
+    vtkActor* actor = Paint(this->Scene.Add(ball), 0.8);
     actor->SetPosition(x, y, z);
     return actor;
-  }
-
-  void LookFrom(double x, double y, double z, double atX, double atY, double atZ)
-  {
-    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-    camera->SetPosition(x, y, z);
-    camera->SetFocalPoint(atX, atY, atZ);
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    camera->SetViewAngle(75.0);
-    camera->SetClippingRange(0.01, 20.0);
   }
 
   void Bake(int probes, int samples)
@@ -103,25 +52,6 @@ protected:
     ASSERT_TRUE(this->Probes->SetBake(this->Field)) << this->Probes->GetBakeError();
   }
 
-  // Luminance of every pixel after so many frames.
-  Values After(int frames)
-  {
-    for (int i = 0; i < frames; ++i)
-    {
-      this->Scene.Window->Render();
-    }
-    vtkNew<vtkImageData> image;
-    EXPECT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, image));
-    Values values;
-    auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
-    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
-    {
-      values.push_back((scalars->GetTypedComponent(i, 0) + scalars->GetTypedComponent(i, 1) +
-                         scalars->GetTypedComponent(i, 2)) /
-        3.0);
-    }
-    return values;
-  }
   Values Traced(int bounces, int samples)
   {
     auto* tracer = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
@@ -133,24 +63,12 @@ protected:
     return values;
   }
 
-  static double Mean(const Values& values)
-  {
-    double sum = 0.0;
-    for (const double value : values)
-    {
-      sum += value;
-    }
-    return sum / static_cast<double>(values.size());
-  }
   bool Notes(const std::string& words) const
   {
     return std::string(this->Pass->GetNotes()).find(words) != std::string::npos;
   }
 
-  Stage Scene;
-  vtkNew<vtkLight> Lamp;
   vtkNew<vtkImageData> Field;
-  vtkSmartPointer<vtkGIPass> Pass;
   vtkGISHProbes* Probes = nullptr;
 };
 }

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake lightmap: indirect light on surfaces, kept in a picture that is laid over them.
-#include "Command.h"
+#include "BakeOptions.h"
 #include "RenderOptions.h"
 
 #include "../lightmap/Bake.h"
 #include "../scene/Failure.h"
-#include "../scene/Names.h"
 #include "../scene/SceneBuilder.h"
 #include "../scene/Windows.h"
 
@@ -14,10 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <filesystem>
 #include <iostream>
-
-#include <unistd.h>
 
 namespace penumbra::tool
 {
@@ -82,15 +78,8 @@ public:
     const Scene scene = MakeScene(this->Options);
     const auto window = MakeWindow(this->Options.Backend);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
-    this->Hide(built);
-    ConfigureWindow(scene, built, window);
-    constexpr int side = 16; // nothing is drawn in it
-    window->SetSize(side, side);
-    window->SetMultiSamples(0);
-    {
-      Step step(console, "opening an OpenGL window");
-      OpenWindow(window);
-    }
+    HideObjects(built, this->Without);
+    OpenBakeWindow(scene, built, window, console);
     const auto start = std::chrono::steady_clock::now();
     this->Settings.Names = built.Names;
     const lightmap::BakeResult result =
@@ -106,28 +95,11 @@ private:
   void Check()
   {
     lightmap::BakeSettings& s = this->Settings;
-    const std::string& output = this->Options.Output;
-    if (std::filesystem::path(output).extension() != ".exr")
-    {
-      FailUsage("'{}' does not end in .exr: the lightmap is an OpenEXR picture", output);
-    }
-    const auto folder = std::filesystem::path(output).parent_path();
-    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 ||
-      std::filesystem::is_directory(output))
-    {
-      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
-        output);
-    }
-    const auto within = [](const char* option, double value, double least, double most) {
-      if (!(value >= least && value <= most))
-      {
-        FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
-      }
-    };
-    within("--texel-size", s.TexelSize, 0, 1e30);
-    within("--max-size", s.LargestSide, 16, 16384);
-    within("--samples", s.Samples, lightmap::BakeSettings::Rounds, 1e6);
-    within("--bounces", s.Bounces, 1, 1000);
+    RequireBakeFile(this->Options.Output, ".exr", "the lightmap is an OpenEXR picture");
+    RequireWithin("--texel-size", s.TexelSize, 0, 1e30);
+    RequireWithin("--max-size", s.LargestSide, 16, 16384);
+    RequireWithin("--samples", s.Samples, lightmap::BakeSettings::Rounds, 1e6);
+    RequireWithin("--bounces", s.Bounces, 1, 1000);
     if (s.Samples % lightmap::BakeSettings::Rounds != 0)
     {
       FailUsage(
@@ -135,29 +107,7 @@ private:
     }
     s.Denoise = !this->Noisy;
     s.CloseSeams = !this->OpenSeams;
-    s.Output = output;
-  }
-
-  void Hide(const BuiltScene& built) const
-  {
-    for (const std::string& name : this->Without)
-    {
-      bool found = false;
-      std::vector<std::string> names;
-      for (const auto& [prop, called] : built.Names)
-      {
-        names.push_back(called);
-        if (called == name)
-        {
-          prop->VisibilityOff();
-          found = true;
-        }
-      }
-      if (!found)
-      {
-        FailUsage("{}", UnknownName("object", name, "", names));
-      }
-    }
+    s.Output = this->Options.Output;
   }
 
   void Report(const lightmap::BakeResult& result, double seconds) const

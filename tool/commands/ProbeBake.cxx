@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake probes: indirect light in space, kept at the points of a grid.
-#include "Command.h"
+#include "BakeOptions.h"
 #include "RenderOptions.h"
 
 #include "../scene/Failure.h"
-#include "../scene/Names.h"
 #include "../scene/ProbeFile.h"
 #include "../scene/SceneBuilder.h"
 #include "../scene/Windows.h"
@@ -24,8 +23,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-
-#include <unistd.h>
 
 namespace penumbra::tool
 {
@@ -120,15 +117,8 @@ public:
     const Scene scene = MakeScene(this->Options);
     const auto window = MakeWindow(this->Options.Backend);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
-    this->Hide(built);
-    ConfigureWindow(scene, built, window);
-    constexpr int side = 16; // nothing is drawn in it
-    window->SetSize(side, side);
-    window->SetMultiSamples(0);
-    {
-      Step step(console, "opening an OpenGL window");
-      OpenWindow(window);
-    }
+    HideObjects(built, this->Without);
+    OpenBakeWindow(scene, built, window, console);
     const auto start = Clock::now();
     vtkNew<vtkGIProbeBaker> baker;
     baker->SetProbes(this->Probes);
@@ -161,49 +151,11 @@ private:
 
   void Check() const
   {
-    const std::string& output = this->Options.Output;
-    if (fs::path(output).extension() != ".vti")
-    {
-      FailUsage("'{}' does not end in .vti: probes are written as a VTK image", output);
-    }
-    const auto folder = fs::path(output).parent_path();
-    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 || fs::is_directory(output))
-    {
-      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
-        output);
-    }
-    const auto within = [](const char* option, double value, double least, double most) {
-      if (!(value >= least && value <= most))
-      {
-        FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
-      }
-    };
-    within("--probes", this->Probes, 27, 1 << 20);
-    within("--probe-spacing", this->Spacing, 0, 1e30);
-    within("--samples", this->Samples, 1, 1 << 24);
-    within("--bounces", this->Bounces, 1, 10000);
-  }
-
-  void Hide(const BuiltScene& built) const
-  {
-    for (const std::string& name : this->Without)
-    {
-      bool found = false;
-      std::vector<std::string> names;
-      for (const auto& [prop, called] : built.Names)
-      {
-        names.push_back(called);
-        if (called == name)
-        {
-          prop->VisibilityOff();
-          found = true;
-        }
-      }
-      if (!found)
-      {
-        FailUsage("{}", UnknownName("object", name, "", names));
-      }
-    }
+    RequireBakeFile(this->Options.Output, ".vti", "probes are written as a VTK image");
+    RequireWithin("--probes", this->Probes, 27, 1 << 20);
+    RequireWithin("--probe-spacing", this->Spacing, 0, 1e30);
+    RequireWithin("--samples", this->Samples, 1, 1 << 24);
+    RequireWithin("--bounces", this->Bounces, 1, 10000);
   }
 
   std::string Partial() const { return this->Options.Output + ".part"; }

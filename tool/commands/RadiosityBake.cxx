@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake radiosity: diffuse light between patches, once for all views.
-#include "Command.h"
+#include "BakeOptions.h"
 #include "RenderOptions.h"
 
 #include "../image/Picture.h"
@@ -17,11 +17,8 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <optional>
-
-#include <unistd.h>
 
 namespace penumbra::tool
 {
@@ -151,18 +148,7 @@ private:
   void Check()
   {
     radiosity::Settings& s = this->Settings;
-    const std::string& output = this->Options.Output;
-    if (std::filesystem::path(output).extension() != ".vtp")
-    {
-      FailUsage("'{}' does not end in .vtp: the solution is a VTK file of polygons", output);
-    }
-    const auto folder = std::filesystem::path(output).parent_path();
-    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 ||
-      std::filesystem::is_directory(output))
-    {
-      Fail("'{}' cannot be written: choose another file with -o, in a folder you may write to",
-        output);
-    }
+    RequireBakeFile(this->Options.Output, ".vtp", "the solution is a VTK file of polygons");
     for (const std::string& picture : { this->View, this->Plot })
     {
       if (!picture.empty())
@@ -170,19 +156,13 @@ private:
         RequireWritablePicture(picture);
       }
     }
-    const auto within = [](const char* option, double value, double least, double most) {
-      if (!(value >= least && value <= most))
-      {
-        FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
-      }
-    };
-    within("--rays", s.Rays, 1, 1e6);
-    within("--shadow-points", s.ShadowPoints, 1, 1e4);
-    within("--refine", s.Refinements, 0, 8);
-    within("--steepness", s.Steepness, 0.001, 1000);
-    within("--tolerance", s.Tolerance, 1e-12, 0.5);
-    within("--max-patches", double(s.MaximumPatches), 1, 1e8);
-    within("--patch-size", s.PatchSize, 0, 1e30);
+    RequireWithin("--rays", s.Rays, 1, 1e6);
+    RequireWithin("--shadow-points", s.ShadowPoints, 1, 1e4);
+    RequireWithin("--refine", s.Refinements, 0, 8);
+    RequireWithin("--steepness", s.Steepness, 0.001, 1000);
+    RequireWithin("--tolerance", s.Tolerance, 1e-12, 0.5);
+    RequireWithin("--max-patches", double(s.MaximumPatches), 1, 1e8);
+    RequireWithin("--patch-size", s.PatchSize, 0, 1e30);
     if (this->Solver != "gathering" && this->Solver != "shooting" && this->Solver != "both")
     {
       FailUsage("{}", UnknownName("solver", this->Solver, "", { "gathering", "shooting", "both" }));

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Rooms of boxes with a lamp, lit by one technique and measured by the radiance of their pixels.
+ */
+#pragma once
+
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkGITechnique.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace penumbra_test
+{
+using Values = std::vector<double>;
+
+class RoomStage : public ::testing::Test
+{
+protected:
+  /// The lamp is dark at first. Only the technique of that name is on.
+  void Prepare(const char* technique, int width, int height)
+  {
+    this->Scene.Window->SetSize(width, height);
+    this->Scene.Renderer->AutomaticLightCreationOff();
+    this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+    this->Pass = this->Scene.SetPasses().front();
+    this->Pass->KeepRadianceOn();
+    ASSERT_NE(this->Pass->GetTechnique(technique), nullptr);
+    this->Pass->GetTechnique(technique)->EnabledOn();
+    this->Lamp->SetLightTypeToSceneLight();
+    this->Lamp->PositionalOn();
+    this->Lamp->SetConeAngle(180.0);
+    this->Lamp->SetIntensity(0.0);
+    this->Scene.Renderer->AddLight(this->Lamp);
+  }
+  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
+
+  static vtkActor* Paint(vtkActor* actor, double albedo)
+  {
+    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    actor->GetProperty()->SetDiffuse(albedo);
+    actor->GetProperty()->SetAmbient(0.0);
+    return actor;
+  }
+
+  vtkActor* AddBox(double x0, double x1, double y0, double y1, double z0, double z1, double albedo)
+  {
+    vtkNew<vtkCubeSource> cube;
+    cube->SetBounds(x0, x1, y0, y1, z0, z1);
+    vtkActor* box = Paint(this->Scene.Add(cube), albedo);
+    box->GetProperty()->SetInterpolationToFlat();
+    return box;
+  }
+
+  /// A view from inside with all walls in sight of a turn.
+  void LookFrom(double x, double y, double z, double atX, double atY, double atZ)
+  {
+    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+    camera->SetPosition(x, y, z);
+    camera->SetFocalPoint(atX, atY, atZ);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(75.0);
+    camera->SetClippingRange(0.01, 20.0);
+  }
+
+  /// The mean of every pixel's colours after so many frames.
+  Values After(int frames)
+  {
+    for (int i = 0; i < frames; ++i)
+    {
+      this->Scene.Window->Render();
+    }
+    vtkNew<vtkImageData> image;
+    EXPECT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, image));
+    Values values;
+    auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+    for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+    {
+      values.push_back((scalars->GetTypedComponent(i, 0) + scalars->GetTypedComponent(i, 1) +
+                         scalars->GetTypedComponent(i, 2)) /
+        3.0);
+    }
+    return values;
+  }
+
+  static double Mean(const Values& values)
+  {
+    double sum = 0.0;
+    for (const double value : values)
+    {
+      sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+  }
+
+  Stage Scene;
+  vtkNew<vtkLight> Lamp;
+  vtkSmartPointer<vtkGIPass> Pass;
+};
+}

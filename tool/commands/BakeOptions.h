@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// What the commands below penumbra bake have in common.
+#ifndef penumbra_tool_BakeOptions_h
+#define penumbra_tool_BakeOptions_h
+
+#include "Command.h"
+
+#include "../scene/SceneBuilder.h"
+
+#include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+namespace penumbra::tool
+{
+/// Fails where the file has another ending, for what it is (".exr", "the lightmap is an OpenEXR picture"), or
+/// cannot be written.
+void RequireBakeFile(const std::string& path, const char* ending, const char* what);
+
+/// Fails where an option's value is out of its range, bounds included.
+void RequireWithin(const char* option, double value, double least, double most);
+
+/// Hides the objects of these names. Fails where there is none of a name.
+void HideObjects(const BuiltScene& built, const std::vector<std::string>& names);
+
+/// The scene in a window of a few pixels, whose context is there: for bakes on the GPU.
+void OpenBakeWindow(
+  const Scene& scene, const BuiltScene& built, vtkRenderWindow* window, Console& console);
+}
+
+#endif
