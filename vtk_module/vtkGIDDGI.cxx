@@ -7,6 +7,7 @@
 #include "private/rays/RayProps.h"
 
 #include "vtkCamera.h"
+#include "vtkWeakPointer.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -270,6 +271,7 @@ void Gather(
 /// The probes of one view.
 struct vtkGIDDGI::Field
 {
+  vtkWeakPointer<vtkRenderer> Owner;
   ProbeGrid Grid;
   int Updates = 0;    ///< since the scene changed
   int Total = 0;      ///< since the grid was made
@@ -285,6 +287,15 @@ struct vtkGIDDGI::Field
 struct vtkGIDDGI::State
 {
   std::map<std::pair<vtkRenderer*, int>, Field> Fields; ///< by renderer and eye
+
+  // Another renderer may come to a dead one's address.
+  void ForgetTheDead()
+  {
+    for (auto it = this->Fields.begin(); it != this->Fields.end();)
+    {
+      it = it->second.Owner ? std::next(it) : this->Fields.erase(it);
+    }
+  }
 };
 
 vtkGIDDGI::vtkGIDDGI()
@@ -314,10 +325,12 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   }
   const std::pair<vtkRenderer*, int> key(
     frame.GetRenderer(), frame.GetRenderer()->GetActiveCamera()->GetLeftEye());
+  this->Impl->ForgetTheDead();
   Field& field = this->Impl->Fields[key];
   if (field.Asked != this->Probes || !field.Grid.Suits(view.Bounds))
   {
     field = Field();
+    field.Owner = frame.GetRenderer();
     field.Grid = ProbeGrid::Around(view.Bounds, this->Probes);
     field.Asked = this->Probes;
   }
