@@ -154,6 +154,8 @@ struct FieldUpdate
   LightTable* Lights = nullptr;
   int RayCount = 0;
   int Number = 0; ///< of the update, for the rays' directions
+  int First = 0;  ///< of its probes, those that this frame updates
+  int Last = 0;   ///< one past them
 
   void Trace(FrameContext& context, const Textures& textures) const
   {
@@ -171,11 +173,12 @@ struct FieldUpdate
     glUniform3fv(program.Location("eye"), 1, &eye[0]);
     glUniform1i(program.Location("rays"), this->RayCount);
     glUniform1i(program.Location("update"), this->Number);
-    glUniform1i(program.Location("probeCount"), this->Uniforms.Grid.Size());
+    glUniform1i(program.Location("firstProbe"), this->First);
+    glUniform1i(program.Location("lastProbe"), this->Last);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
     glUniform1i(program.Location("lit"), this->Number > 0);
     constexpr int group = 64;
-    const int rays = this->RayCount * this->Uniforms.Grid.Size();
+    const int rays = this->RayCount * (this->Last - this->First);
     glDispatchCompute((rays + group - 1) / group, 1, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
@@ -222,8 +225,9 @@ struct FieldUpdate
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
+  // Every stride-th of the probes, beginning with the one after so many.
   void Blend(FrameContext& context, const Textures& textures, bool distances, double least,
-    int most, int first, int stride) const
+    int most, int skipped, int stride) const
   {
     Defines defines;
     if (distances)
@@ -242,9 +246,14 @@ struct FieldUpdate
     glUniform1f(program.Location("most"), static_cast<GLfloat>(most));
     glUniform1f(program.Location("farthest"),
       static_cast<GLfloat>(1.5 * glm::length(this->Uniforms.Grid.Spacing)));
+    const int first = this->First + skipped;
+    if (first >= this->Last)
+    {
+      return;
+    }
     glUniform1i(program.Location("first"), first);
     glUniform1i(program.Location("stride"), stride);
-    glDispatchCompute((this->Uniforms.Grid.Size() - first + stride - 1) / stride, 1, 1);
+    glDispatchCompute((this->Last - first + stride - 1) / stride, 1, 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 };
@@ -253,10 +262,11 @@ void Gather(
   FrameContext& context, const Textures& textures, const FieldUniforms& uniforms, double intensity)
 {
   const View& view = context.GetView();
-  const Program& program = context.Shaders().Fragment("ddgi/gather.frag");
+  const OpenDirection open(context);
+  const Program& program = context.Shaders().Fragment("ddgi/gather.frag", open.Variant);
   context.Use(program,
     { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-      context.Input(resource::Normal), nullptr, textures.Light, textures.Distance,
+      context.Input(resource::Normal), open.Map, textures.Light, textures.Distance,
       textures.Probes });
   uniforms.Set(program);
   const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
@@ -273,6 +283,7 @@ struct vtkGIDDGI::Field
 {
   vtkWeakPointer<vtkRenderer> Owner;
   ProbeGrid Grid;
+  int Next = 0;       ///< probe to be updated
   int Updates = 0;    ///< since the scene changed
   int Total = 0;      ///< since the grid was made
   int Seen = 0;       ///< updates of the distances since geometry changed, likewise
@@ -282,6 +293,20 @@ struct vtkGIDDGI::Field
   vtkMTimeType Parameters = 0;
   Textures Maps;
   FieldUpdate Update;
+
+  // After a frame's probes, to the next; after the last, the update is done.
+  void Advance()
+  {
+    this->Next = this->Update.Last;
+    if (this->Next >= this->Grid.Size())
+    {
+      this->Next = 0;
+      ++this->Seen;
+      ++this->Settled;
+      ++this->Updates;
+      ++this->Total;
+    }
+  }
 };
 
 struct vtkGIDDGI::State
@@ -353,14 +378,14 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       now.Maps = FieldTextures(context, now.Grid.Size(), this->Rays, fresh);
       if (fresh)
       {
-        now.Updates = now.Total = now.Seen = 0;
+        now.Next = now.Updates = now.Total = now.Seen = 0;
       }
-      now.Update = { { now.Grid, rays.Origin(), this->Bias }, &rays, &lights, this->Rays,
-        now.Total };
+      now.Update = { { now.Grid, rays.Origin(), this->Bias }, &rays, &lights, this->Rays, now.Total,
+        now.Next, now.Next + this->ProbesPerFrame(now.Grid.Size() - now.Next) };
       if (now.Updates < this->Updates)
       {
-        const bool judged =
-          now.Total % Judgement == FirstJudgement && now.Updates < Agile && this->Relocate;
+        const bool judged = now.Next == 0 && now.Total % Judgement == FirstJudgement &&
+          now.Updates < Agile && this->Relocate;
         if (judged)
         {
           now.Update.Relocate(context, now.Maps, now.Moved);
@@ -368,7 +393,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
           now.Settled = 0;
         }
         // Neighbours' sight of each other is as the geometry is.
-        if (judged || context.GetView().Changes.Props || now.Total == 0)
+        if (judged || context.GetView().Changes.Props || (now.Total == 0 && now.Next == 0))
         {
           now.Update.Connect(context, now.Maps);
         }
@@ -389,13 +414,10 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
           const int seen =
             now.Seen < AllDistances ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
           now.Update.Blend(context, now.Maps, true, 0.0, seen, now.Seen % stride, stride);
-          ++now.Seen;
         }
         now.Update.Blend(context, now.Maps, false, ShareOf(now.Updates, this->Hysteresis),
           std::numeric_limits<int>::max(), 0, 1);
-        ++now.Settled;
-        ++now.Updates;
-        ++now.Total;
+        now.Advance();
       }
     });
   frame.AddIndirectLight({ IndirectKind::LiveProbes, field.Grid.Detail(),
@@ -404,6 +426,18 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       const Field& now = this->Impl->Fields[key];
       Gather(context, now.Maps, now.Update.Uniforms, this->Intensity);
     } });
+}
+
+int vtkGIDDGI::ProbesPerFrame(int most) const
+{
+  const int afforded = this->RaysPerFrame > 0 ? this->RaysPerFrame / this->Rays : most;
+  return std::max(1, std::min(afforded, most));
+}
+
+int vtkGIDDGI::GetRequiredFrames()
+{
+  const int probes = this->ProbesPerFrame(this->Probes);
+  return this->Updates * ((this->Probes + probes - 1) / probes);
 }
 
 bool vtkGIDDGI::IsFinished(vtkRenderer* renderer)

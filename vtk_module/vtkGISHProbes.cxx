@@ -55,10 +55,11 @@ struct vtkGISHProbes::Internals
   void Gather(FrameContext& context, const vtkGISHProbes& settings)
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
-    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag");
+    const OpenDirection open(context);
+    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag", open.Variant);
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-        context.Input(resource::Normal), nullptr, textures.Light(), textures.Distance(),
+        context.Input(resource::Normal), open.Map, textures.Light(), textures.Distance(),
         textures.Probes() });
     textures.Set(program, settings.Bias);
     SetView(program, context.GetView(), textures);

@@ -10,7 +10,8 @@ float horizonAt(Walk walk, WalkLine line, Search search, float t)
   return rises ? mix(-line.n.y, found, weight) : -line.n.y;
 }
 
-float closedSide(Walk walk, WalkLine line)
+// The light that is closed; its mean direction times it, across the view and toward the eye.
+vec3 closedSide(Walk walk, WalkLine line)
 {
   float horizon = -line.n.y;
   Search search = walkSearch(walk, line);
@@ -21,5 +22,7 @@ float closedSide(Walk walk, WalkLine line)
     search.best = found > horizon ? t : search.best;
     horizon = max(horizon, found);
   }
-  return giWholeArc(line.n) - giArc(horizon, sqrt(max(1.0 - horizon * horizon, 0.0)), line.n);
+  float s = sqrt(max(1.0 - horizon * horizon, 0.0));
+  return vec3(giWholeArc(line.n) - giArc(horizon, s, line.n),
+    giArcMoment(-line.n.y, line.n.x, line.n) - giArcMoment(horizon, s, line.n));
 }

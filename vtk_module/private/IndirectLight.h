@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include "private/ShaderLibrary.h"
+
 #include <functional>
 #include <vector>
 
@@ -12,6 +14,7 @@ namespace penumbra
 {
 class FrameBuilder;
 class FrameContext;
+class Texture;
 
 /// By how much is known of a surface point: earlier ones come first.
 enum class IndirectKind
@@ -32,6 +35,15 @@ struct IndirectLight
   /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is
   /// drawn later counts where and as far as a is below 1.
   std::function<void(FrameContext&)> Draw;
+};
+
+/// The mean direction that light comes from past what is near, for probes/gather.glsl: a texture for its unit and the
+/// variant that reads it; nullptr and none where nothing knows it.
+struct OpenDirection
+{
+  const Texture* Map = nullptr;
+  Defines Variant;
+  explicit OpenDirection(const FrameContext& context);
 };
 
 /// Add the passes that make resource::Irradiance of what the techniques know.
