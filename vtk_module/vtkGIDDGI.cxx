@@ -35,11 +35,9 @@ constexpr const char* Blended = "ddgi.blended";
 // once in an update, so that much of a change takes several to arrive.
 constexpr int Agile = 48;
 
-// Meanwhile it is judged in one of so many updates where probes should stand, from a certain one on; for so many
-// after that all distances are blended.
+// Meanwhile it is judged in one of so many updates where probes should stand, from a certain one on.
 constexpr int Judgement = 8;
 constexpr int FirstJudgement = 3;
-constexpr int Settling = 4;
 
 // Of the next update, after so many since a change.
 double ShareOf(int updates, double hysteresis)
@@ -225,9 +223,9 @@ struct FieldUpdate
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
-  // Every stride-th of the probes, beginning with the one after so many.
+  // stride: see blend.comp; of distances only.
   void Blend(FrameContext& context, const Textures& textures, bool distances, double least,
-    int most, int skipped, int stride) const
+    int most, int stride) const
   {
     Defines defines;
     if (distances)
@@ -246,14 +244,9 @@ struct FieldUpdate
     glUniform1f(program.Location("most"), static_cast<GLfloat>(most));
     glUniform1f(program.Location("farthest"),
       static_cast<GLfloat>(1.5 * glm::length(this->Uniforms.Grid.Spacing)));
-    const int first = this->First + skipped;
-    if (first >= this->Last)
-    {
-      return;
-    }
-    glUniform1i(program.Location("first"), first);
+    glUniform1i(program.Location("firstProbe"), this->First);
     glUniform1i(program.Location("stride"), stride);
-    glDispatchCompute((this->Last - first + stride - 1) / stride, 1, 1);
+    glDispatchCompute(this->Last - this->First, 1, 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 };
@@ -287,8 +280,7 @@ struct vtkGIDDGI::Field
   int Updates = 0;    ///< since the scene changed
   int Total = 0;      ///< since the grid was made
   int Seen = 0;       ///< updates of the distances since geometry changed, likewise
-  int Settled = 0;    ///< updates since it was judged where probes should stand
-  bool Moved = false; ///< geometry, since then
+  bool Moved = false; ///< geometry, since it was judged where probes should stand
   int Asked = 0;      ///< probes that Grid was made for
   vtkMTimeType Parameters = 0;
   Textures Maps;
@@ -302,7 +294,6 @@ struct vtkGIDDGI::Field
     {
       this->Next = 0;
       ++this->Seen;
-      ++this->Settled;
       ++this->Updates;
       ++this->Total;
     }
@@ -390,7 +381,6 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
         {
           now.Update.Relocate(context, now.Maps, now.Moved);
           now.Moved = false;
-          now.Settled = 0;
         }
         // Neighbours' sight of each other is as the geometry is.
         if (judged || context.GetView().Changes.Props || (now.Total == 0 && now.Next == 0))
@@ -407,16 +397,13 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       Field& now = this->Impl->Fields[key];
       if (now.Updates < this->Updates)
       {
-        if (now.Seen < MostDistances)
-        {
-          // After the first updates, a few of the probes at a time: distances take long to blend.
-          const int stride = now.Seen < AllDistances || now.Settled < Settling ? 1 : DistanceStride;
-          const int seen =
-            now.Seen < AllDistances ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
-          now.Update.Blend(context, now.Maps, true, 0.0, seen, now.Seen % stride, stride);
-        }
+        // After the first updates, a few of the probes at a time: distances take long to blend.
+        const bool all = now.Seen < AllDistances;
+        const int stride = all ? 1 : DistanceStride;
+        const int seen = all ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
+        now.Update.Blend(context, now.Maps, true, 0.0, seen, now.Seen < MostDistances ? stride : 0);
         now.Update.Blend(context, now.Maps, false, ShareOf(now.Updates, this->Hysteresis),
-          std::numeric_limits<int>::max(), 0, 1);
+          std::numeric_limits<int>::max(), 0);
         now.Advance();
       }
     });

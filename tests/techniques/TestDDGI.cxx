@@ -53,6 +53,30 @@ TEST_F(DDGI, ClosedEnclosureKeepsItsEnergy)
   }
 }
 
+TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
+{
+  this->Probes->SetProbes(216);
+  this->Probes->SetUpdates(60);
+  this->Scene.Window->SetSize(48, 36);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5)->GetProperty()->SetAmbient(0.1);
+  // A third of the probes, and one more, so that an update ends between those of a frame.
+  this->Probes->SetRaysPerFrame(73 * this->Probes->GetRays());
+  this->After(30);
+  EXPECT_EQ(this->Probes->GetUpdatesDone(this->Scene.Renderer), 10);
+  EXPECT_FALSE(this->Probes->IsFinished(this->Scene.Renderer));
+  this->After(this->Probes->GetRequiredFrames() - 31);
+  EXPECT_FALSE(this->Probes->IsFinished(this->Scene.Renderer));
+  const Values values = this->After(1);
+  EXPECT_TRUE(this->Probes->IsFinished(this->Scene.Renderer));
+  for (const double value : values)
+  {
+    ASSERT_NEAR(value, 0.2, 0.02 * 0.2);
+  }
+  this->Probes->SetRaysPerFrame(1); // less than a probe takes
+  EXPECT_EQ(this->Probes->GetRequiredFrames(), 60 * 216);
+}
+
 TEST_F(DDGI, ARoomNextDoorStaysDark)
 {
   this->Probes->SetProbes(512);
