@@ -1,7 +1,7 @@
 #version 430 core
 // Average along rows, or along columns (GI_DOWN), over the texels on the same surface: near the plane
-// through this one, and turned alike. Twice the four texels that share the sampling pattern make a
-// tent over seven, in which every part of the pattern weighs alike. Variants: GI_STRIDE; GI_AVERAGED
+// through this one, and turned alike. Of five texels the outer two count half, so that every part of the sampling
+// pattern, which is four wide, weighs alike. Variants: GI_STRIDE; GI_AVERAGED
 // (else as sampled); GI_PACKED (to be filtered further, or scaled up), else what is handed on; GI_BENT.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
@@ -24,7 +24,7 @@ const ivec2 ALONG = ivec2(1, 0);
 #endif
 
 #ifdef GI_AVERAGED
-const int REACH = 3; // texels to either side
+const int REACH = 2; // texels to either side
 #else
 const int REACH = 0;
 #endif
@@ -49,7 +49,7 @@ void main()
       ivec2 at = clamp(raw + i * ALONG, low, high);
       GI_RAW other = GI_RAW_OF(texelFetch(rawTexture, at, 0));
       vec2 offset = vec2((at - raw) * GI_STRIDE);
-      float weight = float(REACH + 1 - abs(i)) *
+      float weight = (abs(i) == 2 ? 0.5 : 1.0) *
         giAlike(here, offset, giRawDepth(other), giRawNormal(other));
       sum += weight * giRawOpenness(other);
       hidden += weight * giRawHidden(other);
