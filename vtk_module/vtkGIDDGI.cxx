@@ -3,6 +3,7 @@
 #include "vtkGIDDGI.h"
 
 #include "private/Frame.h"
+#include "private/ProbeBalls.h"
 #include "private/ProbeGrid.h"
 #include "private/rays/RayProps.h"
 
@@ -269,6 +270,15 @@ void Gather(
   glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
   context.DrawFullscreen();
 }
+
+ProbeBalls Balls(const Textures& textures, const FieldUniforms& uniforms)
+{
+  return { "ddgi/show.frag", textures.Light, textures.Distance, textures.Probes, uniforms.Origin,
+    uniforms.Grid.Spacing, [textures, uniforms](const Program& program) {
+      uniforms.Set(program);
+      FieldUpdate::BindStates(textures);
+    } };
+}
 }
 
 /// The probes of one view.
@@ -413,6 +423,13 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       const Field& now = this->Impl->Fields[key];
       Gather(context, now.Maps, now.Update.Uniforms, this->Intensity);
     } });
+  if (this->Show)
+  {
+    AddProbeBalls(frame, "ddgi-balls", { Blended }, [this, key](FrameContext&) {
+      const Field& now = this->Impl->Fields[key];
+      return Balls(now.Maps, now.Update.Uniforms);
+    });
+  }
 }
 
 int vtkGIDDGI::ProbesPerFrame(int most) const
