@@ -5,6 +5,12 @@ uniform float thickness; // world units
 
 const uint SECTORS = 32u;
 
+// The highest point within the radius of what is seen there, which stands for all behind it.
+float walkTop(vec2 seen)
+{
+  return min(seen.y, sqrt(max(radius * radius - seen.x * seen.x, 0.0)));
+}
+
 // The light from the view direction to that of an offset (across, toward).
 float sectorLight(vec2 offset, vec2 n)
 {

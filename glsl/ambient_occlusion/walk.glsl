@@ -126,9 +126,3 @@ bool walkStep(Walk walk, WalkLine line, Search search, float t, out vec2 seen)
   float rise = dot(seen, line.n.yx);
   return depth < 1.0 && rise > 0.0 && rise * rise > bias * bias * dot(seen, seen);
 }
-
-// The highest point within the radius of what is seen there, which stands for all behind it.
-float walkTop(vec2 seen)
-{
-  return min(seen.y, sqrt(max(radius * radius - seen.x * seen.x, 0.0)));
-}

@@ -12,7 +12,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
 
 import numpy as np  # noqa: E402
 import penumbra  # noqa: E402
-from cornell_moving_light import Room  # noqa: E402
+from cornell_moving_light import WHITE, Room, cuboid, painted  # noqa: E402
 
 STILL, STILL_MEAN, MOVING = 0.02, 0.02, 0.03  # limits: relMSE, signed mean, mean relMSE over the frames
 BOUNCES = 30
@@ -26,14 +26,33 @@ def options():
     parser.add_argument("--spp", type=int, default=256, help="paths through each pixel of the moving pictures' truth")
     parser.add_argument("--frames", type=int, default=60, help="of the lamp's way around")
     parser.add_argument("--step", type=int, default=1, help="compare every so many of them")
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of technique ddgi")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of technique ddgi; of another: TECHNIQUE.NAME=VALUE")
     parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write pairs of pictures there")
     parser.add_argument("--occlusion", type=float, metavar="RADIUS", help="with ambient occlusion of that radius; 0: automatic")
+    parser.add_argument("--bricks", type=int, default=0, metavar="N",
+                        help="that lie about and stick to the walls of the still room, each smaller than a cell of the probes")
     parser.add_argument("--updates", type=int, default=400, help="of the probes before the still picture")
     parser.add_argument("--verbose", action="store_true", help="print the error of each frame")
     parser.add_argument("--only", choices=("still", "moving"))
     return parser.parse_args()
+
+
+def room_with(bricks):
+    """The room with so many of them, the same ones every time."""
+    room = Room()
+    chance = np.random.default_rng(3)
+    for _ in range(bricks):
+        side = 0.03 + 0.05 * chance.random()
+        axis, end = ((2, 0), (1, 1), (0, 0), (0, 1))[chance.integers(4)]
+        place = 0.1 + 0.8 * chance.random(3)
+        place[axis] = end + (0.5 - end) * side
+        brick = painted(cuboid(side, side, side), WHITE)
+        brick.SetPosition(*place)
+        brick.SetOrientation(*(90 * chance.random(3)))
+        room.renderer.AddActor(brick)
+    room.renderer.ResetCameraClippingRange()
+    return room
 
 
 class Camera:
@@ -61,7 +80,7 @@ def smaller(picture):
 def direct_preset(ddgi, settings):
     """Shadows by rays, and nothing else that could differ from the truth."""
     return {"on": ["ray-traced-shadows"] + (["ddgi"] if ddgi else []),
-            **({f"ddgi.{name}": value for name, value in settings.items()} if ddgi else {})}
+            **({name if "." in name else f"ddgi.{name}": value for name, value in settings.items()} if ddgi else {})}
 
 
 def kept(folder, name, make):
@@ -86,9 +105,9 @@ def write(folder, name, *pictures):
     Image.fromarray((255 * np.clip(row, 0, 1) ** (1 / 2.2) + 0.5).astype(np.uint8)).save(os.path.join(folder, name))
 
 
-def traced(size, spp, bounces, moment=0.0):
+def traced(size, spp, bounces, moment=0.0, bricks=0):
     """The truth at one moment."""
-    camera = Camera(size, "reference", **{"path-tracing.samples": spp, "path-tracing.bounces": bounces})
+    camera = Camera(size, "reference", room_with(bricks), **{"path-tracing.samples": spp, "path-tracing.bounces": bounces})
     camera.room.at(moment)
     return camera.picture(spp)
 
@@ -96,16 +115,16 @@ def traced(size, spp, bounces, moment=0.0):
 def still(args, settings):
     """Indirect light alone: with it less without it, on both sides."""
     spp = 16 * args.spp
-    name = f"{args.size}_{spp}"
-    full = kept(args.keep, f"full_{name}", lambda: traced(args.size, spp, BOUNCES))
-    once = kept(args.keep, f"once_{name}", lambda: traced(args.size, spp, 0))
+    name = f"{args.size}_{spp}" + (f"_{args.bricks}" if args.bricks else "")
+    full = kept(args.keep, f"full_{name}", lambda: traced(args.size, spp, BOUNCES, bricks=args.bricks))
+    once = kept(args.keep, f"once_{name}", lambda: traced(args.size, spp, 0, bricks=args.bricks))
     pictures = []
     for ddgi in (True, False):
         drawn = direct_preset(ddgi, settings)
         if ddgi and args.occlusion is not None:
-            drawn["on"].append("ambient-occlusion")
+            drawn["on"] += ["ambient-occlusion", "temporal-accumulation"]
             drawn["ambient-occlusion.radius"] = args.occlusion
-        camera = Camera(FINER * args.size, "off", **drawn)
+        camera = Camera(FINER * args.size, "off", room_with(args.bricks), **drawn)
         pictures.append(smaller(camera.picture(args.updates if ddgi else 1)))
     ours, truth = pictures[0] - pictures[1], full - once
     error, mean = penumbra.relative_error(ours, truth)
