@@ -266,6 +266,25 @@ void Gather(
   glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
   context.DrawFullscreen();
 }
+
+// For translucent surfaces and volumes.
+void BindForward(
+  ForwardProgram& program, const Textures& textures, const FieldUniforms& uniforms)
+{
+  uniforms.Set(program);
+  program.SetTexture("fieldLight", textures.Light->Get());
+  program.SetTexture("fieldDistance", textures.Distance->Get());
+  program.SetTexture("fieldProbes", textures.Probes->Get());
+}
+
+ForwardPart ForwardOf(std::function<void(ForwardProgram&)> bind)
+{
+  ForwardPart part;
+  part.Source = "ddgi/forward.glsl";
+  part.Textures = 3;
+  part.Bind = std::move(bind);
+  return part;
+}
 }
 
 /// The probes of one view.
@@ -403,7 +422,12 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     [this, key](FrameContext& context) {
       const Field& now = this->Impl->Fields[key];
       Gather(context, now.Maps, now.Update.Uniforms, this->Intensity);
-    } });
+    },
+    ForwardOf([this, key, toWorld = view.ViewToWorld](ForwardProgram& program) {
+      const Field& now = this->Impl->Fields[key];
+      BindForward(program, now.Maps, now.Update.Uniforms);
+      program.SetField(toWorld, now.Update.Uniforms.Origin, this->Intensity);
+    }) });
 }
 
 bool vtkGIDDGI::IsFinished(vtkRenderer* renderer)

@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include "private/ForwardPart.h"
+
 #include <functional>
 #include <vector>
 
@@ -21,7 +23,7 @@ enum class IndirectKind
   BakedProbes      ///< around it, as things were
 };
 
-/// What a technique knows of indirect light on the surfaces in the G-buffer.
+/// What a technique knows of indirect light, on the surfaces in the G-buffer and elsewhere.
 struct IndirectLight
 {
   IndirectKind Kind;
@@ -32,8 +34,10 @@ struct IndirectLight
   /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is
   /// drawn later counts where and as far as a is below 1.
   std::function<void(FrameContext&)> Draw;
+  /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
+  ForwardPart Forward;
 };
 
-/// Add the passes that make resource::Irradiance of what the techniques know.
+/// Add the passes that make resource::Irradiance of what the techniques know, in their order.
 void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lights);
 }
