@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// DDGI's probes for what VTK draws itself. Needs lib/octahedral.glsl and lib/ambient_cube.glsl.
+// DDGI's probes for what VTK draws itself. Needs lib/octahedral.glsl and lib/cube_light.glsl.
 #include "ddgi/field.glsl"
 
 // In place of a surface: all around a point, which probes on every side light alike.

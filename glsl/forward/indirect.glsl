@@ -4,7 +4,7 @@
 //   vec4 fieldIndirect(vec3 P, vec3 N, vec3 V, float reach)                       what arrives at a surface, divided by pi,
 //                                                                                 times a; a the share that is known
 //   float fieldIndirectCube(vec3 P, vec3 V, float reach, out vec3 cube[6])        likewise from all around, see
-//                                                                                 lib/ambient_cube.glsl; returns a
+//                                                                                 lib/cube_light.glsl; returns a
 //   float fieldGrain()                                                            lengths over which light varies
 // What is declared under a name that begins with "field" goes by a name of its part's own here: giField0Indirect.
 uniform bool giParallelRays;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Baked probes for what VTK draws itself. Needs lib/octahedral.glsl, lib/ambient_cube.glsl and
+// Baked probes for what VTK draws itself. Needs lib/octahedral.glsl, lib/cube_light.glsl and
 // lib/spherical_harmonics.glsl.
 #include "probes/field.glsl"
 #include "sh_probes/light.glsl"

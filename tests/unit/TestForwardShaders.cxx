@@ -168,6 +168,7 @@ TEST(ForwardShaders, PartsDoNotShareNames)
   {
     EXPECT_TRUE(Has(text, name)) << name;
   }
-  EXPECT_FALSE(std::regex_search(text, std::regex("\\bfield[A-Z]")));
+  const std::string code = std::regex_replace(text, std::regex("//[^\n]*"), "");
+  EXPECT_FALSE(std::regex_search(code, std::regex("\\bfield[A-Z]")));
   EXPECT_EQ(text.find("vec2 giEncodeOctahedral"), text.rfind("vec2 giEncodeOctahedral"));
 }
