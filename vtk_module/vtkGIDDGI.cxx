@@ -268,8 +268,7 @@ void Gather(
 }
 
 // For translucent surfaces and volumes.
-void BindForward(
-  ForwardProgram& program, const Textures& textures, const FieldUniforms& uniforms)
+void BindForward(ForwardProgram& program, const Textures& textures, const FieldUniforms& uniforms)
 {
   uniforms.Set(program);
   program.SetTexture("fieldLight", textures.Light->Get());

@@ -246,9 +246,8 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
 
 void vtkGIShadowMaps::BindFilter(const Program& program, bool volume)
 {
-  const auto whole = [&program](const char* name, int value) {
-    glUniform1i(program.Location(name), value);
-  };
+  const auto whole = [&program](
+                       const char* name, int value) { glUniform1i(program.Location(name), value); };
   const auto real = [&program](const char* name, double value) {
     glUniform1f(program.Location(name), static_cast<GLfloat>(value));
   };

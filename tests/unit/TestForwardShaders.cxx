@@ -51,8 +51,9 @@ bool Has(const std::string& text, const char* what)
 // In the words of a version, where the colour of a shaded sample is made.
 std::string VolumeText(const char* signature, const char* gradient, const char* component)
 {
-  return std::string("//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(") + signature +
-    ")\n{\n  vec4 " + gradient + " = computeGradient(g_dataPos);\n  finalColor.xyz = in_ambient[" + component +
+  return std::string("//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(") +
+    signature + ")\n{\n  vec4 " + gradient +
+    " = computeGradient(g_dataPos);\n  finalColor.xyz = in_ambient[" + component +
     "] * ambient +\n    in_diffuse[" + component + "] * diffuse;\n  finalColor.a = color.a;\n}\n";
 }
 }
@@ -115,17 +116,19 @@ TEST(ForwardShaders, VolumesOfEveryVersionAreLit)
     const char* Component;
     const char* Expected;
   };
-  for (const Version& version : {
-         // 9.1; from 9.2 on; from 9.6 on; several volumes at once
-         Version{ "vec4 color, int component, float label", "gradient", "component",
-           "in_diffuse[component] * color.rgb * giScattered(in_modelViewMatrix * (in_volumeMatrix[0] * "
-           "(in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0))), gradient, in_textureToEye[0], in_cellSpacing[0])" },
-         Version{ "vec4 color, int component, float label", "shading_gradient", "component",
-           ", shading_gradient, in_textureToEye[0], in_cellSpacing[0])" },
-         Version{ "vec4 color, int component, float label", "shading_gradient", "lightingComponent",
-           "in_diffuse[lightingComponent] * color.rgb * giScattered(" },
-         Version{ "vec3 texPos, vec4 color, const int volIdx, int component", "shading_gradient",
-           "component", ", shading_gradient, in_textureToEye[volIdx + 1], in_cellSpacing[volIdx])" } })
+  for (const Version& version :
+    { // 9.1; from 9.2 on; from 9.6 on; several volumes at once
+      Version{ "vec4 color, int component, float label", "gradient", "component",
+        "in_diffuse[component] * color.rgb * giScattered(in_modelViewMatrix * (in_volumeMatrix[0] "
+        "* "
+        "(in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0))), gradient, in_textureToEye[0], "
+        "in_cellSpacing[0])" },
+      Version{ "vec4 color, int component, float label", "shading_gradient", "component",
+        ", shading_gradient, in_textureToEye[0], in_cellSpacing[0])" },
+      Version{ "vec4 color, int component, float label", "shading_gradient", "lightingComponent",
+        "in_diffuse[lightingComponent] * color.rgb * giScattered(" },
+      Version{ "vec3 texPos, vec4 color, const int volIdx, int component", "shading_gradient",
+        "component", ", shading_gradient, in_textureToEye[volIdx + 1], in_cellSpacing[volIdx])" } })
   {
     const std::string text =
       LitVolume(light, VolumeText(version.Signature, version.Gradient, version.Component));
@@ -148,8 +151,9 @@ TEST(ForwardShaders, UnshadedVolumesStayAsTheyAre)
 
 TEST(ForwardShaders, UnlitSurfacesStayAsTheyAre)
 {
-  const std::string plain = "//VTK::System::Dec\n//VTK::Light::Dec\nvoid main()\n{\n  //VTK::Light::Impl\n"
-                            "  gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n}\n";
+  const std::string plain =
+    "//VTK::System::Dec\n//VTK::Light::Dec\nvoid main()\n{\n  //VTK::Light::Impl\n"
+    "  gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n}\n";
   std::string marked = plain;
   ForwardShaders::MarkSurface(marked);
   std::string lit = marked;
@@ -162,9 +166,10 @@ TEST(ForwardShaders, UnlitSurfacesStayAsTheyAre)
 // Each part's names are its own; those of others stay.
 TEST(ForwardShaders, PartsDoNotShareNames)
 {
-  const std::string text =
-    LitVolume(Light(false, { DDGI, Baked }), VolumeText("vec4 color, int component", "gradient", "component"));
-  for (const char* name : { "giField0Distance;", "giField1Distance;", "giField0IndirectCube(", "giField1IndirectCube(" })
+  const std::string text = LitVolume(Light(false, { DDGI, Baked }),
+    VolumeText("vec4 color, int component", "gradient", "component"));
+  for (const char* name :
+    { "giField0Distance;", "giField1Distance;", "giField0IndirectCube(", "giField1IndirectCube(" })
   {
     EXPECT_TRUE(Has(text, name)) << name;
   }

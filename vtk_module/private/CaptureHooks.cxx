@@ -114,8 +114,8 @@ void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp*
   const bool unlit = !Contains(fragment, "normalVCVSOutput") ||
     Contains(fragment, "vec4(ambientColor + diffuseColor, opacity)");
   const bool pbr = Contains(fragment, "roughnessUniform");
-  const bool layered = Contains(fragment, "#define ANISOTROPY") ||
-    Contains(fragment, "#define CLEAR_COAT");
+  const bool layered =
+    Contains(fragment, "#define ANISOTROPY") || Contains(fragment, "#define CLEAR_COAT");
   const std::string direct = "  color += Lo;\n";
   const char* snippet = "as_drawn.glsl";
   if (!unlit && pbr && !layered && actor && Contains(fragment, direct.c_str()))

@@ -62,7 +62,8 @@ protected:
   vtkGICaptureHooks() = default;
   ~vtkGICaptureHooks() override = default;
 
-  void BeforeMapper(const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  void BeforeMapper(
+    const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) override;
   void AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop) override;
   void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) override;
 

@@ -212,8 +212,8 @@ void vtkGIForwardHooks::SetUniforms(
       this->Renderer->GetTiledSize(&size[0], &size[1]);
       WindowOf(this->Renderer)
         ->GetState()
-        ->vtkglViewport(
-          0, 0, static_cast<GLsizei>(size[0] / reduction), static_cast<GLsizei>(size[1] / reduction));
+        ->vtkglViewport(0, 0, static_cast<GLsizei>(size[0] / reduction),
+          static_cast<GLsizei>(size[1] / reduction));
     }
   }
   this->SetParts(program, IsVolume(prop));

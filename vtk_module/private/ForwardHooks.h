@@ -43,7 +43,8 @@ protected:
   vtkGIForwardHooks() { this->ActiveDrawBuffers = 1; }
   ~vtkGIForwardHooks() override = default;
 
-  void BeforeMapper(const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  void BeforeMapper(
+    const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) override;
   void AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop) override;
   void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) override;
 
@@ -56,9 +57,9 @@ private:
   void SetParts(vtkShaderProgram* program, bool volume) const;
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
-  penumbra::ForwardLight Light; ///< the last that was known
-  bool Known = false;           ///< in this frame
-  bool Stale = true;            ///< the shaders may differ from those that mappers have
+  penumbra::ForwardLight Light;    ///< the last that was known
+  bool Known = false;              ///< in this frame
+  bool Stale = true;               ///< the shaders may differ from those that mappers have
   std::vector<int> ShadowOf;       ///< by light, its place among the shadowed ones or -1
   std::vector<int> ShadowOfSorted; ///< the same, positional lights first
   std::vector<vtkProp*> Props;     ///< that this is attached to

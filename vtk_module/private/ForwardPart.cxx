@@ -24,7 +24,8 @@ ForwardProgram::ForwardProgram(
 std::string ForwardProgram::NameOf(const char* uniform) const
 {
   const std::string name = uniform;
-  const bool own = name.compare(0, 5, "field") == 0 && std::isupper(static_cast<unsigned char>(name[5])) != 0;
+  const bool own =
+    name.compare(0, 5, "field") == 0 && std::isupper(static_cast<unsigned char>(name[5])) != 0;
   return own ? this->Field + name.substr(5) : name;
 }
 

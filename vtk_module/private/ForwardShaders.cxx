@@ -36,9 +36,9 @@ std::size_t LightLoop(const std::string& text)
 // A sample's place in view coordinates, by the names that different versions have for it.
 std::string PlaceOfSample(const std::string& text)
 {
-  return Contains(text, "g_texToView")
-    ? "g_texToView * vec4(g_dataPos, 1.0)"
-    : "in_modelViewMatrix * (in_volumeMatrix[0] * (in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0)))";
+  return Contains(text, "g_texToView") ? "g_texToView * vec4(g_dataPos, 1.0)"
+                                       : "in_modelViewMatrix * (in_volumeMatrix[0] * "
+                                         "(in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0)))";
 }
 }
 
