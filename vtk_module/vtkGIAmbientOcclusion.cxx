@@ -74,6 +74,7 @@ struct Work
   int Samples;
   int Stride; ///< pixels of the window that a sampled one stands for, across and down
   bool Filter;
+  bool Bent; ///< directions too
 
   // Binds the target, and draws to its part that the viewport covers.
   void Begin(FrameContext& context, ScopedState& scope, const char* output, int stride) const
@@ -96,7 +97,15 @@ struct Work
     scope.Viewport(low.x, low.y, high.x - low.x + 1, high.y - low.y + 1);
   }
 
-  Defines Variant() const { return { { "GI_STRIDE", std::to_string(this->Stride) } }; }
+  Defines Variant() const
+  {
+    Defines defines = { { "GI_STRIDE", std::to_string(this->Stride) } };
+    if (this->Bent)
+    {
+      defines["GI_BENT"] = "1";
+    }
+    return defines;
+  }
 
   const Program& Sampler(FrameContext& context) const
   {
@@ -218,9 +227,11 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     thickness = 0.0; // as good as endless, at less cost
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
+  const bool bent =
+    this->BentNormals && this->Method == Horizon && !frame.GetIndirectLights().empty();
   const Work work{ &this->Impl->KernelBlock, radius, this->Bias, thickness, this->Method,
-    this->Samples, stride, this->Filter };
-  TextureDesc raw = frame.WindowTexture(GL_RG32UI);
+    this->Samples, stride, this->Filter, bent };
+  TextureDesc raw = frame.WindowTexture(bent ? GL_RGBA32UI : GL_RG32UI);
   raw.Width = (raw.Width + stride - 1) / stride;
   raw.Height = (raw.Height + stride - 1) / stride;
   frame.AddPass("ambient-occlusion-depth")
@@ -242,7 +253,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
       }
       work.Sample(context);
     });
-  const TextureDesc whole = frame.WindowTexture(GL_R16);
+  const TextureDesc whole = frame.WindowTexture(bent ? GL_RGBA16 : GL_R16);
   const char* sampled = Raw;
   if (this->Filter)
   {

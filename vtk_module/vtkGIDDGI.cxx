@@ -3,6 +3,7 @@
 #include "vtkGIDDGI.h"
 
 #include "private/Frame.h"
+#include "private/ProbeBalls.h"
 #include "private/ProbeGrid.h"
 #include "private/rays/RayProps.h"
 
@@ -35,11 +36,9 @@ constexpr const char* Blended = "ddgi.blended";
 // once in an update, so that much of a change takes several to arrive.
 constexpr int Agile = 48;
 
-// Meanwhile it is judged in one of so many updates where probes should stand, from a certain one on; for so many
-// after that all distances are blended.
+// Meanwhile it is judged in one of so many updates where probes should stand, from a certain one on.
 constexpr int Judgement = 8;
 constexpr int FirstJudgement = 3;
-constexpr int Settling = 4;
 
 // Of the next update, after so many since a change.
 double ShareOf(int updates, double hysteresis)
@@ -154,6 +153,8 @@ struct FieldUpdate
   LightTable* Lights = nullptr;
   int RayCount = 0;
   int Number = 0; ///< of the update, for the rays' directions
+  int First = 0;  ///< of its probes, those that this frame updates
+  int Last = 0;   ///< one past them
 
   void Trace(FrameContext& context, const Textures& textures) const
   {
@@ -171,11 +172,12 @@ struct FieldUpdate
     glUniform3fv(program.Location("eye"), 1, &eye[0]);
     glUniform1i(program.Location("rays"), this->RayCount);
     glUniform1i(program.Location("update"), this->Number);
-    glUniform1i(program.Location("probeCount"), this->Uniforms.Grid.Size());
+    glUniform1i(program.Location("firstProbe"), this->First);
+    glUniform1i(program.Location("lastProbe"), this->Last);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
     glUniform1i(program.Location("lit"), this->Number > 0);
     constexpr int group = 64;
-    const int rays = this->RayCount * this->Uniforms.Grid.Size();
+    const int rays = this->RayCount * (this->Last - this->First);
     glDispatchCompute((rays + group - 1) / group, 1, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
@@ -222,8 +224,9 @@ struct FieldUpdate
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
+  // stride: see blend.comp; of distances only.
   void Blend(FrameContext& context, const Textures& textures, bool distances, double least,
-    int most, int first, int stride) const
+    int most, int stride) const
   {
     Defines defines;
     if (distances)
@@ -242,9 +245,9 @@ struct FieldUpdate
     glUniform1f(program.Location("most"), static_cast<GLfloat>(most));
     glUniform1f(program.Location("farthest"),
       static_cast<GLfloat>(1.5 * glm::length(this->Uniforms.Grid.Spacing)));
-    glUniform1i(program.Location("first"), first);
+    glUniform1i(program.Location("firstProbe"), this->First);
     glUniform1i(program.Location("stride"), stride);
-    glDispatchCompute((this->Uniforms.Grid.Size() - first + stride - 1) / stride, 1, 1);
+    glDispatchCompute(this->Last - this->First, 1, 1);
     glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 };
@@ -253,10 +256,11 @@ void Gather(
   FrameContext& context, const Textures& textures, const FieldUniforms& uniforms, double intensity)
 {
   const View& view = context.GetView();
-  const Program& program = context.Shaders().Fragment("ddgi/gather.frag");
+  const OpenDirection open(context);
+  const Program& program = context.Shaders().Fragment("ddgi/gather.frag", open.Variant);
   context.Use(program,
     { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-      context.Input(resource::Normal), nullptr, textures.Light, textures.Distance,
+      context.Input(resource::Normal), open.Map, textures.Light, textures.Distance,
       textures.Probes });
   uniforms.Set(program);
   const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
@@ -284,6 +288,15 @@ ForwardPart ForwardOf(std::function<void(ForwardProgram&)> bind)
   part.Bind = std::move(bind);
   return part;
 }
+
+ProbeBalls Balls(const Textures& textures, const FieldUniforms& uniforms)
+{
+  return { "ddgi/show.frag", textures.Light, textures.Distance, textures.Probes, uniforms.Origin,
+    uniforms.Grid.Spacing, [textures, uniforms](const Program& program) {
+      uniforms.Set(program);
+      FieldUpdate::BindStates(textures);
+    } };
+}
 }
 
 /// The probes of one view.
@@ -291,15 +304,28 @@ struct vtkGIDDGI::Field
 {
   vtkWeakPointer<vtkRenderer> Owner;
   ProbeGrid Grid;
+  int Next = 0;       ///< probe to be updated
   int Updates = 0;    ///< since the scene changed
   int Total = 0;      ///< since the grid was made
   int Seen = 0;       ///< updates of the distances since geometry changed, likewise
-  int Settled = 0;    ///< updates since it was judged where probes should stand
-  bool Moved = false; ///< geometry, since then
+  bool Moved = false; ///< geometry, since it was judged where probes should stand
   int Asked = 0;      ///< probes that Grid was made for
   vtkMTimeType Parameters = 0;
   Textures Maps;
   FieldUpdate Update;
+
+  // After a frame's probes, to the next; after the last, the update is done.
+  void Advance()
+  {
+    this->Next = this->Update.Last;
+    if (this->Next >= this->Grid.Size())
+    {
+      this->Next = 0;
+      ++this->Seen;
+      ++this->Updates;
+      ++this->Total;
+    }
+  }
 };
 
 struct vtkGIDDGI::State
@@ -371,22 +397,21 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       now.Maps = FieldTextures(context, now.Grid.Size(), this->Rays, fresh);
       if (fresh)
       {
-        now.Updates = now.Total = now.Seen = 0;
+        now.Next = now.Updates = now.Total = now.Seen = 0;
       }
-      now.Update = { { now.Grid, rays.Origin(), this->Bias }, &rays, &lights, this->Rays,
-        now.Total };
+      now.Update = { { now.Grid, rays.Origin(), this->Bias }, &rays, &lights, this->Rays, now.Total,
+        now.Next, now.Next + this->ProbesPerFrame(now.Grid.Size() - now.Next) };
       if (now.Updates < this->Updates)
       {
-        const bool judged =
-          now.Total % Judgement == FirstJudgement && now.Updates < Agile && this->Relocate;
+        const bool judged = now.Next == 0 && now.Total % Judgement == FirstJudgement &&
+          now.Updates < Agile && this->Relocate;
         if (judged)
         {
           now.Update.Relocate(context, now.Maps, now.Moved);
           now.Moved = false;
-          now.Settled = 0;
         }
         // Neighbours' sight of each other is as the geometry is.
-        if (judged || context.GetView().Changes.Props || now.Total == 0)
+        if (judged || context.GetView().Changes.Props || (now.Total == 0 && now.Next == 0))
         {
           now.Update.Connect(context, now.Maps);
         }
@@ -400,20 +425,14 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       Field& now = this->Impl->Fields[key];
       if (now.Updates < this->Updates)
       {
-        if (now.Seen < MostDistances)
-        {
-          // After the first updates, a few of the probes at a time: distances take long to blend.
-          const int stride = now.Seen < AllDistances || now.Settled < Settling ? 1 : DistanceStride;
-          const int seen =
-            now.Seen < AllDistances ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
-          now.Update.Blend(context, now.Maps, true, 0.0, seen, now.Seen % stride, stride);
-          ++now.Seen;
-        }
+        // After the first updates, a few of the probes at a time: distances take long to blend.
+        const bool all = now.Seen < AllDistances;
+        const int stride = all ? 1 : DistanceStride;
+        const int seen = all ? now.Seen : AllDistances + (now.Seen - AllDistances) / stride;
+        now.Update.Blend(context, now.Maps, true, 0.0, seen, now.Seen < MostDistances ? stride : 0);
         now.Update.Blend(context, now.Maps, false, ShareOf(now.Updates, this->Hysteresis),
-          std::numeric_limits<int>::max(), 0, 1);
-        ++now.Settled;
-        ++now.Updates;
-        ++now.Total;
+          std::numeric_limits<int>::max(), 0);
+        now.Advance();
       }
     });
   frame.AddIndirectLight({ IndirectKind::LiveProbes, field.Grid.Detail(),
@@ -427,6 +446,25 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       BindForward(program, now.Maps, now.Update.Uniforms);
       program.SetField(toWorld, now.Update.Uniforms.Origin, this->Intensity);
     }) });
+  if (this->Show)
+  {
+    AddProbeBalls(frame, "ddgi-balls", { Blended }, [this, key](FrameContext&) {
+      const Field& now = this->Impl->Fields[key];
+      return Balls(now.Maps, now.Update.Uniforms);
+    });
+  }
+}
+
+int vtkGIDDGI::ProbesPerFrame(int most) const
+{
+  const int afforded = this->RaysPerFrame > 0 ? this->RaysPerFrame / this->Rays : most;
+  return std::max(1, std::min(afforded, most));
+}
+
+int vtkGIDDGI::GetRequiredFrames()
+{
+  const int probes = this->ProbesPerFrame(this->Probes);
+  return this->Updates * ((this->Probes + probes - 1) / probes);
 }
 
 bool vtkGIDDGI::IsFinished(vtkRenderer* renderer)

@@ -29,7 +29,7 @@ public:
   void Contribute(penumbra::FrameBuilder& frame) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  int GetRequiredFrames() override { return this->Updates; }
+  int GetRequiredFrames() override;
   bool IsFinished(vtkRenderer* renderer) override;
 
   /**
@@ -46,6 +46,9 @@ protected:
 private:
   vtkGIDDGI(const vtkGIDDGI&) = delete;
   void operator=(const vtkGIDDGI&) = delete;
+
+  /// Of those that are left in an update.
+  int ProbesPerFrame(int most) const;
 
   struct Field;
   struct State;

@@ -4,8 +4,8 @@
 
 #include "private/BakedScene.h"
 #include "private/Frame.h"
+#include "private/ProbeBalls.h"
 #include "private/ProbeTextures.h"
-#include "private/ScopedState.h"
 
 #include "vtkImageData.h"
 
@@ -14,14 +14,6 @@
 vtkStandardNewMacro(vtkGISHProbes);
 
 using namespace penumbra;
-
-namespace
-{
-// Among the passes that modify the picture: over what is lit, before anti-aliasing.
-constexpr int ShowOrder = 750;
-constexpr double ShownRadius =
-  0.09; // of a cell: at most 0.4 off its place, a ball stays in its cell
-}
 
 struct vtkGISHProbes::Internals
 {
@@ -44,24 +36,17 @@ struct vtkGISHProbes::Internals
     return *this->Textures;
   }
 
-  static void SetView(const Program& program, const View& view, const ProbeTextures& textures)
-  {
-    const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
-    const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - textures.Origin());
-    glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
-    glUniform3fv(program.Location("eye"), 1, &eye[0]);
-  }
-
   void Gather(FrameContext& context, const vtkGISHProbes& settings)
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
-    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag");
+    const OpenDirection open(context);
+    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag", open.Variant);
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-        context.Input(resource::Normal), nullptr, textures.Light(), textures.Distance(),
+        context.Input(resource::Normal), open.Map, textures.Light(), textures.Distance(),
         textures.Probes() });
     textures.Set(program, settings.Bias);
-    SetView(program, context.GetView(), textures);
+    SetProbeView(program, context.GetView(), textures.Origin());
     glUniform1f(program.Location("intensity"), static_cast<GLfloat>(settings.Intensity));
     context.DrawFullscreen();
   }
@@ -83,24 +68,12 @@ struct vtkGISHProbes::Internals
     return part;
   }
 
-  void Show(FrameContext& context, const vtkGISHProbes& settings, const char* target)
+  ProbeBalls Balls(const vtkGISHProbes& settings)
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
-    ScopedState scope(context.State());
-    scope.Set(GL_BLEND, false);
-    scope.Set(GL_DEPTH_TEST, false);
-    scope.DepthMask(false);
-    const Program& program = context.Shaders().Fragment("sh_probes/show.frag");
-    context.BindTarget({ target });
-    context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(target), nullptr, nullptr,
-        textures.Light(), textures.Distance(), textures.Probes() });
-    textures.Set(program, settings.Bias);
-    SetView(program, context.GetView(), textures);
-    const glm::dvec3& spacing = this->Field.Grid.Spacing;
-    glUniform1f(program.Location("radius"),
-      static_cast<GLfloat>(ShownRadius * std::min({ spacing.x, spacing.y, spacing.z })));
-    context.DrawFullscreen();
+    return { "sh_probes/show.frag", textures.Light(), textures.Distance(), textures.Probes(),
+      textures.Origin(), this->Field.Grid.Spacing,
+      [&textures, bias = settings.Bias](const Program& program) { textures.Set(program, bias); } };
   }
 };
 
@@ -183,15 +156,7 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
   }
   if (this->Show)
   {
-    frame.AddPass("probe-balls")
-      .Read(resource::WindowDepth)
-      .Modify(resource::Color, ShowOrder)
-      .Execute(
-        [this](FrameContext& context) { this->Impl->Show(context, *this, resource::Color); });
-    frame.AddPass("probe-balls-radiance")
-      .Read(resource::WindowDepth)
-      .ModifyIfPresent(resource::Radiance, ShowOrder)
-      .Execute(
-        [this](FrameContext& context) { this->Impl->Show(context, *this, resource::Radiance); });
+    AddProbeBalls(
+      frame, "probe-balls", {}, [this](FrameContext&) { return this->Impl->Balls(*this); });
   }
 }

@@ -17,6 +17,14 @@ float giArc(float c, float s, vec2 n)
   return 0.5 * (n.x * s * s + n.y * (giArcAngle(c, s) - s * c));
 }
 
+// Its light's mean direction times the light: across the view, toward the eye.
+vec2 giArcMoment(float c, float s, vec2 n)
+{
+  float c3 = c * c * c;
+  float s3 = s * s * s;
+  return vec2(n.x * s3 + n.y * (2.0 - 3.0 * c + c3), n.x * (1.0 - c3) + n.y * s3) / 3.0;
+}
+
 // From the view direction to the tangent plane.
 float giWholeArc(vec2 n)
 {

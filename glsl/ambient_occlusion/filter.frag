@@ -1,9 +1,8 @@
 #version 430 core
 // Average along rows, or along columns (GI_DOWN), over the texels on the same surface: near the plane
-// through this one, and turned alike. Twice the four texels that share the sampling pattern make a
-// tent over seven, in which every part of the pattern weighs alike. Variants: GI_STRIDE; GI_AVERAGED
-// (else as sampled); GI_PACKED (to be filtered further,
-// or scaled up) or openness alone.
+// through this one, and turned alike. Of five texels the outer two count half, so that every part of the sampling
+// pattern, which is four wide, weighs alike. Variants: GI_STRIDE; GI_AVERAGED
+// (else as sampled); GI_PACKED (to be filtered further, or scaled up), else what is handed on; GI_BENT.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -13,9 +12,9 @@
 layout(binding = 0) uniform usampler2D rawTexture;
 
 #ifdef GI_PACKED
-layout(location = 0) out uvec2 result;
+layout(location = 0) out GI_RAW result;
 #else
-layout(location = 0) out float result;
+layout(location = 0) out GI_OPEN result;
 #endif
 
 #ifdef GI_DOWN
@@ -25,7 +24,7 @@ const ivec2 ALONG = ivec2(1, 0);
 #endif
 
 #ifdef GI_AVERAGED
-const int REACH = 3; // texels to either side
+const int REACH = 2; // texels to either side
 #else
 const int REACH = 0;
 #endif
@@ -33,10 +32,11 @@ const int REACH = 0;
 void main()
 {
   ivec2 raw = ivec2(gl_FragCoord.xy);
-  uvec2 centre = texelFetch(rawTexture, raw, 0).xy;
+  GI_RAW centre = GI_RAW_OF(texelFetch(rawTexture, raw, 0));
   float depth = giRawDepth(centre);
   vec2 normal = giRawNormal(centre);
   float openness = 1.0;
+  vec3 hidden = vec3(0.0);
   if (depth < 1.0)
   {
     GiSurfel here = giSurfel(vec2(giRawPixel(raw)) + 0.5, depth, normal, float(GI_STRIDE));
@@ -47,18 +47,20 @@ void main()
     for (int i = -REACH; i <= REACH; ++i)
     {
       ivec2 at = clamp(raw + i * ALONG, low, high);
-      uvec2 other = texelFetch(rawTexture, at, 0).xy;
+      GI_RAW other = GI_RAW_OF(texelFetch(rawTexture, at, 0));
       vec2 offset = vec2((at - raw) * GI_STRIDE);
-      float weight = float(REACH + 1 - abs(i)) *
+      float weight = (abs(i) == 2 ? 0.5 : 1.0) *
         giAlike(here, offset, giRawDepth(other), giRawNormal(other));
       sum += weight * giRawOpenness(other);
+      hidden += weight * giRawHidden(other);
       weights += weight;
     }
     openness = sum / max(weights, 1e-6);
+    hidden /= max(weights, 1e-6);
   }
 #ifdef GI_PACKED
-  result = giPackRaw(openness, depth, normal);
+  result = giPackRaw(openness, depth, normal, hidden);
 #else
-  result = max(openness, 0.0);
+  result = giOpen(openness, giDecodeOctahedral(normal), hidden);
 #endif
 }

@@ -24,7 +24,7 @@ void main()
   float depth = texelFetch(depthTexture, pixel, 0).r;
   if (depth >= 1.0)
   {
-    result = giPackRaw(1.0, depth, vec2(0.5));
+    result = giPackRaw(1.0, depth, vec2(0.5), vec3(0.0));
     return;
   }
   vec3 P = giViewPosition(vec2(pixel) + 0.5, depth);
@@ -65,5 +65,5 @@ void main()
     float near = 1.0 - clamp((seen - P.z) / radius - 1.0, 0.0, 1.0);
     hidden += ahead > bias ? near : 0.0;
   }
-  result = giPackRaw(1.0 - hidden / float(GI_SAMPLES), depth, normal);
+  result = giPackRaw(1.0 - hidden / float(GI_SAMPLES), depth, normal, vec3(0.0));
 }

@@ -3,7 +3,7 @@
 // places to each side find how high the surroundings rise, and the light above them is
 // known in closed form. Jimenez, Wu, Pesce and Jarabo 2016, Practical Realtime Strategies for
 // Accurate Indirect Occlusion. Variants: GI_STRIDE (pixels of the window a texel here stands for),
-// GI_THICKNESS (things are only so deep: light passes behind them).
+// GI_THICKNESS (things are only so deep: light passes behind them), GI_BENT (from where light is hidden, too).
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -21,7 +21,7 @@ layout(binding = 1) uniform sampler2D normalTexture;
 
 uniform int slices;
 
-layout(location = 0) out uvec2 result;
+layout(location = 0) out GI_RAW result;
 
 void main()
 {
@@ -30,7 +30,7 @@ void main()
   float depth = texelFetch(depthTexture, pixel, 0).r;
   if (depth >= 1.0)
   {
-    result = giPackRaw(1.0, depth, vec2(0.5));
+    result = giPackRaw(1.0, depth, vec2(0.5), vec3(0.0));
     return;
   }
   vec2 normal = texelFetch(normalTexture, pixel, 0).xy;
@@ -40,6 +40,7 @@ void main()
   mat3 around = giBasis(walk.V);
   vec3 rise = walkAxis(walk, N);
   float closed = 0.0;
+  vec3 hidden = vec3(0.0);
   for (int i = 0; i < slices; ++i)
   {
     float turn = (float(i) + spread.x) * (GI_ARC_PI / float(slices));
@@ -49,7 +50,10 @@ void main()
     float share = length(n);
     n /= share;
     WalkLine line = walkAlong(walk, T, n, rise / share);
-    closed += share * (closedSide(walk, line) + closedSide(walk, walkBack(line)));
+    vec3 ahead = closedSide(walk, line);
+    vec3 behind = closedSide(walk, walkBack(line));
+    closed += share * (ahead.x + behind.x);
+    hidden += share * ((ahead.y - behind.y) * T + (ahead.z + behind.z) * walk.V);
   }
-  result = giPackRaw(1.0 - closed / float(slices), depth, normal);
+  result = giPackRaw(1.0 - closed / float(slices), depth, normal, hidden / float(slices));
 }

@@ -32,28 +32,68 @@ vec2 giRawSpread(ivec2 raw)
   return fract((vec2(fine, (fine * 7) & 15) + fract(shift)) / 16.0);
 }
 
+// Texels of what was sampled.
+#ifdef GI_BENT
+#define GI_RAW uvec4
+#define GI_RAW_OF(texel) (texel)
+#else
+#define GI_RAW uvec2
+#define GI_RAW_OF(texel) (texel).xy
+#endif
+
 // Ten bits of openness, which reaches from -1 to 1 as a single slice may hold more than its share
-// of occlusion; the octahedral normal in eleven
-// bits each.
-uvec2 giPackRaw(float openness, float depth, vec2 normal)
+// of occlusion; the octahedral normal in eleven bits each. hidden: the mean direction of the light that is
+// closed times its share, in view coordinates; kept with GI_BENT.
+GI_RAW giPackRaw(float openness, float depth, vec2 normal, vec3 hidden)
 {
   uvec2 n = uvec2(normal * 2047.0 + 0.5);
   uint open = uint(clamp(openness * 0.5 + 0.5, 0.0, 1.0) * 1023.0 + 0.5);
-  return uvec2(floatBitsToUint(depth), open << 22 | n.x << 11 | n.y);
+  uvec2 word = uvec2(floatBitsToUint(depth), open << 22 | n.x << 11 | n.y);
+#ifdef GI_BENT
+  return uvec4(word, packSnorm2x16(0.5 * hidden.xy), packSnorm2x16(vec2(0.5 * hidden.z, 0.0)));
+#else
+  return word;
+#endif
 }
 
-float giRawOpenness(uvec2 word)
+vec3 giRawHidden(GI_RAW word)
+{
+#ifdef GI_BENT
+  return 2.0 * vec3(unpackSnorm2x16(word.z), unpackSnorm2x16(word.w).x);
+#else
+  return vec3(0.0);
+#endif
+}
+
+// What is handed on: openness and, with GI_BENT, the mean direction of the light that arrives times its share, in
+// world coordinates, 1 long where nothing is hidden, moved into [0, 1].
+#ifdef GI_BENT
+#define GI_OPEN vec4
+vec4 giOpen(float openness, vec3 N, vec3 hidden)
+{
+  // The light of an open surface has a mean direction 2 / 3 long.
+  return vec4(max(openness, 0.0), 0.5 + 0.5 * (mat3(view.ViewToWorld) * (N - 1.5 * hidden)));
+}
+#else
+#define GI_OPEN float
+float giOpen(float openness, vec3 N, vec3 hidden)
+{
+  return max(openness, 0.0);
+}
+#endif
+
+float giRawOpenness(GI_RAW word)
 {
   return float(word.y >> 22) * (2.0 / 1023.0) - 1.0;
 }
 
-float giRawDepth(uvec2 word)
+float giRawDepth(GI_RAW word)
 {
   return uintBitsToFloat(word.x);
 }
 
 // Octahedral.
-vec2 giRawNormal(uvec2 word)
+vec2 giRawNormal(GI_RAW word)
 {
   return vec2((word.y >> 11) & 2047u, word.y & 2047u) / 2047.0;
 }

@@ -28,7 +28,46 @@ uint sectorsAt(Walk walk, WalkLine line, Search search, float t, float scale, ou
   return some ? (0xffffffffu >> (SECTORS - (last - first))) << first : 0u;
 }
 
-float closedSide(Walk walk, WalkLine line)
+#ifdef GI_BENT
+// Of the arc from the view direction that holds so much light: its light's mean direction times the light.
+vec2 sectorMoment(float light, float whole, vec2 n)
+{
+  float low = 0.0;
+  float high = giArcAngle(-n.y, n.x);
+  if (light >= 0.999 * whole)
+  {
+    return giArcMoment(-n.y, n.x, n);
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    float middle = 0.5 * (low + high);
+    bool more = giArc(cos(middle), sin(middle), n) < light;
+    low = more ? middle : low;
+    high = more ? high : middle;
+  }
+  float angle = 0.5 * (low + high);
+  return giArcMoment(cos(angle), sin(angle), n);
+}
+
+// The mean direction of the light in sectors, times the light, across the view and toward the eye.
+vec2 closedMoment(uint closed, float whole, vec2 n)
+{
+  float sector = whole / float(SECTORS);
+  vec2 moment = vec2(0.0);
+  while (closed != 0u)
+  {
+    int from = findLSB(closed);
+    int open = findLSB(~(closed >> from)); // -1 where all are closed
+    int to = open < 0 ? int(SECTORS) : min(from + open, int(SECTORS));
+    moment += sectorMoment(float(to) * sector, whole, n) - sectorMoment(float(from) * sector, whole, n);
+    closed = to < int(SECTORS) ? closed >> to << to : 0u;
+  }
+  return moment;
+}
+#endif
+
+// The light that is closed; with GI_BENT its mean direction times it, across the view and toward the eye.
+vec3 closedSide(Walk walk, WalkLine line)
 {
   float whole = giWholeArc(line.n);
   float scale = float(SECTORS) / max(whole, 1e-6);
@@ -43,5 +82,9 @@ float closedSide(Walk walk, WalkLine line)
     search.best = first < highest ? t : search.best;
     highest = min(first, highest);
   }
-  return whole * float(bitCount(closed)) / float(SECTORS);
+  vec3 result = vec3(whole * float(bitCount(closed)) / float(SECTORS), 0.0, 0.0);
+#ifdef GI_BENT
+  result.yz = closedMoment(closed, whole, line.n);
+#endif
+  return result;
 }

@@ -18,13 +18,15 @@ layout(local_size_x = TEXELS) in;
 
 layout(binding = 0) uniform sampler2D foundTexture; // radiance, distance; a row for each probe
 
-uniform int first;  // probe, and from it so many on
-uniform int stride;
+uniform int firstProbe;
+uniform int stride; // of the probes whose distances are settled one in so many is blended; 0: none
 uniform int rays;
 uniform int update;
 uniform float least;   // share of this update in the map
 uniform float most;    // updates before that count, at most, where they count as many
 uniform float farthest; // distances beyond it count as this
+
+const float SETTLED = 4.0; // updates of a map since its probe stands where it does
 
 // The border repeats what lies across the fold, so that filters need not know of it.
 void store(ivec2 corner, ivec2 texel, vec4 value)
@@ -51,7 +53,7 @@ void store(ivec2 corner, ivec2 texel, vec4 value)
 void main()
 {
   // A row of texels each: software renderers fetch for every invocation by itself.
-  int probe = first + stride * int(gl_WorkGroupID.x);
+  int probe = firstProbe + int(gl_WorkGroupID.x);
   int row = int(gl_LocalInvocationID.x);
   ProbeState state = probeState(probe);
   if (probeRests(probe, update, state))
@@ -59,6 +61,10 @@ void main()
     return;
   }
 #ifdef GI_BLEND_DISTANCE
+  if (state.distances >= SETTLED && (stride == 0 || (probe + update) % max(stride, 1) != 0))
+  {
+    return;
+  }
   float count = state.distances++;
 #else
   float count = state.lights++;
@@ -87,7 +93,9 @@ void main()
     {
       float weight = max(dot(directions[x], toward), 0.0);
 #ifdef GI_BLEND_DISTANCE
-      // A narrow lobe: the 64th power.
+      // A narrow lobe: the 64th power. Of less than this it is as good as nothing, but numbers that are nearly zero take
+      // a processor ten times as long.
+      weight = weight > 0.4 ? weight : 0.0;
       weight *= weight;
       weight *= weight;
       weight *= weight;

@@ -4,8 +4,9 @@
 #define GI_FIELD_LIGHT 8 // texels across a map of irradiance, without its border
 layout(binding = 4) uniform sampler2D fieldLight;
 
-// What arrives at a point of a surface, divided by pi. V, reach: as for fieldWeights().
-vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
+// What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing
+// near hides some. V, reach: as for fieldWeights().
+vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
   int probes[8];
   float weights[8];
@@ -13,7 +14,7 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
   vec3 sum = vec3(0.0);
   for (int i = 0; i < 8; ++i)
   {
-    sum += weights[i] * fieldFetch(fieldLight, probes[i], N, float(GI_FIELD_LIGHT)).rgb;
+    sum += weights[i] * fieldFetch(fieldLight, probes[i], D, float(GI_FIELD_LIGHT)).rgb;
   }
   return sum;
 }

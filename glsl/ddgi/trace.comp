@@ -25,7 +25,8 @@ uniform vec3 eye; // relative to the scene's origin: headlights shine from there
 uniform int rays;
 uniform int update;
 uniform int lightCount;
-uniform int probeCount;
+uniform int firstProbe;
+uniform int lastProbe; // one past it
 uniform bool lit;  // the probes hold light already
 
 const float PI = 3.14159265;
@@ -69,9 +70,9 @@ vec3 lampLight(RaySurfacePoint at, bool pbr, inout uint state)
 
 void main()
 {
-  int index = int(gl_GlobalInvocationID.x);
+  int index = int(gl_GlobalInvocationID.x) + firstProbe * rays;
   int probe = index / rays;
-  if (probe >= probeCount)
+  if (probe >= lastProbe)
   {
     return;
   }
@@ -102,7 +103,7 @@ void main()
       vec3 light = lampLight(at, pbr, state);
       if (lit)
       {
-        light += fieldIrradiance(at.position, at.normal, -direction, result.a);
+        light += fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a);
       }
       result.rgb += min(albedo, vec3(1.0)) * light;
     }

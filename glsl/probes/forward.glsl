@@ -13,7 +13,8 @@ vec4 fieldIndirect(vec3 P, vec3 N, vec3 V, float reach)
   }
   mat3 turn = mat3(fieldFromView);
   vec3 place = (fieldFromView * vec4(P, 1.0)).xyz;
-  return vec4(fieldIntensity * fieldIrradiance(place, turn * N, turn * V, reach), 1.0);
+  vec3 D = turn * N; // what is near is not known here
+  return vec4(fieldIntensity * fieldIrradiance(place, D, D, turn * V, reach), 1.0);
 }
 
 float fieldIndirectCube(vec3 P, vec3 V, float reach, out vec3 cube[6])

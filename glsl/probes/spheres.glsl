@@ -1,12 +1,44 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Balls at probes, to look at them. A ball lies within the cell around its probe's place in the grid, so that a
-// ray meets it in no other. Needs probes/field.glsl.
+// Balls at probes, to look at them. Needs probes/field.glsl.
 const int SPHERE_CELLS = 512; // that a ray may cross
 
-// The first ball along a ray, or -1; N: unit, there. radius: world units. Cells are walked through as in Amanatides
-// and Woo 1987, A Fast Voxel Traversal Algorithm for Ray Tracing.
-int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, out vec3 N)
+// How far along a ray it enters a probe's ball; negative where it passes by or begins within.
+float sphereAt(int probe, vec3 origin, vec3 direction, float radius)
+{
+  vec3 to = fieldPosition(probe) - origin;
+  float along = dot(to, direction);
+  float square = radius * radius - dot(to, to) + along * along;
+  return square > 0.0 ? along - sqrt(square) : -1.0;
+}
+
+// The first ball of the probes of a range of cells, where that is nearer than the nearest known.
+void nearestSphere(ivec3 low, ivec3 high, vec3 origin, vec3 direction, float radius, inout int nearest, inout float at)
+{
+  low = max(low, ivec3(0));
+  high = min(high, fieldCounts - 1);
+  for (int z = low.z; z <= high.z; ++z)
+  {
+    for (int y = low.y; y <= high.y; ++y)
+    {
+      for (int x = low.x; x <= high.x; ++x)
+      {
+        int probe = fieldIndex(ivec3(x, y, z));
+        float here = sphereAt(probe, origin, direction, radius);
+        if (here > 0.0 && here < at)
+        {
+          nearest = probe;
+          at = here;
+        }
+      }
+    }
+  }
+}
+
+// The first ball along a ray, or -1; N: unit, there. radius: world units. A ball lies within so many cells (strays)
+// of its probe's own, the cell around its place in the grid. Cells are walked through as in Amanatides and Woo
+// 1987, A Fast Voxel Traversal Algorithm for Ray Tracing.
+int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, int strays, out vec3 N)
 {
   N = vec3(0.0);
   // In cells around the places: the first from 0 to 1.
@@ -22,19 +54,18 @@ int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, out v
   ivec3 cell = clamp(ivec3(floor(start + t * path)), ivec3(0), fieldCounts - 1);
   ivec3 way = ivec3(sign(path));
   vec3 next = (vec3(cell + max(way, ivec3(0))) - start) / path;
+  int nearest = -1;
+  float at = farthest;
+  ivec3 low = cell - strays;
+  ivec3 high = cell + strays;
   for (int i = 0; i < SPHERE_CELLS && t < end; ++i)
   {
-    int probe = fieldIndex(cell);
-    vec3 to = fieldPosition(probe) - origin;
-    float along = dot(to, direction);
-    float square = radius * radius - dot(to, to) + along * along;
-    float at = along - sqrt(max(square, 0.0));
-    if (square > 0.0 && at > 0.0 && at < farthest)
-    {
-      N = (at * direction - to) / radius;
-      return probe;
-    }
+    nearestSphere(low, high, origin, direction, radius, nearest, at);
     t = min(next.x, min(next.y, next.z));
+    if (at <= t)
+    {
+      break; // what is met in cells to come is farther
+    }
     bvec3 along3 = lessThanEqual(next, vec3(t));
     ivec3 axis = along3.x ? ivec3(1, 0, 0) : (along3.y ? ivec3(0, 1, 0) : ivec3(0, 0, 1));
     cell += axis * way;
@@ -43,6 +74,13 @@ int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, out v
     {
       break;
     }
+    // Of the cells around, those ahead: the others are known.
+    low = cell - strays * (ivec3(1) - axis - axis * way);
+    high = cell + strays * (ivec3(1) - axis + axis * way);
   }
-  return -1;
+  if (nearest >= 0)
+  {
+    N = (origin + at * direction - fieldPosition(nearest)) / radius;
+  }
+  return nearest;
 }

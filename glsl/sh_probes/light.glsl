@@ -44,8 +44,9 @@ vec3 probeIrradiance(int probe, vec3 N)
   return harmonicLight(sums, N);
 }
 
-// What arrives at a point of a surface, divided by pi. V: unit, to where it is seen from.
-vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
+// What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing
+// near hides some. V, reach: as for fieldWeights().
+vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
   int probes[8];
   float weights[8];
@@ -63,5 +64,5 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 V, float reach)
       addProbe(probes[i], weights[i], sums);
     }
   }
-  return harmonicLight(sums, N);
+  return harmonicLight(sums, D);
 }

@@ -1,5 +1,5 @@
 #version 430 core
-// Balls at the probes, white and lit by what each of them holds, over the picture.
+// Balls at the baked probes.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -8,26 +8,10 @@
 #include "probes/spheres.glsl"
 #include "sh_probes/light.glsl"
 
-layout(binding = 0) uniform sampler2D depthTexture;
-layout(binding = 1) uniform sampler2D before;
+const int PROBE_STRAYS = 0; // moved by 0.4 cells at most
 
-uniform mat3 viewToScene;
-uniform vec3 eye; // relative to the scene's origin
-uniform float radius;
-
-layout(location = 0) out vec4 color;
-
-void main()
+bool probeIsResting(int probe)
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  color = texelFetch(before, pixel, 0);
-  vec3 near = giViewPosition(gl_FragCoord.xy, 0.0);
-  vec3 path = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r) - near;
-  vec3 N;
-  int probe =
-    fieldSphere(eye + viewToScene * near, viewToScene * normalize(path), length(path), radius, N);
-  if (probe >= 0)
-  {
-    color.rgb = probeIrradiance(probe, N);
-  }
+  return false;
 }
+#include "probes/show.glsl"

@@ -3,6 +3,7 @@
 """From a scene to a picture, without a screen."""
 import pathlib
 
+import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -83,3 +84,22 @@ def radiance(gi, renderer):
         raise RuntimeError("no radiance was kept: call KeepRadianceOn() on the pass, then render")
     width, height, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
+
+
+def relative_error(picture, truth, where=None):
+    """How far an array of linear radiance is from the truth of the same shape: relMSE and the signed mean error.
+
+    relMSE is the mean of (picture - truth)^2 / (truth^2 + epsilon), epsilon being 0.01 of the truth's squared mean, so
+    that dark places count no more than they are seen. The signed mean is a share of the truth's mean. where: a mask of
+    the pixels that count, all by default; epsilon is the whole picture's in any case.
+    """
+    picture, truth = numpy.asarray(picture, float), numpy.asarray(truth, float)
+    if picture.shape != truth.shape:
+        raise ValueError(f"the picture has shape {picture.shape}, the truth {truth.shape}: draw both at one size")
+    epsilon = 0.01 * truth.mean() ** 2 if truth.size else 0.0
+    if where is not None:
+        picture, truth = picture[where], truth[where]
+    if not epsilon > 0 or not truth.size or not truth.mean() > 0:
+        raise ValueError("the truth is dark or empty: there is nothing to compare with")
+    error = ((picture - truth) ** 2 / (truth ** 2 + epsilon)).mean()
+    return float(error), float(picture.mean() / truth.mean() - 1)

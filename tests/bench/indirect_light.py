@@ -39,11 +39,11 @@ def options():
 class Camera:
     """Linear radiance of a room, by one way of drawing it."""
 
-    def __init__(self, size, preset, **parameters):
-        self.room = Room()
+    def __init__(self, size, preset, room=None, **parameters):
+        self.room = room or Room()
         self.gi = penumbra.enable(self.room.renderer, preset, **parameters)
         self.gi.KeepRadianceOn()
-        self.window = penumbra.window(self.room.renderer, size=(size, size), multisamples=0)
+        self.window = penumbra.window(self.room.renderer, size=size if isinstance(size, tuple) else (size, size), multisamples=0)
 
     def picture(self, frames=1):
         """After so many frames."""
@@ -62,12 +62,6 @@ def direct_preset(ddgi, settings):
     """Shadows by rays, and nothing else that could differ from the truth."""
     return {"on": ["ray-traced-shadows"] + (["ddgi"] if ddgi else []),
             **({f"ddgi.{name}": value for name, value in settings.items()} if ddgi else {})}
-
-
-def relative_error(picture, truth):
-    """relMSE and signed mean of the error, of luminance's mean over the picture."""
-    epsilon = 0.01 * truth.mean() ** 2
-    return (((picture - truth) ** 2) / (truth ** 2 + epsilon)).mean(), picture.mean() / truth.mean() - 1
 
 
 def kept(folder, name, make):
@@ -114,8 +108,8 @@ def still(args, settings):
         camera = Camera(FINER * args.size, "off", **drawn)
         pictures.append(smaller(camera.picture(args.updates if ddgi else 1)))
     ours, truth = pictures[0] - pictures[1], full - once
-    error, mean = relative_error(ours, truth)
-    whole, whole_mean = relative_error(pictures[0], full)
+    error, mean = penumbra.relative_error(ours, truth)
+    whole, whole_mean = penumbra.relative_error(pictures[0], full)
     write(args.pictures, "still.png", pictures[0], full, ours, truth)
     print(f"still, indirect light alone: relMSE {error:.4f} (at most {STILL}), signed mean {100 * mean:+.2f} % "
           f"(within {100 * STILL_MEAN:.0f} %); whole picture {whole:.4f}, {100 * whole_mean:+.2f} %")
@@ -135,7 +129,7 @@ def moving(args, settings):
             continue
         truth = kept(args.keep, f"moving_{args.size}_{args.spp}_{args.frames}_{frame}",
                      lambda: traced(args.size, args.spp, BOUNCES, frame / args.frames))
-        errors.append(relative_error(ours, truth))
+        errors.append(penumbra.relative_error(ours, truth))
         if args.verbose:
             print(f"frame {frame}: relMSE {errors[-1][0]:.4f}, signed mean {100 * errors[-1][1]:+.2f} %")
         write(args.pictures, f"moving_{frame:02d}.png", ours, truth)

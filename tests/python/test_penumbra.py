@@ -127,6 +127,22 @@ class Drawing(unittest.TestCase):
         with self.assertRaises(RuntimeError):
             penumbra.radiance(penumbra.vtkGIPass(), renderer)
 
+    def test_relative_error(self):
+        truth = np.array([1.0, 3.0])  # of mean 2: epsilon is 0.04
+        error, mean = penumbra.relative_error([2.0, 3.0], truth)
+        self.assertAlmostEqual(error, 0.5 / 1.04)
+        self.assertAlmostEqual(mean, 0.25)
+        self.assertEqual(penumbra.relative_error(truth, truth), (0.0, 0.0))
+        error, mean = penumbra.relative_error([2.0, 6.0], truth, where=np.array([False, True]))
+        self.assertAlmostEqual(error, 9.0 / 9.04)
+        self.assertAlmostEqual(mean, 1.0)
+        with self.assertRaises(ValueError):
+            penumbra.relative_error([2.0, 3.0], truth, where=np.array([False, False]))
+        with self.assertRaises(ValueError):
+            penumbra.relative_error([1.0], truth)
+        with self.assertRaises(ValueError):
+            penumbra.relative_error(truth, [0.0, 0.0])
+
     def test_save_png(self):
         window = penumbra.window(ball(), size=(40, 30))
         with tempfile.TemporaryDirectory() as folder:

@@ -53,6 +53,30 @@ TEST_F(DDGI, ClosedEnclosureKeepsItsEnergy)
   }
 }
 
+TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
+{
+  this->Probes->SetProbes(216);
+  this->Probes->SetUpdates(60);
+  this->Scene.Window->SetSize(48, 36);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5)->GetProperty()->SetAmbient(0.1);
+  // A third of the probes, and one more, so that an update ends between those of a frame.
+  this->Probes->SetRaysPerFrame(73 * this->Probes->GetRays());
+  this->After(30);
+  EXPECT_EQ(this->Probes->GetUpdatesDone(this->Scene.Renderer), 10);
+  EXPECT_FALSE(this->Probes->IsFinished(this->Scene.Renderer));
+  this->After(this->Probes->GetRequiredFrames() - 31);
+  EXPECT_FALSE(this->Probes->IsFinished(this->Scene.Renderer));
+  const Values values = this->After(1);
+  EXPECT_TRUE(this->Probes->IsFinished(this->Scene.Renderer));
+  for (const double value : values)
+  {
+    ASSERT_NEAR(value, 0.2, 0.02 * 0.2);
+  }
+  this->Probes->SetRaysPerFrame(1); // less than a probe takes
+  EXPECT_EQ(this->Probes->GetRequiredFrames(), 60 * 216);
+}
+
 TEST_F(DDGI, ARoomNextDoorStaysDark)
 {
   this->Probes->SetProbes(512);
@@ -184,4 +208,50 @@ TEST_F(DDGI, OcclusionIsCountedOnce)
   std::printf("of the indirect light, occlusion beside it takes %.2f %%\n", 100.0 * taken);
   EXPECT_GT(taken, 0.0005); // creases closer than the probes know
   EXPECT_LT(taken, 0.04);
+}
+
+// In a closed box of light E and reflectance r every probe holds E / (1 - r), and so a white ball shows it. The light
+// of walls is left out, so that balls differ from them.
+TEST_F(DDGI, BallsShowWhatProbesHoldUnlessSomethingIsBefore)
+{
+  constexpr double emission = 0.1;
+  constexpr double albedo = 0.5;
+  this->Probes->SetProbes(216);
+  this->Probes->SetIntensity(0.0);
+  this->Scene.Window->SetSize(96, 72);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, albedo)->GetProperty()->SetAmbient(emission);
+  const auto shown = [&](int frames) {
+    const double expected = emission / (1.0 - albedo);
+    double most = 0.0;
+    int lit = 0;
+    int resting = 0;
+    this->Probes->SetShow(false);
+    this->After(frames);
+    this->Probes->SetShow(true);
+    this->After(1);
+    vtkNew<vtkImageData> image;
+    EXPECT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, image));
+    vtkDataArray* colors = image->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    {
+      const double* color = colors->GetTuple(i);
+      resting += color[2] > 0.9 && color[0] == 0.0;
+      if (color[0] > 1.5 * emission && color[2] < 0.9)
+      {
+        ++lit;
+        most = std::max(most, std::abs((color[0] + color[1] + color[2]) / (3.0 * expected) - 1.0));
+      }
+    }
+    std::printf("pixels of balls %d, off E / (1 - r) by at most %.2f %%; of blue rims %d\n", lit,
+      100.0 * most, resting);
+    EXPECT_LT(most, 0.02);
+    return std::make_pair(lit, resting);
+  };
+  const auto [lit, resting] = shown(100);
+  EXPECT_GT(lit, 100);
+  EXPECT_GT(resting, 10); // in the middle of the room
+  // A board before all of them, where every other ball was seen.
+  this->AddBox(0.5, 0.6, -1.0, 1.0, -1.0, 1.0, albedo)->GetProperty()->SetAmbient(emission);
+  EXPECT_LT(shown(30).first, lit / 3);
 }

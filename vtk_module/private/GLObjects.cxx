@@ -55,6 +55,7 @@ std::size_t TextureDesc::Bytes() const
       texel = 8;
       break;
     case GL_RGBA32F:
+    case GL_RGBA32UI:
       texel = 16;
       break;
     default:

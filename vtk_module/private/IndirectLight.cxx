@@ -7,6 +7,16 @@
 
 namespace penumbra
 {
+OpenDirection::OpenDirection(const FrameContext& context)
+{
+  const Texture* openness = context.Input(resource::AmbientVisibility);
+  if (openness && openness->Desc().Format == GL_RGBA16)
+  {
+    this->Map = openness;
+    this->Variant["GI_BENT"] = "1";
+  }
+}
+
 void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lights)
 {
   if (lights.empty())
@@ -22,6 +32,7 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
     }
   }
   pass.Read(resource::Depth)
+    .ReadIfPresent(resource::AmbientVisibility)
     .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
     .Execute([lights = std::move(lights)](FrameContext& context) {
       // Later passes draw to the framebuffer that was bound before.

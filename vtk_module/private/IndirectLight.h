@@ -6,6 +6,7 @@
 #pragma once
 
 #include "private/ForwardPart.h"
+#include "private/ShaderLibrary.h"
 
 #include <functional>
 #include <vector>
@@ -14,6 +15,7 @@ namespace penumbra
 {
 class FrameBuilder;
 class FrameContext;
+class Texture;
 
 /// By how much is known of a surface point: earlier ones come first.
 enum class IndirectKind
@@ -36,6 +38,15 @@ struct IndirectLight
   std::function<void(FrameContext&)> Draw;
   /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
   ForwardPart Forward;
+};
+
+/// The mean direction that light comes from past what is near, for probes/gather.glsl: a texture for its unit and the
+/// variant that reads it; nullptr and none where nothing knows it.
+struct OpenDirection
+{
+  const Texture* Map = nullptr;
+  Defines Variant;
+  explicit OpenDirection(const FrameContext& context);
 };
 
 /// Add the passes that make resource::Irradiance of what the techniques know, in their order.

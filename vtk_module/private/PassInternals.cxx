@@ -274,8 +274,9 @@ bool vtkGIPass::Internals::ReadHistory(
 {
   const Memory* memory = this->FindMemory(renderer);
   const Texture* texture = memory ? this->Pool.FindHistory(memory->Name, name) : nullptr;
-  if (!texture || texture->Target() != GL_TEXTURE_2D || texture->Desc().Format != GL_RGBA32F ||
-    !image || !this->Window)
+  const bool readable = texture && texture->Target() == GL_TEXTURE_2D &&
+    (texture->Desc().Format == GL_RGBA32F || texture->Desc().Format == GL_RGBA16F);
+  if (!readable || !image || !this->Window)
   {
     return false;
   }

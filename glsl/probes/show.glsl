@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Balls at the probes over the picture: white and lit by what each of them holds, with a coloured rim where a probe
+// is not at its grid's place or rests. Needs shared/view.h, lib/reconstruct.glsl, probes/field.glsl,
+// probes/spheres.glsl, and of the includer
+//   vec3 probeIrradiance(int probe, vec3 N), divided by pi;
+//   bool probeIsResting(int probe): it is hardly updated, as nothing asks it;
+//   const int PROBE_STRAYS: how many cells off its own a probe may stand.
+layout(binding = 0) uniform sampler2D depthTexture;
+layout(binding = 1) uniform sampler2D before;
+
+uniform mat3 viewToScene;
+uniform vec3 eye; // relative to the scene's origin
+uniform float radius;
+
+layout(location = 0) out vec4 color;
+
+// For the eye alone: told apart from each other and from the light of most scenes, also by the colour-blind.
+const vec3 MOVED = vec3(1.0, 0.42, 0.0);
+const vec3 RESTING = vec3(0.0, 0.35, 1.0);
+const float RIM = 0.6; // cosine to the eye: a fifth of the radius
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  color = texelFetch(before, pixel, 0);
+  vec3 near = giViewPosition(gl_FragCoord.xy, 0.0);
+  vec3 path = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r) - near;
+  vec3 toward = viewToScene * normalize(path);
+  vec3 N;
+  int probe = fieldSphere(eye + viewToScene * near, toward, length(path), radius, PROBE_STRAYS, N);
+  if (probe < 0)
+  {
+    return;
+  }
+  bool rim = -dot(N, toward) < RIM;
+  bool moved = texelFetch(fieldProbes, fieldTile(probe), 0).xyz != vec3(0.0);
+  color.rgb = rim && moved ? MOVED : (rim && probeIsResting(probe) ? RESTING : probeIrradiance(probe, N));
+}
