@@ -271,6 +271,24 @@ void Gather(
   context.DrawFullscreen();
 }
 
+// For translucent surfaces and volumes.
+void BindForward(ForwardProgram& program, const Textures& textures, const FieldUniforms& uniforms)
+{
+  uniforms.Set(program);
+  program.SetTexture("fieldLight", textures.Light->Get());
+  program.SetTexture("fieldDistance", textures.Distance->Get());
+  program.SetTexture("fieldProbes", textures.Probes->Get());
+}
+
+ForwardPart ForwardOf(std::function<void(ForwardProgram&)> bind)
+{
+  ForwardPart part;
+  part.Source = "ddgi/forward.glsl";
+  part.Textures = 3;
+  part.Bind = std::move(bind);
+  return part;
+}
+
 ProbeBalls Balls(const Textures& textures, const FieldUniforms& uniforms)
 {
   return { "ddgi/show.frag", textures.Light, textures.Distance, textures.Probes, uniforms.Origin,
@@ -422,7 +440,12 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     [this, key](FrameContext& context) {
       const Field& now = this->Impl->Fields[key];
       Gather(context, now.Maps, now.Update.Uniforms, this->Intensity);
-    } });
+    },
+    ForwardOf([this, key, toWorld = view.ViewToWorld](ForwardProgram& program) {
+      const Field& now = this->Impl->Fields[key];
+      BindForward(program, now.Maps, now.Update.Uniforms);
+      program.SetField(toWorld, now.Update.Uniforms.Origin, this->Intensity);
+    }) });
   if (this->Show)
   {
     AddProbeBalls(frame, "ddgi-balls", { Blended }, [this, key](FrameContext&) {

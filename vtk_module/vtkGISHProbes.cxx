@@ -51,6 +51,23 @@ struct vtkGISHProbes::Internals
     context.DrawFullscreen();
   }
 
+  // For translucent surfaces and volumes.
+  ForwardPart Forward(const vtkGISHProbes& settings, const View& view)
+  {
+    ForwardPart part;
+    part.Source = "sh_probes/forward.glsl";
+    part.Textures = 3;
+    part.Bind = [this, &settings, toWorld = view.ViewToWorld](ForwardProgram& program) {
+      const ProbeTextures& textures = this->Ready(settings.Window);
+      textures.Set(program, settings.Bias);
+      program.SetTexture("probeLight", textures.Light()->Get());
+      program.SetTexture("fieldDistance", textures.Distance()->Get());
+      program.SetTexture("fieldProbes", textures.Probes()->Get());
+      program.SetField(toWorld, textures.Origin(), settings.Intensity);
+    };
+    return part;
+  }
+
   ProbeBalls Balls(const vtkGISHProbes& settings)
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
@@ -130,7 +147,8 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
   {
     frame.AddIndirectLight({ IndirectKind::BakedProbes, this->Impl->Field.Grid.Detail(),
       { resource::WindowDepth, resource::Albedo, resource::Normal },
-      [this](FrameContext& context) { this->Impl->Gather(context, *this); } });
+      [this](FrameContext& context) { this->Impl->Gather(context, *this); },
+      this->Impl->Forward(*this, view) });
   }
   else
   {

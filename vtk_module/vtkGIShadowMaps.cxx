@@ -11,7 +11,6 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
-#include "vtkShaderProgram.h"
 
 #include <map>
 #include <tuple>
@@ -99,28 +98,6 @@ Defines VariantOf(const ShadowPlan& plan)
   }
   return variant;
 }
-
-// Uniforms of a program of ours, and of one that a mapper of VTK's built: both remember their places.
-struct ProgramSetter
-{
-  const Program& To;
-  void operator()(const char* name, int value) { glUniform1i(this->To.Location(name), value); }
-  void operator()(const char* name, float value) { glUniform1f(this->To.Location(name), value); }
-  void operator()(const char* name, const glm::vec3& value)
-  {
-    glUniform3fv(this->To.Location(name), 1, &value[0]);
-  }
-};
-struct MapperSetter
-{
-  vtkShaderProgram* To;
-  void operator()(const char* name, int value) { this->To->SetUniformi(name, value); }
-  void operator()(const char* name, float value) { this->To->SetUniformf(name, value); }
-  void operator()(const char* name, const glm::vec3& value)
-  {
-    this->To->SetUniform3f(name, &value[0]);
-  }
-};
 
 void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, const ShadowMap& map)
 {
@@ -267,20 +244,25 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
   return atlas;
 }
 
-template <typename Setter>
-void vtkGIShadowMaps::BindFilter(Setter&& set, bool volume)
+void vtkGIShadowMaps::BindFilter(const Program& program, bool volume)
 {
+  const auto whole = [&program](
+                       const char* name, int value) { glUniform1i(program.Location(name), value); };
+  const auto real = [&program](const char* name, double value) {
+    glUniform1f(program.Location(name), static_cast<GLfloat>(value));
+  };
   this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
   this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
-  set("bias", glm::vec3(this->ConstantBias, this->SlopeBias, this->NormalBias));
-  set("receiverPlane", static_cast<int>(this->ReceiverPlane));
+  glUniform3f(program.Location("bias"), static_cast<GLfloat>(this->ConstantBias),
+    static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
+  whole("receiverPlane", this->ReceiverPlane);
   // Volumes add up many places along each ray: there one sample each is enough.
   const bool filters = this->Impl->Radius > 0.0 && !volume;
-  set("filterRadius", filters ? static_cast<float>(this->Impl->Radius) : 0.0f);
-  set("pixelRadius", filters && this->Impl->InPart ? 1.0f : 0.0f);
-  set("filterSamples", filters ? this->Impl->Samples : 1);
-  set("blockerSamples", this->BlockerSamples);
-  set("penumbraSamples", this->PenumbraSamples);
+  real("filterRadius", filters ? this->Impl->Radius : 0.0);
+  real("pixelRadius", filters && this->Impl->InPart ? 1.0 : 0.0);
+  whole("filterSamples", filters ? this->Impl->Samples : 1);
+  whole("blockerSamples", this->BlockerSamples);
+  whole("penumbraSamples", this->PenumbraSamples);
 }
 
 void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int layers)
@@ -303,7 +285,7 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), context.Input(resource::Facet), &atlas });
-    this->BindFilter(ProgramSetter{ program }, false);
+    this->BindFilter(program, false);
     glUniform1i(program.Location("firstLight"), layer * 4);
     glUniform1i(program.Location("lightCount"),
       std::min(4, static_cast<int>(plan.LightData.size()) - layer * 4));
@@ -313,15 +295,15 @@ void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int 
 
 void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
 {
-  ForwardVisibility visibility;
+  ForwardPart visibility;
   visibility.Source = "shadow_maps/forward.glsl";
   visibility.OnSurfaces = VariantOf(*this->Impl->Plan);
   visibility.InVolumes = visibility.OnSurfaces;
   visibility.InVolumes.erase("GI_SOFT");
-  visibility.Bind = [this](vtkShaderProgram* program, int unit, bool volume) {
-    this->BindFilter(MapperSetter{ program }, volume);
-    program->SetUniformi("atlas", unit);
-    glBindTexture(GL_TEXTURE_2D, this->Impl->Atlas);
+  visibility.Textures = 1;
+  visibility.Bind = [this](ForwardProgram& program) {
+    this->BindFilter(program, program.IsOfVolume());
+    program.SetTexture("atlas", this->Impl->Atlas);
   };
   frame.ShadeForward(std::move(visibility));
 }

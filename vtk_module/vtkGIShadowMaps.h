@@ -21,6 +21,7 @@
 namespace penumbra
 {
 class FrameContext;
+class Program;
 class SceneCapture;
 class Texture;
 }
@@ -68,8 +69,7 @@ private:
   const penumbra::Texture& DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene);
   void DrawMask(penumbra::FrameContext& context, const penumbra::Texture& atlas, int layers);
   void ShadeForward(penumbra::FrameBuilder& frame);
-  template <typename Setter>
-  void BindFilter(Setter&& set, bool volume);
+  void BindFilter(const penumbra::Program& program, bool volume);
 
   bool AlwaysRedraw = false;
   int ShadowedLights = 0;

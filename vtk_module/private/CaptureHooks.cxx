@@ -18,16 +18,13 @@
 
 vtkStandardNewMacro(vtkGICaptureHooks);
 
+using penumbra::Contains;
+
 namespace
 {
 // VTK's template is filled in the order Color, Edges, Normal, Light, TCoord; a texture multiplies
 // the lit colour at TCoord. So the capture stands behind TCoord.
 const char* const Marker = "//PENUMBRA::Capture";
-
-bool Contains(const std::string& text, const char* what)
-{
-  return text.find(what) != std::string::npos;
-}
 }
 
 void vtkGICaptureHooks::SetTables(
@@ -44,12 +41,6 @@ void vtkGICaptureHooks::SetOutputs(const penumbra::CaptureOutputs& outputs)
     this->Outputs = outputs;
     this->Renew();
   }
-}
-
-void vtkGICaptureHooks::Renew()
-{
-  this->Modified();
-  this->StageTime = this->GetMTime();
 }
 
 std::string vtkGICaptureHooks::Snippet(
@@ -86,12 +77,12 @@ void vtkGICaptureHooks::CheckSnippets() const
   }
 }
 
-bool vtkGICaptureHooks::PreReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp*)
+void vtkGICaptureHooks::BeforeMapper(
+  const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp*)
 {
   penumbra::Defines variant;
   // A geometry shader in between would have to pass it on.
-  if (this->Outputs.Has(penumbra::resource::Displacement) && geometryShader.empty() &&
+  if (this->Outputs.Has(penumbra::resource::Displacement) && texts.Geometry.empty() &&
     std::string(mapper->GetClassName()) == "vtkOpenGLPolyDataMapper")
   {
     variant["GI_DEFORMS"] = "1";
@@ -100,39 +91,38 @@ bool vtkGICaptureHooks::PreReplaceShaderValues(std::string& vertexShader,
       const std::string tag = std::string("//VTK::PositionVC::") + part;
       const char* text = *part == 'D' ? "displacement_declarations.glsl" : "displacement.glsl";
       vtkShaderProgram::Substitute(
-        vertexShader, tag, tag + "\n" + this->Snippet(text, this->Outputs), false);
+        texts.Vertex, tag, tag + "\n" + this->Snippet(text, this->Outputs), false);
     }
   }
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Output::Dec",
+  vtkShaderProgram::Substitute(texts.Fragment, "//VTK::Output::Dec",
     "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl", this->Outputs, variant), false);
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::TCoord::Impl",
+  vtkShaderProgram::Substitute(texts.Fragment, "//VTK::TCoord::Impl",
     this->Snippet("before_texture.glsl", this->Outputs) + "//VTK::TCoord::Impl\n" + Marker + "\n",
     false);
-  return true;
 }
 
-bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop)
 {
+  std::string& fragment = texts.Fragment;
   // Mappers take the kind of projection from the camera object, after the hook that sets uniforms;
   // a shadow map's view may be of the other kind, so the shaders ask a uniform of ours.
-  for (std::string* source : { &vertexShader, &geometryShader, &fragmentShader })
+  for (std::string* source : { &texts.Vertex, &texts.Geometry, &fragment })
   {
     vtkShaderProgram::Substitute(*source, "cameraParallel", "giParallel");
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
-  const bool unlit = !Contains(fragmentShader, "normalVCVSOutput") ||
-    Contains(fragmentShader, "vec4(ambientColor + diffuseColor, opacity)");
-  const bool pbr = Contains(fragmentShader, "roughnessUniform");
-  const bool layered = Contains(fragmentShader, "#define ANISOTROPY") ||
-    Contains(fragmentShader, "#define CLEAR_COAT");
+  const bool unlit = !Contains(fragment, "normalVCVSOutput") ||
+    Contains(fragment, "vec4(ambientColor + diffuseColor, opacity)");
+  const bool pbr = Contains(fragment, "roughnessUniform");
+  const bool layered =
+    Contains(fragment, "#define ANISOTROPY") || Contains(fragment, "#define CLEAR_COAT");
   const std::string direct = "  color += Lo;\n";
   const char* snippet = "as_drawn.glsl";
-  if (!unlit && pbr && !layered && actor && Contains(fragmentShader, direct.c_str()))
+  if (!unlit && pbr && !layered && actor && Contains(fragment, direct.c_str()))
   {
     // What VTK adds before direct light is the light from all around.
     vtkShaderProgram::Substitute(
-      fragmentShader, direct, "  vec3 giSurrounding = color;\n" + direct, false);
+      fragment, direct, "  vec3 giSurrounding = color;\n" + direct, false);
     snippet = "pbr.glsl";
   }
   else if (!unlit && !pbr && actor)
@@ -141,13 +131,12 @@ bool vtkGICaptureHooks::PostReplaceShaderValues(std::string& vertexShader,
   }
   penumbra::Defines variant;
   // Impostors shade and place each pixel by themselves: their normal is the surface's.
-  if (Contains(fragmentShader, "vertexVC") && !Contains(fragmentShader, "gl_FragDepth"))
+  if (Contains(fragment, "vertexVC") && !Contains(fragment, "gl_FragDepth"))
   {
     variant["GI_FLAT"] = "1";
   }
   vtkShaderProgram::Substitute(
-    fragmentShader, Marker, this->Snippet(snippet, this->Outputs, variant), false);
-  return true;
+    fragment, Marker, this->Snippet(snippet, this->Outputs, variant), false);
 }
 
 void vtkGICaptureHooks::SetTextureUnit(int unit, vtkOpenGLRenderer* renderer)
@@ -180,8 +169,7 @@ void vtkGICaptureHooks::SetDisplacement(vtkShaderProgram* program, vtkActor* act
   glBindTexture(GL_TEXTURE_BUFFER, texture);
 }
 
-bool vtkGICaptureHooks::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper*, vtkProp* prop)
 {
   if (program->IsUniformUsed("giParallel"))
   {
@@ -210,5 +198,4 @@ bool vtkGICaptureHooks::SetShaderParameters(
       program->SetUniformi("giBackMaterial", back ? this->Materials->Find(back, owner) : front);
     }
   }
-  return true;
 }

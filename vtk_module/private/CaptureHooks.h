@@ -7,8 +7,7 @@
 #pragma once
 
 #include "private/CaptureOutputs.h"
-
-#include "vtkOpenGLRenderPass.h"
+#include "private/ShaderHooks.h"
 
 #include <glm/glm.hpp>
 
@@ -24,19 +23,16 @@ class MotionTable;
 class ShaderLibrary;
 }
 
-class vtkGICaptureHooks : public vtkOpenGLRenderPass
+class vtkGICaptureHooks : public vtkGIShaderHooks
 {
 public:
   static vtkGICaptureHooks* New();
-  vtkTypeMacro(vtkGICaptureHooks, vtkOpenGLRenderPass);
+  vtkTypeMacro(vtkGICaptureHooks, vtkGIShaderHooks);
 
   void SetTables(penumbra::MaterialTable* materials, const penumbra::ShaderLibrary* shaders);
 
   /// Which targets to write. Mappers rebuild their shaders when this changes.
   void SetOutputs(const penumbra::CaptureOutputs& outputs);
-
-  /// Have mappers build their shaders anew.
-  void Renew();
 
   /// Compile the snippets by themselves. Throws std::runtime_error with the compiler's message where
   /// one that was replaced from a folder is not valid.
@@ -62,18 +58,14 @@ public:
   void Attach(const vtkRenderState* state) { this->PreRender(state); }
   void Detach(const vtkRenderState* state) { this->PostRender(state); }
 
-  void Render(const vtkRenderState*) override {}
-  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* vao = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override { return this->StageTime; }
-
 protected:
   vtkGICaptureHooks() = default;
   ~vtkGICaptureHooks() override = default;
+
+  void BeforeMapper(
+    const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  void AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop) override;
+  void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) override;
 
 private:
   void SetDisplacement(vtkShaderProgram* program, vtkActor* actor);
@@ -94,5 +86,4 @@ private:
   bool Casting = false;
   glm::ivec2 Anchor{ 0 };
   int Layer = 0;
-  vtkMTimeType StageTime = 1;
 };

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/ForwardHooks.h"
 
+#include "private/ForwardShaders.h"
 #include "private/LightTable.h"
 
-#include "vtkAbstractVolumeMapper.h"
+#include "vtkCamera.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,69 +18,63 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
-#include <regex>
 
 vtkStandardNewMacro(vtkGIForwardHooks);
+
+using namespace penumbra;
 
 namespace
 {
 // As many as glsl/forward/lights.glsl has room for; lights beyond are without shadow.
 constexpr std::size_t MostLights = 64;
-const char* const DeclareHere = "//PENUMBRA::ForwardDec";
-const char* const ShadeHere = "//PENUMBRA::ForwardImpl";
-
-bool Contains(const std::string& text, const char* what)
-{
-  return text.find(what) != std::string::npos;
-}
-
-void Substitute(std::string& text, const std::string& what, const std::string& by)
-{
-  vtkShaderProgram::Substitute(text, what, by);
-}
 
 bool IsVolume(vtkProp* prop)
 {
   return vtkVolume::SafeDownCast(prop) != nullptr;
 }
 
-// Where a volume's shader begins to add up what its lights give, npos where it has no lights.
-std::size_t LightLoop(const std::string& text)
+vtkOpenGLRenderWindow* WindowOf(vtkRenderer* renderer)
 {
-  std::size_t loop = std::string::npos;
-  const std::size_t lighting = text.find("vec4 computeLighting(");
-  for (const char* head : { "for (int posNum", "for (int dirNum", "for (int lightNum" })
+  return static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+}
+
+int TexturesOf(const ForwardLight& light)
+{
+  int count = light.Visibility.Textures;
+  for (const ForwardPart& part : light.Indirect)
   {
-    loop = std::min(loop, text.find(head, lighting));
+    count += part.Textures;
   }
-  return lighting == std::string::npos || !Contains(text, "g_dataPos") ? std::string::npos : loop;
+  return count;
 }
 }
 
-void vtkGIForwardHooks::ReloadShaders()
+void vtkGIForwardHooks::SetLights(const LightTable& lights, ForwardLight light)
 {
-  const std::string name = "forward/check.frag";
-  this->Shaders->Check(name, GL_FRAGMENT_SHADER, this->Shaders->Source(name));
-  this->Modified();
-  this->StageTime = this->GetMTime();
-}
-
-void vtkGIForwardHooks::SetLights(
-  const penumbra::LightTable& lights, penumbra::ForwardVisibility visibility)
-{
-  this->Known = !visibility.Source.empty();
-  if (!this->Known)
+  light.Indirect.resize(std::min(light.Indirect.size(), ForwardShaders::MostParts));
+  this->Known = false;
+  if (light.IsEmpty())
   {
     return;
   }
-  if (visibility.Source != this->Visibility.Source ||
-    visibility.OnSurfaces != this->Visibility.OnSurfaces ||
-    visibility.InVolumes != this->Visibility.InVolumes)
+  if (this->Stale || !light.HasShadersOf(this->Light))
   {
-    this->Modified();
-    this->StageTime = this->GetMTime();
+    this->Stale = true;
+    // VTK ends the program where a shader does not compile.
+    if (!this->Shaders->OverrideFolder().empty())
+    {
+      ForwardShaders(*this->Shaders, light).Check();
+    }
+    this->Renew();
+    this->Stale = false;
   }
-  this->Visibility = std::move(visibility);
+  this->Light = std::move(light);
+  this->Known = true;
+  this->SortShadows(lights);
+}
+
+void vtkGIForwardHooks::SortShadows(const LightTable& lights)
+{
   this->ShadowOf.clear();
   this->ShadowOfSorted.clear();
   std::vector<int> others;
@@ -116,8 +111,10 @@ void vtkGIForwardHooks::Attach(const vtkRenderState* state)
   vtkRenderState some(this->Renderer);
   some.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
   this->PreRender(&some);
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-  this->TextureUnit = window->GetTextureUnitManager()->Allocate();
+  for (int i = TexturesOf(this->Light); i > 0; --i)
+  {
+    this->Units.push_back(WindowOf(this->Renderer)->GetTextureUnitManager()->Allocate());
+  }
 }
 
 void vtkGIForwardHooks::Detach()
@@ -129,99 +126,41 @@ void vtkGIForwardHooks::Detach()
   vtkRenderState some(this->Renderer);
   some.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
   this->PostRender(&some);
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-  window->GetTextureUnitManager()->Free(this->TextureUnit);
+  for (const int unit : this->Units)
+  {
+    WindowOf(this->Renderer)->GetTextureUnitManager()->Free(unit);
+  }
+  this->Units.clear();
   this->Props.clear();
 }
 
-bool vtkGIForwardHooks::PreReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
+void vtkGIForwardHooks::BeforeMapper(const ShaderTexts& texts, vtkAbstractMapper*, vtkProp* prop)
 {
   if (IsVolume(prop))
   {
-    const std::string tag = "//VTK::ComputeLighting::Dec";
-    Substitute(fragmentShader, tag, std::string(DeclareHere) + "\n" + tag);
-    return true;
+    ForwardShaders::MarkVolume(texts.Fragment);
   }
-  Substitute(fragmentShader, "//VTK::Light::Dec", std::string("//VTK::Light::Dec\n") + DeclareHere);
-  Substitute(fragmentShader, "//VTK::Light::Impl", std::string(ShadeHere) + "\n//VTK::Light::Impl");
-  return true;
+  else
+  {
+    ForwardShaders::MarkSurface(texts.Fragment);
+  }
 }
 
-void vtkGIForwardHooks::Declare(std::string& fragmentShader, penumbra::Defines variant) const
+void vtkGIForwardHooks::AfterMapper(const ShaderTexts& texts, vtkProp* prop)
 {
-  Substitute(fragmentShader, "//VTK::System::Dec", this->Shaders->Source("forward/head.glsl"));
-  Substitute(fragmentShader, DeclareHere,
-    this->Shaders->Source(this->Visibility.Source, variant) +
-      this->Shaders->Source("forward/lights.glsl"));
-}
-
-bool vtkGIForwardHooks::PostReplaceShaderValues(
-  std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp* prop)
-{
+  const ForwardShaders shaders(*this->Shaders, this->Light);
   if (IsVolume(prop))
   {
-    const std::size_t loop = LightLoop(fragmentShader);
-    if (loop == std::string::npos)
-    {
-      return true;
-    }
-    penumbra::Defines variant = this->Visibility.InVolumes;
-    if (Contains(fragmentShader, "posNum") || Contains(fragmentShader, "dirNum"))
-    {
-      variant["GI_POSITIONAL_FIRST"] = "1";
-    }
-    // The sample's place in view coordinates, by the names that different versions have for it.
-    const char* place = Contains(fragmentShader, "g_texToView")
-      ? "g_texToView"
-      : "in_modelViewMatrix * in_volumeMatrix[0] * in_textureDatasetMatrix[0]";
-    fragmentShader.insert(
-      loop, std::string("giArriveAt(") + place + " * vec4(g_dataPos, 1.0));\n  ");
-    fragmentShader = std::regex_replace(fragmentShader,
-      std::regex("in_light(Diffuse|Specular)Color\\[(posNum|dirNum|lightNum)\\]"),
-      "giArrives[$2] * $&");
-    this->Declare(fragmentShader, variant);
-    return true;
+    shaders.LightVolume(texts.Fragment);
   }
-  const bool lit = Contains(fragmentShader, "lightColor0") &&
-    Contains(fragmentShader, "vertexVC") && Contains(fragmentShader, "normalVCVSOutput") &&
-    Contains(fragmentShader, ShadeHere) && Contains(fragmentShader, DeclareHere);
-  if (!lit)
+  else
   {
-    return true;
+    shaders.LightSurface(texts.Fragment);
   }
-  Substitute(fragmentShader, ShadeHere, this->Shaders->Source("forward/surface.glsl"));
-  fragmentShader = std::regex_replace(
-    fragmentShader, std::regex("uniform vec3 lightColor"), "uniform vec3 giColor");
-  fragmentShader = std::regex_replace(
-    fragmentShader, std::regex("\\blightColor([0-9]+)\\b"), "(giArrives[$1] * lightColor$1)");
-  fragmentShader = std::regex_replace(
-    fragmentShader, std::regex("uniform vec3 giColor"), "uniform vec3 lightColor");
-  this->Declare(fragmentShader, this->Visibility.OnSurfaces);
-  return true;
 }
 
-bool vtkGIForwardHooks::SetShaderParameters(
-  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
+void vtkGIForwardHooks::SetShadows(vtkShaderProgram* program) const
 {
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(this->Renderer->GetRenderWindow());
-  if (auto* volume = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))
-  {
-    // VTK's mapper leaves the viewport alone where it has a pass; where it draws a smaller picture of
-    // its own, that is not what it wants.
-    const float reduction = volume->GetImageSampleDistance();
-    if (reduction != 1.0f)
-    {
-      int size[2];
-      this->Renderer->GetTiledSize(&size[0], &size[1]);
-      window->GetState()->vtkglViewport(
-        0, 0, static_cast<GLsizei>(size[0] / reduction), static_cast<GLsizei>(size[1] / reduction));
-    }
-  }
-  if (!program->IsUniformUsed("giLights"))
-  {
-    return true;
-  }
   const int count = static_cast<int>(this->ShadowOf.size());
   program->SetUniformi("giLights", count);
   if (program->IsUniformUsed("giShadowOf"))
@@ -232,7 +171,50 @@ bool vtkGIForwardHooks::SetShaderParameters(
   {
     program->SetUniform1iv("giShadowOfSorted", count, this->ShadowOfSorted.data());
   }
-  window->GetState()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(this->TextureUnit));
-  this->Visibility.Bind(program, this->TextureUnit, IsVolume(prop));
-  return true;
+}
+
+void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume) const
+{
+  const auto handle = static_cast<GLuint>(program->GetHandle());
+  vtkOpenGLState* state = WindowOf(this->Renderer)->GetState();
+  const int* units = this->Units.data();
+  if (program->IsUniformUsed("giLights"))
+  {
+    this->SetShadows(program);
+    ForwardProgram part(handle, "", state, units, volume);
+    this->Light.Visibility.Bind(part);
+  }
+  if (program->IsUniformUsed("giParallelRays"))
+  {
+    program->SetUniformi(
+      "giParallelRays", this->Renderer->GetActiveCamera()->GetParallelProjection());
+    units += this->Light.Visibility.Textures;
+    for (std::size_t i = 0; i < this->Light.Indirect.size(); ++i)
+    {
+      ForwardProgram part(handle, ForwardProgram::FieldName(i), state, units, volume);
+      this->Light.Indirect[i].Bind(part);
+      units += this->Light.Indirect[i].Textures;
+    }
+  }
+}
+
+void vtkGIForwardHooks::SetUniforms(
+  vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop)
+{
+  if (auto* volume = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))
+  {
+    // VTK's mapper leaves the viewport alone where it has a pass; where it draws a smaller picture of
+    // its own, that is not what it wants.
+    const float reduction = volume->GetImageSampleDistance();
+    if (reduction != 1.0f)
+    {
+      int size[2];
+      this->Renderer->GetTiledSize(&size[0], &size[1]);
+      WindowOf(this->Renderer)
+        ->GetState()
+        ->vtkglViewport(0, 0, static_cast<GLsizei>(size[0] / reduction),
+          static_cast<GLsizei>(size[1] / reduction));
+    }
+  }
+  this->SetParts(program, IsVolume(prop));
 }

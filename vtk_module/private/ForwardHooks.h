@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Lights what VTK draws itself after the opaque props, translucent surfaces and volumes, by what the
- * techniques know of each light: the one place that substitutes into VTK's templates for them. The
- * inserted text itself lives in glsl/forward/.
+ * techniques know of each lamp and of indirect light: changes the mappers' shaders and sets their uniforms.
  */
 #pragma once
 
-#include "private/ForwardVisibility.h"
-
-#include "vtkOpenGLRenderPass.h"
+#include "private/ForwardPart.h"
+#include "private/ShaderHooks.h"
 
 #include <vector>
 
-class vtkOpenGLRenderer;
-class vtkProp;
-class vtkRenderState;
 class vtkRenderer;
 
 namespace penumbra
@@ -23,20 +18,20 @@ namespace penumbra
 class LightTable;
 }
 
-class vtkGIForwardHooks : public vtkOpenGLRenderPass
+class vtkGIForwardHooks : public vtkGIShaderHooks
 {
 public:
   static vtkGIForwardHooks* New();
-  vtkTypeMacro(vtkGIForwardHooks, vtkOpenGLRenderPass);
+  vtkTypeMacro(vtkGIForwardHooks, vtkGIShaderHooks);
 
   void SetShaders(const penumbra::ShaderLibrary* shaders) { this->Shaders = shaders; }
 
-  /// Have mappers build their shaders anew; throws std::runtime_error where one that was replaced from a
-  /// folder is not valid.
-  void ReloadShaders();
+  /// Have mappers build their shaders anew, after the next SetLights().
+  void ReloadShaders() { this->Stale = true; }
 
-  /// What lights the props of a frame. Mappers rebuild their shaders when the parts change.
-  void SetLights(const penumbra::LightTable& lights, penumbra::ForwardVisibility visibility);
+  /// What lights the props of a frame. Mappers rebuild their shaders when the parts change; throws
+  /// std::runtime_error where one that was replaced from a folder is not valid.
+  void SetLights(const penumbra::LightTable& lights, penumbra::ForwardLight light);
   /// Nothing does, until SetLights says otherwise.
   void SetNothing() { this->Known = false; }
 
@@ -44,32 +39,30 @@ public:
   void Attach(const vtkRenderState* state);
   void Detach();
 
-  void Render(const vtkRenderState*) override {}
-  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
-    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
-  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
-    vtkOpenGLVertexArrayObject* vao = nullptr) override;
-  vtkMTimeType GetShaderStageMTime() override { return this->StageTime; }
-
 protected:
   vtkGIForwardHooks() { this->ActiveDrawBuffers = 1; }
   ~vtkGIForwardHooks() override = default;
+
+  void BeforeMapper(
+    const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  void AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop) override;
+  void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) override;
 
 private:
   vtkGIForwardHooks(const vtkGIForwardHooks&) = delete;
   void operator=(const vtkGIForwardHooks&) = delete;
 
-  void Declare(std::string& fragmentShader, penumbra::Defines variant) const;
+  void SortShadows(const penumbra::LightTable& lights);
+  void SetShadows(vtkShaderProgram* program) const;
+  void SetParts(vtkShaderProgram* program, bool volume) const;
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
-  penumbra::ForwardVisibility Visibility; ///< the last that was known
-  bool Known = false;                     ///< in this frame
+  penumbra::ForwardLight Light;    ///< the last that was known
+  bool Known = false;              ///< in this frame
+  bool Stale = true;               ///< the shaders may differ from those that mappers have
   std::vector<int> ShadowOf;       ///< by light, its place among the shadowed ones or -1
   std::vector<int> ShadowOfSorted; ///< the same, positional lights first
   std::vector<vtkProp*> Props;     ///< that this is attached to
   vtkRenderer* Renderer = nullptr;
-  int TextureUnit = -1;
-  vtkMTimeType StageTime = 1;
+  std::vector<int> Units; ///< for the parts' textures
 };

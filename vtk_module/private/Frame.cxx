@@ -38,8 +38,24 @@ void FrameBuilder::RequestLitRadiance()
 
 void FrameBuilder::AddIndirectLight(IndirectLight light)
 {
-  this->Indirect.push_back(std::move(light));
+  const auto later = std::upper_bound(this->Indirect.begin(), this->Indirect.end(), light,
+    [](const IndirectLight& a, const IndirectLight& b) { return a.Kind < b.Kind; });
+  this->Indirect.insert(later, std::move(light));
   this->RequestSurroundings();
+}
+
+ForwardLight FrameBuilder::GetForwardLight() const
+{
+  ForwardLight light;
+  light.Visibility = this->Visibility;
+  for (const IndirectLight& indirect : this->Indirect)
+  {
+    if (!indirect.Forward.IsEmpty())
+    {
+      light.Indirect.push_back(indirect.Forward);
+    }
+  }
+  return light;
 }
 
 double FrameBuilder::GetIndirectDetail() const

@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "private/ForwardVisibility.h"
+#include "private/ForwardPart.h"
 #include "private/FrameGraph.h"
 #include "private/IndirectLight.h"
 #include "private/LightTable.h"
@@ -189,6 +189,7 @@ public:
 
   /// A technique knows indirect light, with that of the environment: lights keep their strength.
   void AddIndirectLight(IndirectLight light);
+  /// In the order of their kinds.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
   /// The coarsest detail of what is known so far; infinity where nothing is.
   double GetIndirectDetail() const;
@@ -198,9 +199,11 @@ public:
   void SetInterreflection(double share) { this->Interreflection = share; }
   double GetInterreflection() const { return this->Interreflection; }
 
-  /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights.
-  void ShadeForward(ForwardVisibility visibility) { this->Visibility = std::move(visibility); }
-  const ForwardVisibility& GetForwardVisibility() const { return this->Visibility; }
+  /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights:
+  /// functions giVisibility(), see forward/lights.glsl.
+  void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }
+  /// That, and what is known of indirect light there.
+  ForwardLight GetForwardLight() const;
 
   /// Tell the user something about this frame, in one sentence.
   void AddNote(const std::string& sentence) { this->Notes.push_back(sentence); }
@@ -222,7 +225,7 @@ private:
   bool LitRadianceWanted = false;
   double Share = 0.0;
   double Interreflection = 0.0;
-  ForwardVisibility Visibility;
+  ForwardPart Visibility;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;
 };

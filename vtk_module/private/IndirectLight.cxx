@@ -5,8 +5,6 @@
 #include "private/Frame.h"
 #include "private/ScopedState.h"
 
-#include <algorithm>
-
 namespace penumbra
 {
 OpenDirection::OpenDirection(const FrameContext& context)
@@ -25,8 +23,6 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   {
     return;
   }
-  std::stable_sort(lights.begin(), lights.end(),
-    [](const IndirectLight& a, const IndirectLight& b) { return a.Kind < b.Kind; });
   auto& pass = frame.AddPass("indirect-light");
   for (const IndirectLight& light : lights)
   {

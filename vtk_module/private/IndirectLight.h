@@ -5,6 +5,7 @@
  */
 #pragma once
 
+#include "private/ForwardPart.h"
 #include "private/ShaderLibrary.h"
 
 #include <functional>
@@ -24,7 +25,7 @@ enum class IndirectKind
   BakedProbes      ///< around it, as things were
 };
 
-/// What a technique knows of indirect light on the surfaces in the G-buffer.
+/// What a technique knows of indirect light, on the surfaces in the G-buffer and elsewhere.
 struct IndirectLight
 {
   IndirectKind Kind;
@@ -35,6 +36,8 @@ struct IndirectLight
   /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is
   /// drawn later counts where and as far as a is below 1.
   std::function<void(FrameContext&)> Draw;
+  /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
+  ForwardPart Forward;
 };
 
 /// The mean direction that light comes from past what is near, for probes/gather.glsl: a texture for its unit and the
@@ -46,6 +49,6 @@ struct OpenDirection
   explicit OpenDirection(const FrameContext& context);
 };
 
-/// Add the passes that make resource::Irradiance of what the techniques know.
+/// Add the passes that make resource::Irradiance of what the techniques know, in their order.
 void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lights);
 }

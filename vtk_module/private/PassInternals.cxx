@@ -236,7 +236,7 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
     this->Pool, this->Shaders, view, renderer, target, memory.Name, this->ViewBlock);
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
-  this->Forward->SetLights(this->Lights, builder.GetForwardVisibility());
+  this->Forward->SetLights(this->Lights, builder.GetForwardLight());
   // Signed after drawing, as drawing brings pipelines and lights up to date.
   memory.Signature = this->Sign(renderer, unshifted);
   if (self->GetCollectStatistics())

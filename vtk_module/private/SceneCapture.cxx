@@ -8,6 +8,7 @@
 #include "private/Matrices.h"
 #include "private/MotionTable.h"
 #include "private/ScopedState.h"
+#include "private/ShaderHooks.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
@@ -43,11 +44,6 @@ bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
 {
   return std::any_of(
     classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
-}
-
-bool Contains(const std::string& text, const char* what)
-{
-  return text.find(what) != std::string::npos;
 }
 
 // Whether a user's own shader code says what the final colour is: there is no light to take apart.

@@ -10,7 +10,10 @@ namespace penumbra
 {
 Program::~Program()
 {
-  glDeleteProgram(this->Name);
+  if (this->Own)
+  {
+    glDeleteProgram(this->Name);
+  }
 }
 
 GLint Program::Location(const char* uniform) const
@@ -18,7 +21,8 @@ GLint Program::Location(const char* uniform) const
   auto found = this->Locations.find(uniform);
   if (found == this->Locations.end())
   {
-    found = this->Locations.emplace(uniform, glGetUniformLocation(this->Name, uniform)).first;
+    const GLint location = glGetUniformLocation(this->Name, this->NameOf(uniform).c_str());
+    found = this->Locations.emplace(uniform, location).first;
   }
   return found->second;
 }

@@ -27,19 +27,26 @@ using Defines = std::map<std::string, std::string>;
 class Program
 {
 public:
-  explicit Program(GLuint name)
+  /// own: to be deleted with this.
+  explicit Program(GLuint name, bool own = true)
     : Name(name)
+    , Own(own)
   {
   }
-  ~Program();
+  virtual ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
   GLuint Get() const { return this->Name; }
   GLint Location(const char* uniform) const;
 
+protected:
+  /// The name by which a uniform goes in the program's text.
+  virtual std::string NameOf(const char* uniform) const { return uniform; }
+
 private:
   GLuint Name;
+  bool Own;
   mutable std::map<std::string, GLint> Locations;
 };
 

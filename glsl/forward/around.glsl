@@ -1,0 +1,1 @@
+  vec4 giAround = giIndirect(vertexVC.xyz, normalVCVSOutput);

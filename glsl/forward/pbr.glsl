@@ -1,0 +1,7 @@
+  // As direct_light/resolve.frag does: beside an environment, highlights reflect that; else all goes on evenly.
+  vec3 giMatte = (1.0 - metallic) * (1.0 - F0) * albedo;
+#ifdef GI_ENVIRONMENT
+  iblDiffuse = (1.0 - giAround.a) * iblDiffuse + giMatte * giAround.rgb;
+#else
+  iblDiffuse += (giMatte + F0) * giAround.rgb;
+#endif

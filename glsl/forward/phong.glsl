@@ -1,0 +1,1 @@
+  gl_FragData[0].rgb += diffuseColor * giAround.rgb;

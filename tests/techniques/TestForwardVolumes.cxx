@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Indirect light in shaded volumes, and when mappers build their shaders.
+ */
+#include "ForwardStage.h"
+
+#include "vtkGIPathTracing.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseVectorKey.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderPass.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkSphereSource.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+using namespace penumbra_test;
+
+namespace
+{
+/// Counts how often mappers build their shaders.
+class BuildCounter : public vtkOpenGLRenderPass
+{
+public:
+  static BuildCounter* New();
+  vtkTypeMacro(BuildCounter, vtkOpenGLRenderPass);
+  void Render(const vtkRenderState*) override {}
+  bool PreReplaceShaderValues(
+    std::string&, std::string&, std::string&, vtkAbstractMapper*, vtkProp*) override
+  {
+    ++this->Builds;
+    return true;
+  }
+  void Watch(vtkProp* prop)
+  {
+    vtkNew<vtkInformation> keys;
+    keys->Append(vtkOpenGLRenderPass::RenderPasses(), this);
+    prop->SetPropertyKeys(keys);
+  }
+  int Builds = 0;
+
+protected:
+  BuildCounter() { this->ActiveDrawBuffers = 1; }
+};
+vtkStandardNewMacro(BuildCounter);
+
+class ForwardVolumes : public ForwardStage
+{
+protected:
+  vtkSmartPointer<vtkVolume> AddVolume(double radius, bool hard)
+  {
+    constexpr int n = 33;
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(n, n, n);
+    const double spacing = 2.0 * radius / (n - 1);
+    image->SetOrigin(-radius, -radius, -radius);
+    image->SetSpacing(spacing, spacing, spacing);
+    image->AllocateScalars(VTK_FLOAT, 1);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double* p = image->GetPoint(i);
+      const double away = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / radius;
+      image->GetPointData()->GetScalars()->SetTuple1(i, hard ? 1.0 - away : 1.0);
+    }
+    if (!hard)
+    {
+      image->GetPointData()->GetScalars()->SetTuple1(0, 0.0); // a range
+    }
+    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+    mapper->SetInputData(image);
+    mapper->AutoAdjustSampleDistancesOff();
+    mapper->SetSampleDistance(static_cast<float>(0.02 * radius));
+    auto volume = vtkSmartPointer<vtkVolume>::New();
+    volume->SetMapper(mapper);
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.1, 0.0);
+    opacity->AddPoint(0.12, 1.0);
+    volume->GetProperty()->SetScalarOpacity(opacity);
+    volume->GetProperty()->SetScalarOpacityUnitDistance(0.01 * radius);
+    vtkNew<vtkColorTransferFunction> white;
+    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    volume->GetProperty()->SetColor(white);
+    volume->GetProperty()->SetInterpolationTypeToLinear();
+    volume->GetProperty()->ShadeOn();
+    volume->GetProperty()->SetAmbient(0.0);
+    volume->GetProperty()->SetDiffuse(0.9);
+    volume->GetProperty()->SetSpecular(0.0);
+    this->Scene.Renderer->AddVolume(volume);
+    return volume;
+  }
+};
+}
+
+TEST_F(ForwardVolumes, ShadedVolumesInAFurnace)
+{
+  this->AddFurnace();
+  for (const bool baked : { false, true })
+  {
+    this->LightBy(!baked, baked);
+    this->Middle(baked ? 1 : Settled);
+    for (const bool hard : { true, false })
+    {
+      auto volume = this->AddVolume(0.2, hard);
+      for (const char* kind : { "positional", "directional", "headlight" })
+      {
+        this->Lamp->SetPositional(*kind == 'p');
+        *kind == 'h' ? this->Lamp->SetLightTypeToHeadlight()
+                     : this->Lamp->SetLightTypeToSceneLight();
+        const double shown = this->Middle(baked ? 1 : Few);
+        std::printf("%s, %s, %s: %.4f of %.4f\n", baked ? "baked" : "DDGI",
+          hard ? "a surface" : "even", kind, shown, 0.9 * Furnace);
+        EXPECT_NEAR(shown / (0.9 * Furnace), 1.0, 0.03);
+      }
+      volume->GetProperty()->ShadeOff();
+      EXPECT_NEAR(this->Middle(1), 1.0, 0.01) << "as VTK draws it";
+      this->Scene.Renderer->RemoveVolume(volume);
+    }
+  }
+}
+
+TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
+{
+  // Light comes from a glowing wall on the left; a ball of data looks as a solid one does by the path tracer.
+  this->Probes->SetProbes(512);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.3);
+  this->AddBox(-0.99, -0.95, -0.9, 0.9, -0.9, 0.9, 0.0)->GetProperty()->SetAmbient(1.0);
+  constexpr double radius = 0.3;
+  this->Scene.Window->SetSize(80, 80);
+  this->LookFrom(0.0, -0.9, 0.0, 0.0, 0.0, 0.0);
+  vtkNew<vtkSphereSource> ball;
+  ball->SetRadius(radius);
+  ball->SetPhiResolution(60);
+  ball->SetThetaResolution(120);
+  vtkSmartPointer<vtkActor> solid = Paint(this->Scene.Add(ball), 0.9);
+  this->LightBy(false, false);
+  auto* tracer = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
+  tracer->EnabledOn();
+  tracer->SetSamples(128);
+  this->Middle(128);
+  const Picture traced = Read(this->Scene.Window);
+  tracer->EnabledOff();
+  this->Scene.Renderer->RemoveActor(solid);
+  Save(traced, "traced");
+  for (const bool baked : { false, true })
+  {
+    this->LightBy(!baked, baked);
+    auto volume = this->AddVolume(radius / 0.9, true);
+    this->Middle(baked ? 1 : Settled);
+    const Picture cloud = Read(this->Scene.Window);
+    this->Scene.Renderer->RemoveVolume(volume);
+    Save(cloud, baked ? "volume_baked" : "volume");
+    double mean = 0.0;
+    double error = 0.0;
+    for (int x = 24; x < 56; ++x)
+    {
+      const double expected = traced.MeanGrey(x, 34, x + 1, 46);
+      const double shown = cloud.MeanGrey(x, 34, x + 1, 46);
+      mean += expected / 32.0;
+      error += std::abs(shown - expected) / 32.0;
+      if (x % 4 == 0)
+      {
+        std::printf("%s, column %d: %.1f of %.1f\n", baked ? "baked" : "DDGI", x, shown, expected);
+      }
+    }
+    std::printf(
+      "%s: mean error %.1f %% of the mean\n", baked ? "baked" : "DDGI", 100.0 * error / mean);
+    EXPECT_LT(error, 0.1 * mean);
+    EXPECT_GT(cloud.MeanGrey(24, 34, 30, 46), 1.5 * cloud.MeanGrey(50, 34, 56, 46));
+  }
+}
+
+// Of a volume that every ray goes through to its end, on software as on hardware: by processor time.
+TEST_F(ForwardVolumes, IndirectLightCostsNotMuchMoreThanTheVolume)
+{
+  this->AddFurnace();
+  this->Scene.Window->SetSize(120, 120);
+  auto volume = this->AddVolume(0.35, true);
+  vtkNew<vtkPiecewiseFunction> faint;
+  faint->AddPoint(0.0, 0.0);
+  faint->AddPoint(1.0, 0.05);
+  volume->GetProperty()->SetScalarOpacity(faint);
+  this->Probes->SetUpdates(2);
+  const auto time = [&] {
+    this->Middle(4);
+    std::vector<std::clock_t> times;
+    for (int i = 0; i < 7; ++i)
+    {
+      const std::clock_t start = std::clock();
+      this->Middle(1);
+      times.push_back(std::clock() - start);
+    }
+    std::nth_element(times.begin(), times.begin() + 3, times.end());
+    return static_cast<double>(times[3]) / CLOCKS_PER_SEC;
+  };
+  this->LightBy(false, false);
+  const double without = time();
+  this->LightBy(true, false);
+  const double live = time();
+  volume->VisibilityOff();
+  this->LightBy(false, true, volume);
+  volume->VisibilityOn();
+  const double baked = time();
+  std::printf("a frame of %.0f ms of processor time takes %.1f times as long by DDGI, %.1f times "
+              "by baked probes\n",
+    1e3 * without, live / without, baked / without);
+  EXPECT_LT(live, 4.0 * without);
+  EXPECT_LT(baked, 6.0 * without);
+}
+
+TEST_F(ForwardVolumes, MappersKeepTheirShaders)
+{
+  this->AddFurnace();
+  vtkNew<BuildCounter> ofSurface;
+  vtkNew<BuildCounter> ofVolume;
+  ofSurface->Watch(this->AddQuad(0.3, 0.9, 0.6));
+  ofVolume->Watch(this->AddVolume(0.2, true));
+  int changes = 0;
+  for (const bool live : { false, true, false, true })
+  {
+    this->LightBy(live, false);
+    const int before = ofSurface->Builds + ofVolume->Builds;
+    this->Middle(2);
+    const int surface = ofSurface->Builds;
+    const int volume = ofVolume->Builds;
+    changes += surface + volume > before;
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Scene.Renderer->GetActiveCamera()->Azimuth(2.0);
+      this->Middle(1);
+    }
+    EXPECT_EQ(ofSurface->Builds, surface) << (live ? "with" : "without") << " indirect light";
+    EXPECT_EQ(ofVolume->Builds, volume) << (live ? "with" : "without") << " indirect light";
+  }
+  EXPECT_EQ(changes, 4) << "shaders that are built are counted";
+}

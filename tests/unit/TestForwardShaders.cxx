@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is inserted into the shaders of what VTK draws itself.
+#include "private/ForwardShaders.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <unistd.h>
+
+namespace
+{
+using namespace penumbra;
+namespace fs = std::filesystem;
+
+ForwardPart Part(const char* source)
+{
+  ForwardPart part;
+  part.Source = source;
+  return part;
+}
+
+ForwardLight Light(bool shadows, const std::vector<const char*>& indirect)
+{
+  ForwardLight light;
+  light.Visibility = Part(shadows ? "shadow_maps/forward.glsl" : "");
+  for (const char* source : indirect)
+  {
+    light.Indirect.push_back(Part(source));
+  }
+  return light;
+}
+
+const char* const DDGI = "ddgi/forward.glsl";
+const char* const Baked = "sh_probes/forward.glsl";
+
+std::string LitVolume(const ForwardLight& light, std::string text)
+{
+  ShaderLibrary library;
+  ForwardShaders::MarkVolume(text);
+  ForwardShaders(library, light).LightVolume(text);
+  return text;
+}
+
+bool Has(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+
+// In the words of a version, where the colour of a shaded sample is made.
+std::string VolumeText(const char* signature, const char* gradient, const char* component)
+{
+  return std::string("//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(") +
+    signature + ")\n{\n  vec4 " + gradient +
+    " = computeGradient(g_dataPos);\n  finalColor.xyz = in_ambient[" + component +
+    "] * ambient +\n    in_diffuse[" + component + "] * diffuse;\n  finalColor.a = color.a;\n}\n";
+}
+}
+
+TEST(ForwardShaders, ReferenceCompilerAcceptsEveryCombination)
+{
+  if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
+  {
+    GTEST_SKIP() << "glslangValidator is not installed (package glslang-tools)";
+  }
+  const fs::path folder =
+    fs::temp_directory_path() / ("penumbra_forward_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  ShaderLibrary library;
+  int count = 0;
+  for (const bool shadows : { false, true })
+  {
+    for (const auto& indirect : std::vector<std::vector<const char*>>{
+           {}, { DDGI }, { Baked }, { DDGI, Baked }, { Baked, DDGI } })
+    {
+      for (const char* variant : { "", "GI_SOFT", "GI_CUBE", "GI_CASCADES" })
+      {
+        ForwardLight light = Light(shadows, indirect);
+        if (*variant)
+        {
+          light.Visibility.OnSurfaces[variant] = "1";
+          light.Visibility.InVolumes = light.Visibility.OnSurfaces;
+        }
+        if (light.IsEmpty() || (*variant && !shadows))
+        {
+          continue;
+        }
+        for (const auto& example : ForwardShaders(library, light).Examples())
+        {
+          const bool none = !Has(example.second, "#version");
+          EXPECT_FALSE(none) << example.first << " was left as it is";
+          std::ofstream(folder / (std::to_string(count++) + ".frag")) << example.second;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(count, 3 * (4 + 5 * 4));
+  const std::string log = (folder / "log.txt").string();
+  const int status = std::system(
+    ("cd '" + folder.string() + "' && ls | grep frag | xargs glslangValidator > '" + log + "' 2>&1")
+      .c_str());
+  std::ifstream file(log);
+  std::string errors((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_EQ(status, 0) << errors;
+  fs::remove_all(folder);
+}
+
+TEST(ForwardShaders, VolumesOfEveryVersionAreLit)
+{
+  const ForwardLight light = Light(false, { DDGI });
+  struct Version
+  {
+    const char* Signature;
+    const char* Gradient;
+    const char* Component;
+    const char* Expected;
+  };
+  for (const Version& version :
+    { // 9.1; from 9.2 on; from 9.6 on; several volumes at once
+      Version{ "vec4 color, int component, float label", "gradient", "component",
+        "in_diffuse[component] * color.rgb * giScattered(in_modelViewMatrix * (in_volumeMatrix[0] "
+        "* "
+        "(in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0))), gradient, in_textureToEye[0], "
+        "in_cellSpacing[0])" },
+      Version{ "vec4 color, int component, float label", "shading_gradient", "component",
+        ", shading_gradient, in_textureToEye[0], in_cellSpacing[0])" },
+      Version{ "vec4 color, int component, float label", "shading_gradient", "lightingComponent",
+        "in_diffuse[lightingComponent] * color.rgb * giScattered(" },
+      Version{ "vec3 texPos, vec4 color, const int volIdx, int component", "shading_gradient",
+        "component", ", shading_gradient, in_textureToEye[volIdx + 1], in_cellSpacing[volIdx])" } })
+  {
+    const std::string text =
+      LitVolume(light, VolumeText(version.Signature, version.Gradient, version.Component));
+    EXPECT_TRUE(Has(text, version.Expected)) << version.Expected << "\n" << text;
+    const auto added = text.find("finalColor.xyz += ");
+    EXPECT_LT(added, text.find("finalColor.a = color.a;"));
+    EXPECT_GT(added, text.find("finalColor.xyz = in_ambient["));
+  }
+}
+
+TEST(ForwardShaders, UnshadedVolumesStayAsTheyAre)
+{
+  const std::string plain =
+    "//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(vec4 color)\n{\n"
+    "  finalColor = vec4(color.rgb, 0.0);\n  finalColor.a = color.a;\n  return finalColor;\n}\n";
+  std::string marked = plain;
+  ForwardShaders::MarkVolume(marked);
+  EXPECT_EQ(LitVolume(Light(true, { DDGI }), plain), marked);
+}
+
+TEST(ForwardShaders, UnlitSurfacesStayAsTheyAre)
+{
+  const std::string plain =
+    "//VTK::System::Dec\n//VTK::Light::Dec\nvoid main()\n{\n  //VTK::Light::Impl\n"
+    "  gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n}\n";
+  std::string marked = plain;
+  ForwardShaders::MarkSurface(marked);
+  std::string lit = marked;
+  ShaderLibrary library;
+  const ForwardLight light = Light(true, { DDGI });
+  ForwardShaders(library, light).LightSurface(lit);
+  EXPECT_EQ(lit, marked);
+}
+
+// Each part's names are its own; those of others stay.
+TEST(ForwardShaders, PartsDoNotShareNames)
+{
+  const std::string text = LitVolume(Light(false, { DDGI, Baked }),
+    VolumeText("vec4 color, int component", "gradient", "component"));
+  for (const char* name :
+    { "giField0Distance;", "giField1Distance;", "giField0IndirectCube(", "giField1IndirectCube(" })
+  {
+    EXPECT_TRUE(Has(text, name)) << name;
+  }
+  const std::string code = std::regex_replace(text, std::regex("//[^\n]*"), "");
+  EXPECT_FALSE(std::regex_search(code, std::regex("\\bfield[A-Z]")));
+  EXPECT_EQ(text.find("vec2 giEncodeOctahedral"), text.rfind("vec2 giEncodeOctahedral"));
+}
