@@ -15,7 +15,7 @@ layout(binding = 1) uniform sampler2D normalTexture;
 uniform float radius; // world units
 uniform float bias;   // world units
 
-layout(location = 0) out uvec2 result;
+layout(location = 0) out GI_RAW result;
 
 void main()
 {
