@@ -43,8 +43,9 @@ constexpr const char* Displacement =
 constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect of the environment
-constexpr const char* AmbientVisibility = "visibility.ambient"; ///< r: 0 closed to 1 open; see giOpen() for more
-constexpr const char* Irradiance = "irradiance";                ///< see IndirectLight.h
+constexpr const char* AmbientVisibility =
+  "visibility.ambient";                          ///< r: 0 closed to 1 open; see giOpen() for more
+constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed
