@@ -227,8 +227,10 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     thickness = 0.0; // as good as endless, at less cost
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const bool bent =
-    this->BentNormals && this->Method == Horizon && !frame.GetIndirectLights().empty();
+  const std::vector<IndirectLight>& lights = frame.GetIndirectLights();
+  const bool bent = this->BentNormals && this->Method == Horizon &&
+    std::any_of(lights.begin(), lights.end(),
+      [](const IndirectLight& light) { return light.Kind != IndirectKind::BakedOnSurfaces; });
   const Work work{ &this->Impl->KernelBlock, radius, this->Bias, thickness, this->Method,
     this->Samples, stride, this->Filter, bent };
   TextureDesc raw = frame.WindowTexture(bent ? GL_RGBA32UI : GL_RG32UI);

@@ -209,8 +209,8 @@ struct FieldUpdate
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
 
-  // Probes go to their Places and learn whom they see from there.
-  void Connect(FrameContext& context, const Textures& textures) const
+  // Probes from one to another, that one not counted, go to their Places and learn whom they see from there.
+  void Connect(FrameContext& context, const Textures& textures, int first, int last) const
   {
     const Program& program =
       context.Shaders().Compute("ddgi/connect.comp", this->Rays->ShaderDefines());
@@ -218,9 +218,10 @@ struct FieldUpdate
     this->Rays->Bind(program);
     this->Uniforms.Set(program);
     glBindImageTexture(0, textures.Probes->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-    glUniform1i(program.Location("probeCount"), this->Uniforms.Grid.Size());
+    glUniform1i(program.Location("firstProbe"), first);
+    glUniform1i(program.Location("lastProbe"), last);
     constexpr int group = 64;
-    glDispatchCompute((this->Uniforms.Grid.Size() + group - 1) / group, 1, 1);
+    glDispatchCompute((last - first + group - 1) / group, 1, 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   }
 
@@ -255,7 +256,6 @@ struct FieldUpdate
 void Gather(
   FrameContext& context, const Textures& textures, const FieldUniforms& uniforms, double intensity)
 {
-  const View& view = context.GetView();
   const OpenDirection open(context);
   const Program& program = context.Shaders().Fragment("ddgi/gather.frag", open.Variant);
   context.Use(program,
@@ -263,10 +263,7 @@ void Gather(
       context.Input(resource::Normal), open.Map, textures.Light, textures.Distance,
       textures.Probes });
   uniforms.Set(program);
-  const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
-  const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - uniforms.Origin);
-  glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
-  glUniform3fv(program.Location("eye"), 1, &eye[0]);
+  SetProbeView(program, context.GetView(), uniforms.Origin);
   glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
   context.DrawFullscreen();
 }
@@ -304,12 +301,13 @@ struct vtkGIDDGI::Field
 {
   vtkWeakPointer<vtkRenderer> Owner;
   ProbeGrid Grid;
-  int Next = 0;       ///< probe to be updated
-  int Updates = 0;    ///< since the scene changed
-  int Total = 0;      ///< since the grid was made
-  int Seen = 0;       ///< updates of the distances since geometry changed, likewise
-  bool Moved = false; ///< geometry, since it was judged where probes should stand
-  int Asked = 0;      ///< probes that Grid was made for
+  int Next = 0;        ///< probe to be updated
+  int Unconnected = 0; ///< of them, from Next on: sight of each other may have changed
+  int Updates = 0;     ///< since the scene changed
+  int Total = 0;       ///< since the grid was made
+  int Seen = 0;        ///< updates of the distances since geometry changed, likewise
+  bool Moved = false;  ///< geometry, since it was judged where probes should stand
+  int Asked = 0;       ///< probes that Grid was made for
   vtkMTimeType Parameters = 0;
   Textures Maps;
   FieldUpdate Update;
@@ -377,6 +375,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     field.Owner = frame.GetRenderer();
     field.Grid = ProbeGrid::Around(view.Bounds, this->Probes);
     field.Asked = this->Probes;
+    field.Unconnected = field.Grid.Size();
   }
   const bool changed = view.Changes.Lights || view.Changes.Props || view.Changes.Looks ||
     field.Parameters != this->GetMTime();
@@ -386,6 +385,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     field.Updates = 0;
     field.Seen = view.Changes.Props ? std::min(field.Seen, AllDistances) : field.Seen;
     field.Moved |= view.Changes.Props;
+    field.Unconnected = view.Changes.Props ? field.Grid.Size() : field.Unconnected;
   }
   LightTable& lights = frame.Lights();
   const TextureDesc token = { GL_R8, 1, 1, 0 };
@@ -398,6 +398,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       if (fresh)
       {
         now.Next = now.Updates = now.Total = now.Seen = 0;
+        now.Unconnected = now.Grid.Size();
       }
       now.Update = { { now.Grid, rays.Origin(), this->Bias }, &rays, &lights, this->Rays, now.Total,
         now.Next, now.Next + this->ProbesPerFrame(now.Grid.Size() - now.Next) };
@@ -409,11 +410,13 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
         {
           now.Update.Relocate(context, now.Maps, now.Moved);
           now.Moved = false;
+          now.Update.Connect(context, now.Maps, 0, now.Grid.Size());
+          now.Unconnected = 0;
         }
-        // Neighbours' sight of each other is as the geometry is.
-        if (judged || context.GetView().Changes.Props || (now.Total == 0 && now.Next == 0))
+        if (now.Unconnected > 0)
         {
-          now.Update.Connect(context, now.Maps);
+          now.Update.Connect(context, now.Maps, now.Update.First, now.Update.Last);
+          now.Unconnected -= now.Update.Last - now.Update.First;
         }
         now.Update.Trace(context, now.Maps);
       }

@@ -13,12 +13,13 @@ layout(local_size_x = 64) in;
 
 layout(rgba32f, binding = 0) uniform writeonly image2D probes;
 
-uniform int probeCount;
+uniform int firstProbe;
+uniform int lastProbe; // one past it
 
 void main()
 {
-  int probe = int(gl_GlobalInvocationID.x);
-  if (probe >= probeCount)
+  int probe = firstProbe + int(gl_GlobalInvocationID.x);
+  if (probe >= lastProbe)
   {
     return;
   }

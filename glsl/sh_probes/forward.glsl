@@ -8,22 +8,8 @@
 // In place of a surface: all around a point, which probes on every side light alike.
 void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
-  int probes[8];
-  float weights[8];
-  fieldWeights(P, vec3(0.0), V, reach, 0.0, probes, weights);
   vec4 sums[LIGHT_TEXELS];
-  for (int i = 0; i < LIGHT_TEXELS; ++i)
-  {
-    sums[i] = vec4(0.0);
-  }
-  const float least = 1e-4; // less makes no difference that is seen
-  for (int i = 0; i < 8; ++i)
-  {
-    if (weights[i] > least)
-    {
-      addProbe(probes[i], weights[i], sums);
-    }
-  }
+  addProbesAround(P, vec3(0.0), V, reach, sums);
   for (int side = 0; side < 6; ++side)
   {
     cube[side] = harmonicLight(sums, turn * GI_CUBE_SIDES[side]);

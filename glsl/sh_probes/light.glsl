@@ -44,14 +44,12 @@ vec3 probeIrradiance(int probe, vec3 N)
   return harmonicLight(sums, N);
 }
 
-// What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing
-// near hides some. V, reach: as for fieldWeights().
-vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
+// Of the probes that light a point, as fieldWeights() weighs them.
+void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[LIGHT_TEXELS])
 {
   int probes[8];
   float weights[8];
   fieldWeights(P, N, V, reach, 0.0, probes, weights);
-  vec4 sums[LIGHT_TEXELS];
   for (int i = 0; i < LIGHT_TEXELS; ++i)
   {
     sums[i] = vec4(0.0);
@@ -64,5 +62,13 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
       addProbe(probes[i], weights[i], sums);
     }
   }
+}
+
+// What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing
+// near hides some. V, reach: as for fieldWeights().
+vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
+{
+  vec4 sums[LIGHT_TEXELS];
+  addProbesAround(P, N, V, reach, sums);
   return harmonicLight(sums, D);
 }

@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Where light comes from past what is near, as ambient occlusion hands it to probes: before a wall the mean direction is
- * known in closed form, and in a furnace asking for it changes nothing.
+ * known in closed form; probes asked for it tell sides apart, and in a furnace it changes nothing.
  */
-#include "Messages.h"
-#include "Picture.h"
-#include "Stage.h"
+#include "RoomStage.h"
 
 #include "vtkGITechnique.h"
 
@@ -146,3 +144,78 @@ INSTANTIATE_TEST_SUITE_P(AmbientOcclusion, BentNormals,
   ::testing::Values(Way{ "Full", "full", 1e30, 1.5 }, Way{ "Half", "half", 1e30, 2.5 },
     Way{ "Sectors", "full", 30.0, 1.5 }),
   [](const ::testing::TestParamInfo<Way>& info) { return std::string(info.param.Name); });
+
+namespace
+{
+class BentNormalsInARoom : public RoomStage
+{
+protected:
+  void SetUp() override
+  {
+    this->Prepare("ddgi", 96, 96);
+    this->Pass->GetTechnique("ddgi")->SetParameter("probes", 216);
+    this->Pass->GetTechnique("ddgi")->SetParameter("updates", 100);
+    vtkGITechnique* occlusion = this->Pass->GetTechnique("ambient-occlusion");
+    occlusion->EnabledOn();
+    occlusion->SetParameter("radius", 0.3);
+    occlusion->SetParameter("interreflection", 0.0);
+  }
+
+  // A room of which one side glows, and a low wall across its floor.
+  void Build(double glowing, double others)
+  {
+    vtkActor* room = this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5);
+    room->GetProperty()->SetAmbient(others);
+    vtkActor* side = this->AddBox(-0.99, -0.98, -0.99, 0.99, -0.99, 0.99, 0.5);
+    side->GetProperty()->SetAmbient(glowing);
+    vtkActor* wall = this->AddBox(-0.06, 0.06, -1.0, 1.0, -1.0, -0.85, 0.5);
+    wall->GetProperty()->SetAmbient(others);
+    this->LookFrom(0.0, -0.05, 0.9, 0.0, 0.0, -1.0);
+  }
+
+  // What bent normals multiply the light by close to the wall: on the side of negative x, and on the other.
+  std::array<double, 2> Factors()
+  {
+    vtkGITechnique* occlusion = this->Pass->GetTechnique("ambient-occlusion");
+    occlusion->SetParameter("bent-normals", false);
+    const Values straight = this->After(101);
+    occlusion->SetParameter("bent-normals", true);
+    const Values bent = this->After(1);
+    std::array<double, 2> factors{};
+    for (int i = 0; i < 2; ++i)
+    {
+      double sums[2] = { 0.0, 0.0 };
+      for (int y = 40; y < 56; ++y)
+      {
+        for (int x = 4; x < 7; ++x)
+        {
+          const std::size_t pixel = static_cast<std::size_t>(y) * 96 + (i == 0 ? 47 - x : 48 + x);
+          sums[0] += straight[pixel];
+          sums[1] += bent[pixel];
+        }
+      }
+      factors[i] = sums[1] / sums[0];
+    }
+    return factors;
+  }
+};
+}
+
+TEST_F(BentNormalsInARoom, LeanToTheLightOrAwayFromIt)
+{
+  this->Build(1.0, 0.0);
+  const auto factors = this->Factors();
+  std::printf(
+    "before a low wall, toward the light: %.3f, behind it: %.3f\n", factors[0], factors[1]);
+  EXPECT_GT(factors[0], 1.05);
+  EXPECT_LT(factors[1], 0.95);
+}
+
+TEST_F(BentNormalsInARoom, ChangeNothingWhereLightIsAlikeAllAround)
+{
+  this->Build(0.1, 0.1);
+  const auto factors = this->Factors();
+  std::printf("in even light: %.4f, %.4f\n", factors[0], factors[1]);
+  EXPECT_NEAR(factors[0], 1.0, 0.02); // as near as probes come to even light
+  EXPECT_NEAR(factors[1], 1.0, 0.02); // as near as probes come to even light
+}

@@ -66,6 +66,7 @@ void vtkGIForwardHooks::SetLights(const LightTable& lights, ForwardLight light)
       ForwardShaders(*this->Shaders, light).Check();
     }
     this->Renew();
+    this->Programs.clear();
     this->Stale = false;
   }
   this->Light = std::move(light);
@@ -159,42 +160,60 @@ void vtkGIForwardHooks::AfterMapper(const ShaderTexts& texts, vtkProp* prop)
   }
 }
 
-void vtkGIForwardHooks::SetShadows(vtkShaderProgram* program) const
-{
-  const int count = static_cast<int>(this->ShadowOf.size());
-  program->SetUniformi("giLights", count);
-  if (program->IsUniformUsed("giShadowOf"))
-  {
-    program->SetUniform1iv("giShadowOf", count, this->ShadowOf.data());
-  }
-  if (program->IsUniformUsed("giShadowOfSorted"))
-  {
-    program->SetUniform1iv("giShadowOfSorted", count, this->ShadowOfSorted.data());
-  }
-}
-
-void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume) const
+vtkGIForwardHooks::Parts& vtkGIForwardHooks::PartsOf(vtkShaderProgram* program, bool volume)
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
-  vtkOpenGLState* state = WindowOf(this->Renderer)->GetState();
-  const int* units = this->Units.data();
+  Parts& parts = this->Programs[program];
+  if (parts.Owner == program && parts.Handle == handle)
+  {
+    return parts;
+  }
+  parts = Parts();
+  parts.Owner = program;
+  parts.Handle = handle;
   if (program->IsUniformUsed("giLights"))
   {
-    this->SetShadows(program);
-    ForwardProgram part(handle, "", state, units, volume);
-    this->Light.Visibility.Bind(part);
+    parts.Visibility = std::make_unique<ForwardProgram>(handle, "", volume);
   }
   if (program->IsUniformUsed("giParallelRays"))
   {
-    program->SetUniformi(
-      "giParallelRays", this->Renderer->GetActiveCamera()->GetParallelProjection());
-    units += this->Light.Visibility.Textures;
     for (std::size_t i = 0; i < this->Light.Indirect.size(); ++i)
     {
-      ForwardProgram part(handle, ForwardProgram::FieldName(i), state, units, volume);
-      this->Light.Indirect[i].Bind(part);
-      units += this->Light.Indirect[i].Textures;
+      parts.Indirect.push_back(
+        std::make_unique<ForwardProgram>(handle, ForwardProgram::FieldName(i), volume));
     }
+  }
+  return parts;
+}
+
+void vtkGIForwardHooks::SetShadows(const ForwardProgram& part) const
+{
+  const auto count = static_cast<GLsizei>(this->ShadowOf.size());
+  glUniform1i(part.Location("giLights"), count);
+  glUniform1iv(part.Location("giShadowOf"), count, this->ShadowOf.data());
+  glUniform1iv(part.Location("giShadowOfSorted"), count, this->ShadowOfSorted.data());
+}
+
+void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume)
+{
+  const Parts& parts = this->PartsOf(program, volume);
+  vtkOpenGLState* state = WindowOf(this->Renderer)->GetState();
+  const int* units = this->Units.data();
+  if (parts.Visibility)
+  {
+    this->SetShadows(*parts.Visibility);
+    parts.Visibility->Begin(state, units);
+    this->Light.Visibility.Bind(*parts.Visibility);
+  }
+  units += this->Light.Visibility.Textures;
+  for (std::size_t i = 0; i < parts.Indirect.size(); ++i)
+  {
+    const ForwardPart& light = this->Light.Indirect[i];
+    glUniform1i(parts.Indirect[i]->Location("giParallelRays"),
+      this->Renderer->GetActiveCamera()->GetParallelProjection());
+    parts.Indirect[i]->Begin(state, units);
+    light.Bind(*parts.Indirect[i]);
+    units += light.Textures;
   }
 }
 

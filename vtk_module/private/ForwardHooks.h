@@ -9,6 +9,10 @@
 #include "private/ForwardPart.h"
 #include "private/ShaderHooks.h"
 
+#include "vtkWeakPointer.h"
+
+#include <map>
+#include <memory>
 #include <vector>
 
 class vtkRenderer;
@@ -53,8 +57,18 @@ private:
   void operator=(const vtkGIForwardHooks&) = delete;
 
   void SortShadows(const penumbra::LightTable& lights);
-  void SetShadows(vtkShaderProgram* program) const;
-  void SetParts(vtkShaderProgram* program, bool volume) const;
+  /// The parts of one of VTK's programs, which know where its uniforms are.
+  struct Parts
+  {
+    vtkWeakPointer<vtkShaderProgram> Owner; ///< another program may come to a dead one's address
+    GLuint Handle = 0;                      ///< as it was linked last
+    std::unique_ptr<penumbra::ForwardProgram> Visibility; ///< nullptr for none
+    std::vector<std::unique_ptr<penumbra::ForwardProgram>> Indirect;
+  };
+
+  Parts& PartsOf(vtkShaderProgram* program, bool volume);
+  void SetShadows(const penumbra::ForwardProgram& part) const;
+  void SetParts(vtkShaderProgram* program, bool volume);
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
   penumbra::ForwardLight Light;    ///< the last that was known
@@ -65,4 +79,5 @@ private:
   std::vector<vtkProp*> Props;     ///< that this is attached to
   vtkRenderer* Renderer = nullptr;
   std::vector<int> Units; ///< for the parts' textures
+  std::map<vtkShaderProgram*, Parts> Programs;
 };

@@ -11,14 +11,17 @@
 
 namespace penumbra
 {
-ForwardProgram::ForwardProgram(
-  GLuint program, std::string field, vtkOpenGLState* state, const int* units, bool volume)
+ForwardProgram::ForwardProgram(GLuint program, std::string field, bool volume)
   : Program(program, false)
   , Field(std::move(field))
-  , State(state)
-  , NextUnit(units)
   , Volume(volume)
 {
+}
+
+void ForwardProgram::Begin(vtkOpenGLState* state, const int* units)
+{
+  this->State = state;
+  this->NextUnit = units;
 }
 
 std::string ForwardProgram::NameOf(const char* uniform) const

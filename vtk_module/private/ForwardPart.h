@@ -22,9 +22,11 @@ namespace penumbra
 class ForwardProgram : public Program
 {
 public:
-  /// field: what "field" at the beginning of a name became, as in FieldName(). units: for textures.
-  ForwardProgram(
-    GLuint program, std::string field, vtkOpenGLState* state, const int* units, bool volume);
+  /// field: what "field" at the beginning of a name became, as in FieldName().
+  ForwardProgram(GLuint program, std::string field, bool volume);
+
+  /// Before the part's uniforms are set. units: for its textures.
+  void Begin(vtkOpenGLState* state, const int* units);
 
   bool IsOfVolume() const { return this->Volume; }
 
@@ -42,8 +44,8 @@ protected:
 
 private:
   std::string Field;
-  vtkOpenGLState* State;
-  const int* NextUnit;
+  vtkOpenGLState* State = nullptr;
+  const int* NextUnit = nullptr;
   bool Volume;
 };
 
