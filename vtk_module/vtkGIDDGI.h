@@ -33,10 +33,11 @@ public:
   bool IsFinished(vtkRenderer* renderer) override;
 
   /**
-   * Of a renderer's last frame: the probes along x, y and z, and all of them; updates since the scene
-   * changed.
+   * Of a renderer's last frame: the probes of each grid along x, y and z; updates since the scene changed or a grid
+   * moved; where the outermost probes of one of the grids stand, as VTK's bounds, empty where there is no such grid.
    */
   void GetGrid(vtkRenderer* renderer, int counts[3]);
+  void GetGridBounds(vtkRenderer* renderer, int number, double bounds[6]);
   int GetUpdatesDone(vtkRenderer* renderer);
 
 protected:
@@ -47,10 +48,6 @@ private:
   vtkGIDDGI(const vtkGIDDGI&) = delete;
   void operator=(const vtkGIDDGI&) = delete;
 
-  /// Of those that are left in an update.
-  int ProbesPerFrame(int most) const;
-
-  struct Field;
   struct State;
   std::unique_ptr<State> Impl;
 };

@@ -72,7 +72,7 @@ struct vtkGISHProbes::Internals
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
     return { "sh_probes/show.frag", textures.Light(), textures.Distance(), textures.Probes(),
-      textures.Origin(), this->Field.Grid.Spacing,
+      textures.Origin(),
       [&textures, bias = settings.Bias](const Program& program) { textures.Set(program, bias); } };
   }
 };

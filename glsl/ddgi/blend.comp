@@ -24,7 +24,6 @@ uniform int rays;
 uniform int update;
 uniform float least;   // share of this update in the map
 uniform float most;    // updates before that count, at most, where they count as many
-uniform float farthest; // distances beyond it count as this
 
 const float SETTLED = 4.0; // updates of a map since its probe stands where it does
 
@@ -71,6 +70,9 @@ void main()
 #endif
   // What came earlier weighs less, as it knew fewer bounces: the next of n updates takes the share 2 / (n + 2).
   float share = max(least, 2.0 / (min(count, most) + 2.0));
+#ifdef GI_BLEND_DISTANCE
+  float farthest = 1.5 * length(fieldGridWith(probe).spacing); // distances beyond it count as this
+#endif
   mat3 turn = fieldTurn(probe, update);
   vec3 directions[TEXELS]; // where the rays are not turned yet
   vec4 sums[TEXELS];       // w: weights

@@ -23,8 +23,9 @@ void main()
   {
     return;
   }
-  ivec3 cell = fieldCell(probe);
-  vec3 position = fieldPosition(probe);
+  fieldGrid grid = fieldGridWith(probe);
+  ivec3 cell = fieldCell(grid, probe);
+  vec3 position = fieldPosition(grid, probe);
   uint state = giHash(uint(probe));
   int seen = 0;
   for (int bit = 0; bit < 13; ++bit)
@@ -34,7 +35,7 @@ void main()
     {
       continue;
     }
-    Ray ray = Ray(position, 0.0, fieldPosition(fieldIndex(other)) - position, 1.0);
+    Ray ray = Ray(position, 0.0, fieldPosition(grid, fieldIndex(grid, other)) - position, 1.0);
     seen |= blocked(ray, state) ? 0 : 1 << bit;
   }
   vec4 before = texelFetch(fieldProbes, fieldTile(probe), 0);

@@ -8,13 +8,16 @@ layout(binding = 4) uniform sampler2D fieldLight;
 // near hides some. V, reach: as for fieldWeights().
 vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
-  int probes[8];
-  float weights[8];
-  fieldWeights(P, N, V, reach, 0.003, probes, weights);
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < 8; ++i)
+  for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
   {
-    sum += weights[i] * fieldFetch(fieldLight, probes[i], D, float(GI_FIELD_LIGHT)).rgb;
+    int probes[8];
+    float weights[8];
+    fieldWeights(walk.grid, P, N, V, reach, true, probes, weights);
+    for (int i = 0; i < 8; ++i)
+    {
+      sum += walk.share * weights[i] * fieldFetch(fieldLight, probes[i], D, float(GI_FIELD_LIGHT)).rgb;
+    }
   }
   return sum;
 }

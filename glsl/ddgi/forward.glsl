@@ -6,15 +6,19 @@
 // In place of a surface: all around a point, which probes on every side light alike.
 void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
-  int probes[8];
-  float weights[8];
-  fieldWeights(P, vec3(0.0), V, reach, 0.003, probes, weights);
   const float least = 1e-4; // less makes no difference that is seen
-  for (int i = 0; i < 8; ++i)
+  for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
   {
-    for (int side = 0; side < 6 && weights[i] > least; ++side)
+    int probes[8];
+    float weights[8];
+    fieldWeights(walk.grid, P, vec3(0.0), V, reach, true, probes, weights);
+    for (int i = 0; i < 8; ++i)
     {
-      cube[side] += weights[i] * fieldFetch(fieldLight, probes[i], turn * GI_CUBE_SIDES[side], float(GI_FIELD_LIGHT)).rgb;
+      float weight = walk.share * weights[i];
+      for (int side = 0; side < 6 && weight > least; ++side)
+      {
+        cube[side] += weight * fieldFetch(fieldLight, probes[i], turn * GI_CUBE_SIDES[side], float(GI_FIELD_LIGHT)).rgb;
+      }
     }
   }
 }

@@ -14,8 +14,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(rgba32f, binding = 0) uniform writeonly image2D places;
-layout(rgba32f, binding = 1) uniform image2D map; // of light
+layout(rgba32f, binding = 0) uniform writeonly image2D places; // w: 0 where the probe stays, else 1 and the neighbour in the light that sees it there, or -1
 layout(binding = 0) uniform sampler2D foundTexture; // of the last update: radiance, distance; a row for each probe
 
 uniform int probeCount;
@@ -48,11 +47,11 @@ bool atHome(int probe)
 }
 
 // The neighbour at an offset of -1, 0 or 1 along each axis, from 27; -1 where there is none.
-int neighbour(ivec3 cell, int number)
+int neighbour(fieldGrid grid, ivec3 cell, int number)
 {
   ivec3 other = cell + ivec3(number % 3, (number / 3) % 3, number / 9) - 1;
   bool outside = any(lessThan(other, ivec3(0))) || any(greaterThanEqual(other, fieldCounts));
-  return outside || number == 13 ? -1 : fieldIndex(other);
+  return outside || number == 13 ? -1 : fieldIndex(grid, other);
 }
 
 // Of the last update's rays; surfaces further off than a limit count as if they were there.
@@ -67,17 +66,17 @@ float meanDistance(int probe, float limit)
 }
 
 // How far off its home the probe should stand. witness: a neighbour in the light that sees it there.
-vec3 offHome(int probe, out int witness)
+vec3 offHome(fieldGrid grid, int probe, out int witness)
 {
   witness = -1;
-  ivec3 cell = fieldCell(probe);
-  vec3 home = fieldOrigin + fieldSpacing * vec3(cell);
+  ivec3 cell = fieldCell(grid, probe);
+  vec3 home = grid.origin + grid.spacing * vec3(cell);
   vec3 now = texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
   float lights[27];
   float brightest = 0.0;
   for (int i = 0; i < 27; ++i)
   {
-    int other = neighbour(cell, i);
+    int other = neighbour(grid, cell, i);
     lights[i] = other >= 0 && atHome(other) ? brightness(other) : 0.0;
     brightest = max(brightest, lights[i]);
   }
@@ -85,7 +84,7 @@ vec3 offHome(int probe, out int witness)
   {
     return vec3(0.0);
   }
-  float size = min(fieldSpacing.x, min(fieldSpacing.y, fieldSpacing.z));
+  float size = fieldCellSize(grid);
   if (atHome(probe) && meanDistance(probe, 4.0 * size) > NARROW * size)
   {
     return vec3(0.0);
@@ -99,8 +98,8 @@ vec3 offHome(int probe, out int witness)
     {
       continue;
     }
-    int other = neighbour(cell, i);
-    vec3 from = fieldPosition(other);
+    int other = neighbour(grid, cell, i);
+    vec3 from = fieldPosition(grid, other);
     float reach = length(home - from);
     vec3 direction = (home - from) / reach;
     Ray ray = Ray(from, 0.0, direction, reach);
@@ -125,33 +124,19 @@ vec3 offHome(int probe, out int witness)
 }
 
 // Whether the last update's rays found a surface in one of the cells around the probe.
-bool nearSurfaces(int probe)
+bool nearSurfaces(fieldGrid grid, int probe)
 {
   vec3 off = texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
   mat3 turn = fieldTurn(probe, update);
   for (int i = 0; i < rays; ++i)
   {
     vec3 place = off + turn * fieldDirection(i) * min(texelFetch(foundTexture, ivec2(i, probe), 0).a, 1e15);
-    if (all(lessThan(abs(place), 1.1 * fieldSpacing)))
+    if (all(lessThan(abs(place), 1.1 * grid.spacing)))
     {
       return true;
     }
   }
   return false;
-}
-
-// Until it knows better, a probe that moved takes the light where it goes from a neighbour there: it lights what its
-// own rays find.
-void takeOver(int probe, int witness)
-{
-  const int side = GI_FIELD_LIGHT + 2;
-  ivec2 to = fieldTile(probe) * side;
-  ivec2 from = fieldTile(witness) * side;
-  for (int i = 0; i < side * side; ++i)
-  {
-    ivec2 texel = ivec2(i % side, i / side);
-    imageStore(map, to + texel, imageLoad(map, from + texel));
-  }
 }
 
 void main()
@@ -161,23 +146,20 @@ void main()
   {
     return;
   }
+  fieldGrid grid = fieldGridWith(probe);
   ProbeState state = probeState(probe);
   vec3 before = texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
   if (!probeRests(probe, update, state) && (state.idle > 0.0 || geometryMoves))
   {
-    state.idle = nearSurfaces(probe) ? 0.0 : state.idle + 1.0;
+    state.idle = nearSurfaces(grid, probe) ? 0.0 : state.idle + 1.0;
   }
   int witness;
-  vec3 off = offHome(probe, witness);
+  vec3 off = offHome(grid, probe, witness);
   if (off != before)
   {
     state = ProbeState(0.0, 0.0, 0.0);
-    if (witness >= 0)
-    {
-      takeOver(probe, witness);
-      state.lights = 2.0;
-    }
   }
   setProbeState(probe, state);
-  imageStore(places, fieldTile(probe), vec4(off, 0.0));
+  float moves = off != before ? (witness < 0 ? -1.0 : float(witness + 1)) : 0.0;
+  imageStore(places, fieldTile(probe), vec4(off, moves));
 }

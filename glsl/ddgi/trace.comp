@@ -83,7 +83,7 @@ void main()
   int number = index - probe * rays;
   vec3 direction = fieldTurn(probe, update) * fieldDirection(number);
   uint state = giHash(uint(index) ^ giHash(uint(update) * 0x9e3779b9u));
-  Ray ray = Ray(fieldPosition(probe), 0.0, direction, RAY_FAR);
+  Ray ray = Ray(fieldPosition(fieldGridWith(probe), probe), 0.0, direction, RAY_FAR);
   vec3 start = ray.origin;
   RaySurfacePoint at;
   float first;

@@ -1,29 +1,67 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which probes light a point between them, and how much. Probes stand in a grid, a little off its places; of each
+// Which probes light a point between them, and how much. Probes stand in grids, a little off their places; of each
 // it is known how far surfaces are in every direction, mean and mean square in an octahedral map with a border of
 // one texel, and which of its neighbours it sees. What the probes hold is up to the includer. After Majercik et
-// al. 2019, Dynamic Diffuse Global Illumination with Ray-Traced Irradiance Fields. Needs lib/octahedral.glsl.
-// Coordinates are those of the rays' scene.
+// al. 2019, Dynamic Diffuse Global Illumination with Ray-Traced Irradiance Fields. The first grid is around
+// everything; each later one, of as many probes, is a part of those before, of smaller cells, and counts where it
+// reaches. Grids that move keep their probes where they are: one is stored by its place modulo the grid's size
+// (Majercik et al. 2021, Scaling Probe-Based Real-Time Dynamic Global Illumination for Production). Needs
+// lib/octahedral.glsl. Coordinates are those of the rays' scene.
 #define GI_FIELD_DISTANCE 16 // texels across a map of distances, without its border
 layout(binding = 5) uniform sampler2D fieldDistance;
 layout(binding = 6) uniform sampler2D fieldProbes; // xyz how far a probe stands off its grid's place, w which neighbours it sees
 
-uniform vec3 fieldOrigin;  // of the first probe's place
-uniform vec3 fieldSpacing;
-uniform ivec3 fieldCounts;
+#define GI_FIELD_GRIDS 6
+uniform int fieldGrids;
+uniform vec3 fieldOrigins[GI_FIELD_GRIDS];  // of each grid's first place
+uniform vec3 fieldSpacings[GI_FIELD_GRIDS];
+uniform ivec3 fieldWraps[GI_FIELD_GRIDS];   // where in storage the first place is
+uniform ivec3 fieldCounts; // of probes in a grid
 uniform int fieldColumns;  // maps in a row of their textures
 uniform float fieldBias;   // in cells
 
-int fieldIndex(ivec3 cell)
+struct fieldGrid
 {
-  return cell.x + fieldCounts.x * (cell.y + fieldCounts.y * cell.z);
+  vec3 origin;
+  vec3 spacing;
+  ivec3 wrap;
+  int first; // probe
+};
+
+int fieldGridSize()
+{
+  return fieldCounts.x * fieldCounts.y * fieldCounts.z;
 }
 
-ivec3 fieldCell(int probe)
+fieldGrid fieldGridOf(int number)
 {
-  int row = probe / fieldCounts.x;
-  return ivec3(probe % fieldCounts.x, row % fieldCounts.y, row / fieldCounts.y);
+  return fieldGrid(fieldOrigins[number], fieldSpacings[number], fieldWraps[number], number * fieldGridSize());
+}
+
+fieldGrid fieldGridWith(int probe)
+{
+  return fieldGridOf(fieldGrids > 1 ? probe / fieldGridSize() : 0);
+}
+
+float fieldCellSize(fieldGrid grid)
+{
+  return min(grid.spacing.x, min(grid.spacing.y, grid.spacing.z));
+}
+
+int fieldIndex(fieldGrid grid, ivec3 cell)
+{
+  ivec3 kept = cell + grid.wrap;
+  kept -= fieldCounts * ivec3(greaterThanEqual(kept, fieldCounts));
+  return grid.first + kept.x + fieldCounts.x * (kept.y + fieldCounts.y * kept.z);
+}
+
+ivec3 fieldCell(fieldGrid grid, int probe)
+{
+  int kept = probe - grid.first;
+  int row = kept / fieldCounts.x;
+  ivec3 cell = ivec3(kept % fieldCounts.x, row % fieldCounts.y, row / fieldCounts.y) - grid.wrap;
+  return cell + fieldCounts * ivec3(lessThan(cell, ivec3(0)));
 }
 
 ivec2 fieldTile(int probe)
@@ -31,10 +69,15 @@ ivec2 fieldTile(int probe)
   return ivec2(probe % fieldColumns, probe / fieldColumns);
 }
 
-vec3 fieldPosition(int probe)
+// Where a probe would stand if nothing were in the way.
+vec3 fieldHome(fieldGrid grid, int probe)
 {
-  return fieldOrigin + fieldSpacing * vec3(fieldCell(probe)) +
-    texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
+  return grid.origin + grid.spacing * vec3(fieldCell(grid, probe));
+}
+
+vec3 fieldPosition(fieldGrid grid, int probe)
+{
+  return fieldHome(grid, probe) + texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
 }
 
 // The offsets of the neighbours that a probe keeps a bit for, and the bit of an offset: those that come after
@@ -72,42 +115,112 @@ float fieldSees(int probe, vec3 fromProbe)
   return bound * bound * bound;
 }
 
-// The eight probes around a point of a surface, and weights that add up to 1, or to less where probes left dark places
-// (emptiness: the weight of such a place, which counts where no probe sees the point). V: unit, to where it is seen
-// from; reach: how far that is, with nothing between.
-void fieldWeights(vec3 P, vec3 N, vec3 V, float reach, float emptiness, out int probes[8], out float weights[8])
+// The map of distances of the place that a probe left.
+int fieldLeft(int probe)
 {
-  float cell = min(fieldSpacing.x, min(fieldSpacing.y, fieldSpacing.z));
+  return fieldGrids * fieldGridSize() + probe;
+}
+
+// Of those that count so much together.
+float fieldAgreement(float part)
+{
+  return (part * part) * (part * part);
+}
+
+// A walk through the grids that tell of a point, the finest first.
+struct fieldWalk
+{
+  fieldGrid grid;
+  float share; // of the point's light, that this grid tells
+  int next;    // grid
+  float left;  // of the light, for those to come
+};
+
+fieldWalk fieldWalkFrom(int number)
+{
+  fieldWalk walk;
+  walk.next = number;
+  walk.share = 0.0;
+  walk.left = 1.0;
+  return walk;
+}
+
+// All of the light that is left, but in a grid's outermost cells, where it fades to that of those around.
+float fieldCovers(fieldGrid grid, vec3 P)
+{
+  vec3 place = (P - grid.origin) / grid.spacing;
+  vec3 inside = min(place, vec3(fieldCounts - 1) - place);
+  return clamp(min(inside.x, min(inside.y, inside.z)), 0.0, 1.0);
+}
+
+// False at the end.
+bool fieldStep(inout fieldWalk walk, vec3 P)
+{
+  while (walk.next >= 0 && walk.left > 0.0)
+  {
+    walk.grid = fieldGridOf(walk.next);
+    walk.share = walk.left * (walk.next > 0 ? fieldCovers(walk.grid, P) : 1.0);
+    walk.left -= walk.share;
+    --walk.next;
+    if (walk.share > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// How much a probe at a position tells of a point of a surface, without its share in the grid. off: a little before the
+// point.
+float fieldTells(int probe, vec3 position, vec3 P, vec3 N, vec3 off)
+{
+  // Probes behind the surface fade out smoothly.
+  float facing = 0.5 + 0.5 * dot(normalize(position - P), N);
+  float weight = facing * facing * fieldSees(probe, off - position);
+  // Where weights are small they are made smaller, without a step: the light of rooms next door.
+  weight *= weight < 0.2 ? weight * weight / 0.04 : 1.0;
+  return max(weight, 1e-6);
+}
+
+// A grid's eight probes around a point of a surface, and weights that add up to 1, or to less where probes left their
+// places (dark: as nothing but what is in the dark was seen from there, which is still known). V: unit, to where the
+// point is seen from; reach: how far that is, with nothing between.
+void fieldWeights(fieldGrid grid, vec3 P, vec3 N, vec3 V, float reach, bool dark, out int probes[8], out float weights[8])
+{
+  float cell = fieldCellSize(grid);
   vec3 off = P + 0.2 * N * (fieldBias * cell) + 0.8 * V * min(fieldBias * cell, reach);
-  vec3 place = (P - fieldOrigin) / fieldSpacing;
+  vec3 place = (P - grid.origin) / grid.spacing;
   ivec3 base = clamp(ivec3(floor(place)), ivec3(0), max(fieldCounts - 2, ivec3(0)));
   vec3 share = clamp(place - vec3(base), vec3(0.0), vec3(1.0));
   int seen[8];
   float total = 0.0; // of their squares
-  float vacant = 0.0;
+  float left = 0.0;  // weights of the places that probes left
+  float lefts = 0.0; // squares of those
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-    int probe = fieldIndex(min(base + corner, fieldCounts - 1));
+    ivec3 at = min(base + corner, fieldCounts - 1);
+    int probe = fieldIndex(grid, at);
     probes[i] = probe;
-    vec3 linear = mix(1.0 - share, share, vec3(corner));
+    vec3 shares = mix(1.0 - share, share, vec3(corner));
+    float linear = shares.x * shares.y * shares.z;
     vec4 record = texelFetch(fieldProbes, fieldTile(probe), 0);
-    vec3 position = fieldOrigin + fieldSpacing * vec3(fieldCell(probe)) + record.xyz;
-    vec3 toProbe = normalize(position - P);
-    // Probes behind the surface fade out smoothly.
-    float facing = 0.5 + 0.5 * dot(toProbe, N);
-    float weight = facing * facing * fieldSees(probe, off - position);
-    // Where weights are small they are made smaller, without a step: the light of rooms next door.
-    weight *= weight < 0.2 ? weight * weight / 0.04 : 1.0;
-    weights[i] = max(weight, 1e-6) * linear.x * linear.y * linear.z;
+    vec3 home = grid.origin + grid.spacing * vec3(at);
+    weights[i] = linear * fieldTells(probe, home + record.xyz, P, N, off);
     seen[i] = int(record.w);
-    vacant += record.xyz != vec3(0.0) ? linear.x * linear.y * linear.z : 0.0;
     total += weights[i] * weights[i];
+    if (dark && record.xyz != vec3(0.0))
+    {
+      float tells = linear * fieldTells(fieldLeft(probe), home, P, N, off);
+      left += tells;
+      lefts += tells * tells;
+    }
   }
   // A probe counts as far as the others that count see it: one behind a wall may seem to see the point where
   // that is close to the wall, but none of those before the wall sees the probe.
   float agreements[8];
-  float all = emptiness * vacant;
+  total = max(total + lefts, 1e-30);
+  float all = left * fieldAgreement(lefts / total);
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
@@ -120,8 +233,7 @@ void fieldWeights(vec3 P, vec3 N, vec3 V, float reach, float emptiness, out int 
       bool sees = i == j || (seen[low] >> fieldNeighbourBit(offset) & 1) != 0;
       agreed += sees ? weights[j] * weights[j] : 0.0;
     }
-    agreed /= max(total, 1e-30);
-    agreements[i] = (agreed * agreed) * (agreed * agreed);
+    agreements[i] = fieldAgreement(agreed / total);
     all += weights[i] * agreements[i];
   }
   for (int i = 0; i < 8; ++i)

@@ -38,5 +38,5 @@ float fieldIndirectCube(vec3 P, vec3 V, float reach, out vec3 cube[6])
 
 float fieldGrain()
 {
-  return min(fieldSpacing.x, min(fieldSpacing.y, fieldSpacing.z));
+  return fieldCellSize(fieldGridOf(fieldGrids - 1));
 }

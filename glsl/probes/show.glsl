@@ -11,7 +11,7 @@ layout(binding = 1) uniform sampler2D before;
 
 uniform mat3 viewToScene;
 uniform vec3 eye; // relative to the scene's origin
-uniform float radius;
+uniform float radius; // in cells
 
 layout(location = 0) out vec4 color;
 
@@ -27,8 +27,21 @@ void main()
   vec3 near = giViewPosition(gl_FragCoord.xy, 0.0);
   vec3 path = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r) - near;
   vec3 toward = viewToScene * normalize(path);
+  vec3 origin = eye + viewToScene * near;
+  float at = length(path);
+  int probe = -1;
   vec3 N;
-  int probe = fieldSphere(eye + viewToScene * near, toward, length(path), radius, PROBE_STRAYS, N);
+  for (int i = 0; i < fieldGrids; ++i)
+  {
+    fieldGrid grid = fieldGridOf(i);
+    float size = radius * fieldCellSize(grid);
+    int found = fieldSphere(grid, origin, toward, size, PROBE_STRAYS, at);
+    if (found >= 0)
+    {
+      probe = found;
+      N = (origin + at * toward - fieldPosition(grid, found)) / size;
+    }
+  }
   if (probe < 0)
   {
     return;

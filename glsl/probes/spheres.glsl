@@ -4,16 +4,23 @@
 const int SPHERE_CELLS = 512; // that a ray may cross
 
 // How far along a ray it enters a probe's ball; negative where it passes by or begins within.
-float sphereAt(int probe, vec3 origin, vec3 direction, float radius)
+float sphereAt(fieldGrid grid, int probe, vec3 origin, vec3 direction, float radius)
 {
-  vec3 to = fieldPosition(probe) - origin;
+  vec3 to = fieldPosition(grid, probe) - origin;
   float along = dot(to, direction);
   float square = radius * radius - dot(to, to) + along * along;
   return square > 0.0 ? along - sqrt(square) : -1.0;
 }
 
+// Whether finer grids tell all of the light there, so that a grid's probe is not asked.
+bool isToldByFiner(fieldGrid grid, vec3 P)
+{
+  fieldWalk walk = fieldWalkFrom(fieldGrids - 1);
+  return fieldStep(walk, P) && walk.share >= 1.0 && walk.grid.first > grid.first;
+}
+
 // The first ball of the probes of a range of cells, where that is nearer than the nearest known.
-void nearestSphere(ivec3 low, ivec3 high, vec3 origin, vec3 direction, float radius, inout int nearest, inout float at)
+void nearestSphere(fieldGrid grid, ivec3 low, ivec3 high, vec3 origin, vec3 direction, float radius, inout int nearest, inout float at)
 {
   low = max(low, ivec3(0));
   high = min(high, fieldCounts - 1);
@@ -23,9 +30,9 @@ void nearestSphere(ivec3 low, ivec3 high, vec3 origin, vec3 direction, float rad
     {
       for (int x = low.x; x <= high.x; ++x)
       {
-        int probe = fieldIndex(ivec3(x, y, z));
-        float here = sphereAt(probe, origin, direction, radius);
-        if (here > 0.0 && here < at)
+        int probe = fieldIndex(grid, ivec3(x, y, z));
+        float here = sphereAt(grid, probe, origin, direction, radius);
+        if (here > 0.0 && here < at && !isToldByFiner(grid, fieldHome(grid, probe)))
         {
           nearest = probe;
           at = here;
@@ -35,15 +42,14 @@ void nearestSphere(ivec3 low, ivec3 high, vec3 origin, vec3 direction, float rad
   }
 }
 
-// The first ball along a ray, or -1; N: unit, there. radius: world units. A ball lies within so many cells (strays)
+// A grid's first ball along a ray, or -1. farthest: how far to look, then how far it is. radius: world units. A ball lies within so many cells (strays)
 // of its probe's own, the cell around its place in the grid. Cells are walked through as in Amanatides and Woo
 // 1987, A Fast Voxel Traversal Algorithm for Ray Tracing.
-int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, int strays, out vec3 N)
+int fieldSphere(fieldGrid grid, vec3 origin, vec3 direction, float radius, int strays, inout float farthest)
 {
-  N = vec3(0.0);
   // In cells around the places: the first from 0 to 1.
-  vec3 start = (origin - fieldOrigin) / fieldSpacing + 0.5;
-  vec3 path = direction / fieldSpacing;
+  vec3 start = (origin - grid.origin) / grid.spacing + 0.5;
+  vec3 path = direction / grid.spacing;
   path = mix(path, vec3(1e-20), lessThan(abs(path), vec3(1e-20)));
   vec3 t0 = -start / path;
   vec3 t1 = (vec3(fieldCounts) - start) / path;
@@ -60,7 +66,7 @@ int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, int s
   ivec3 high = cell + strays;
   for (int i = 0; i < SPHERE_CELLS && t < end; ++i)
   {
-    nearestSphere(low, high, origin, direction, radius, nearest, at);
+    nearestSphere(grid, low, high, origin, direction, radius, nearest, at);
     t = min(next.x, min(next.y, next.z));
     if (at <= t)
     {
@@ -78,9 +84,6 @@ int fieldSphere(vec3 origin, vec3 direction, float farthest, float radius, int s
     low = cell - strays * (ivec3(1) - axis - axis * way);
     high = cell + strays * (ivec3(1) - axis + axis * way);
   }
-  if (nearest >= 0)
-  {
-    N = (origin + at * direction - fieldPosition(nearest)) / radius;
-  }
+  farthest = at;
   return nearest;
 }

@@ -47,19 +47,23 @@ vec3 probeIrradiance(int probe, vec3 N)
 // Of the probes that light a point, as fieldWeights() weighs them.
 void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[LIGHT_TEXELS])
 {
-  int probes[8];
-  float weights[8];
-  fieldWeights(P, N, V, reach, 0.0, probes, weights);
   for (int i = 0; i < LIGHT_TEXELS; ++i)
   {
     sums[i] = vec4(0.0);
   }
   const float least = 1e-4; // less makes no difference that is seen
-  for (int i = 0; i < 8; ++i)
+  for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
   {
-    if (weights[i] > least)
+    int probes[8];
+    float weights[8];
+    fieldWeights(walk.grid, P, N, V, reach, false, probes, weights);
+    for (int i = 0; i < 8; ++i)
     {
-      addProbe(probes[i], weights[i], sums);
+      float weight = walk.share * weights[i];
+      if (weight > least)
+      {
+        addProbe(probes[i], weight, sums);
+      }
     }
   }
 }

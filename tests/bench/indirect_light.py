@@ -32,15 +32,21 @@ def options():
     parser.add_argument("--occlusion", type=float, metavar="RADIUS", help="with ambient occlusion of that radius; 0: automatic")
     parser.add_argument("--bricks", type=int, default=0, metavar="N",
                         help="that lie about and stick to the walls of the still room, each smaller than a cell of the probes")
+    parser.add_argument("--far", type=float, default=0, metavar="LENGTHS",
+                        help="of the room, that a box stands off behind the eye of the still picture, so that the scene is as much larger")
     parser.add_argument("--updates", type=int, default=400, help="of the probes before the still picture")
     parser.add_argument("--verbose", action="store_true", help="print the error of each frame")
     parser.add_argument("--only", choices=("still", "moving"))
     return parser.parse_args()
 
 
-def room_with(bricks):
-    """The room with so many of them, the same ones every time."""
+def room_with(bricks, far):
+    """The room with so many of them, the same ones every time, and perhaps a box far off."""
     room = Room()
+    if far:
+        box = painted(cuboid(0.3, 0.3, 0.3), WHITE)
+        box.SetPosition(0.5, -far, 0.4)
+        room.renderer.AddActor(box)
     chance = np.random.default_rng(3)
     for _ in range(bricks):
         side = 0.03 + 0.05 * chance.random()
@@ -105,9 +111,9 @@ def write(folder, name, *pictures):
     Image.fromarray((255 * np.clip(row, 0, 1) ** (1 / 2.2) + 0.5).astype(np.uint8)).save(os.path.join(folder, name))
 
 
-def traced(size, spp, bounces, moment=0.0, bricks=0):
+def traced(size, spp, bounces, moment=0.0, bricks=0, far=0.0):
     """The truth at one moment."""
-    camera = Camera(size, "reference", room_with(bricks), **{"path-tracing.samples": spp, "path-tracing.bounces": bounces})
+    camera = Camera(size, "reference", room_with(bricks, far), **{"path-tracing.samples": spp, "path-tracing.bounces": bounces})
     camera.room.at(moment)
     return camera.picture(spp)
 
@@ -115,16 +121,16 @@ def traced(size, spp, bounces, moment=0.0, bricks=0):
 def still(args, settings):
     """Indirect light alone: with it less without it, on both sides."""
     spp = 16 * args.spp
-    name = f"{args.size}_{spp}" + (f"_{args.bricks}" if args.bricks else "")
-    full = kept(args.keep, f"full_{name}", lambda: traced(args.size, spp, BOUNCES, bricks=args.bricks))
-    once = kept(args.keep, f"once_{name}", lambda: traced(args.size, spp, 0, bricks=args.bricks))
+    name = f"{args.size}_{spp}" + (f"_{args.bricks}" if args.bricks else "") + (f"_far{args.far:g}" if args.far else "")
+    full = kept(args.keep, f"full_{name}", lambda: traced(args.size, spp, BOUNCES, bricks=args.bricks, far=args.far))
+    once = kept(args.keep, f"once_{name}", lambda: traced(args.size, spp, 0, bricks=args.bricks, far=args.far))
     pictures = []
     for ddgi in (True, False):
         drawn = direct_preset(ddgi, settings)
         if ddgi and args.occlusion is not None:
             drawn["on"] += ["ambient-occlusion", "temporal-accumulation"]
             drawn["ambient-occlusion.radius"] = args.occlusion
-        camera = Camera(FINER * args.size, "off", room_with(args.bricks), **drawn)
+        camera = Camera(FINER * args.size, "off", room_with(args.bricks, args.far), **drawn)
         pictures.append(smaller(camera.picture(args.updates if ddgi else 1)))
     ours, truth = pictures[0] - pictures[1], full - once
     error, mean = penumbra.relative_error(ours, truth)

@@ -79,13 +79,18 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
 
 TEST_F(DDGI, ARoomNextDoorStaysDark)
 {
-  this->Probes->SetProbes(512);
   this->Scene.Window->SetSize(48, 36);
   // Two rooms of 2 x 2 x 2 with a thin wall between them, a lamp in the left one.
   this->Lamp->SetIntensity(1.0);
   this->Lamp->SetPosition(-1.2, 0.3, 0.4);
-  for (const double thickness : { 0.1, 0.02 })
+  struct Wall
   {
+    double Thickness;
+    int Probes; ///< of 180, some stand a 30th of a cell off the wall
+  };
+  for (const auto& [thickness, probes] : { Wall{ 0.1, 512 }, { 0.02, 512 }, { 0.02, 180 } })
+  {
+    this->Probes->SetProbes(probes);
     vtkActor* left = this->AddBox(-2.0, -0.5 * thickness, -1.0, 1.0, -1.0, 1.0, 0.7);
     vtkActor* right = this->AddBox(0.5 * thickness, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7);
     this->LookFrom(-1.8, -0.8, 0.8, -0.5, 0.5, -0.5);
@@ -97,15 +102,24 @@ TEST_F(DDGI, ARoomNextDoorStaysDark)
     this->Probes->GetGrid(this->Scene.Renderer, counts);
     this->LookFrom(1.8, -0.8, 0.8, 0.5, 0.5, -0.5);
     this->Pass->GetTechnique("shadow-maps")->EnabledOn();
-    const Values dark = this->After(60);
+    // From the first update on: while probes find their places, too.
+    this->Probes->SetProbes(probes + 1);
+    this->After(1);
+    this->Probes->SetProbes(probes);
+    double most = 0.0;
+    Values dark;
+    for (int frame = 0; frame < 60; ++frame)
+    {
+      dark = this->After(1);
+      most = std::max(most, Mean(dark));
+    }
     this->Pass->GetTechnique("shadow-maps")->EnabledOff();
-    const double most = *std::max_element(dark.begin(), dark.end());
     std::printf("wall of %.2f, cells of %.2f: lit room's indirect light %.4f, dark room %.6f "
-                "(%.3f %%), at most %.6f\n",
+                "(%.3f %%), at any time at most %.6f\n",
       thickness, 4.0 / (counts[0] - 2), bright - direct, Mean(dark),
       100.0 * Mean(dark) / (bright - direct), most);
     EXPECT_LT(thickness, 0.5 * 4.0 / (counts[0] - 2));
-    EXPECT_LT(Mean(dark), 0.01 * (bright - direct));
+    EXPECT_LT(most, 0.01 * (bright - direct));
     this->Scene.Renderer->RemoveActor(left);
     this->Scene.Renderer->RemoveActor(right);
   }

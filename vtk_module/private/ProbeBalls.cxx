@@ -30,8 +30,7 @@ void Draw(FrameContext& context, const ProbeBalls& balls, const char* target)
       balls.Distance, balls.Probes });
   balls.Set(program);
   SetProbeView(program, context.GetView(), balls.Origin);
-  const double cell = std::min({ balls.Spacing.x, balls.Spacing.y, balls.Spacing.z });
-  glUniform1f(program.Location("radius"), static_cast<GLfloat>(ShownRadius * cell));
+  glUniform1f(program.Location("radius"), static_cast<GLfloat>(ShownRadius));
   context.DrawFullscreen();
 }
 }

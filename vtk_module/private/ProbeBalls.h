@@ -30,8 +30,7 @@ struct ProbeBalls
   const Texture* Light = nullptr;
   const Texture* Distance = nullptr;
   const Texture* Probes = nullptr;
-  glm::dvec3 Origin{ 0.0 };  ///< of the probes' coordinates, world
-  glm::dvec3 Spacing{ 1.0 }; ///< of the grid
+  glm::dvec3 Origin{ 0.0 }; ///< of the probes' coordinates, world
   /// Set the field's uniforms for the program in use, and bind what else its shader reads.
   std::function<void(const Program&)> Set;
 };

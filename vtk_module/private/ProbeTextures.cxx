@@ -3,6 +3,7 @@
 #include "private/ProbeTextures.h"
 
 #include "private/Harmonics.h"
+#include "private/ProbeUniforms.h"
 #include "private/ShaderLibrary.h"
 
 #include <algorithm>
@@ -12,20 +13,9 @@ namespace penumbra
 {
 namespace
 {
-constexpr int MostColumns = 64; // as glsl/probes/field.glsl
-constexpr int LightTexels = 7;  // as glsl/sh_probes/light.glsl
+constexpr int LightTexels = 7; // as glsl/sh_probes/light.glsl
 constexpr int Inner = ProbeField::DistanceTexels;
 constexpr int Outer = Inner + 2; // with its border
-
-int ColumnsOf(const ProbeGrid& grid)
-{
-  return std::min(grid.Size(), MostColumns);
-}
-
-int RowsOf(const ProbeGrid& grid)
-{
-  return (grid.Size() + MostColumns - 1) / MostColumns;
-}
 
 void Fill(const Texture& texture, GLenum channels, const std::vector<float>& texels)
 {
@@ -55,10 +45,12 @@ glm::ivec2 Source(glm::ivec2 texel)
 
 ProbeTextures::ProbeTextures(const ProbeField& field, bool window)
   : Grid(field.Grid)
-  , Columns(ColumnsOf(field.Grid))
-  , LightTexture({ GL_RGBA16F, this->Columns * LightTexels, RowsOf(field.Grid), 0 })
-  , DistanceTexture({ GL_RG32F, this->Columns * Outer, RowsOf(field.Grid) * Outer, 0 })
-  , ProbeTexture({ GL_RGBA32F, this->Columns, RowsOf(field.Grid), 0 })
+  , Columns(ProbeUniforms::Columns(field.Grid.Size()))
+  , LightTexture(
+      { GL_RGBA16F, this->Columns * LightTexels, ProbeUniforms::Rows(field.Grid.Size()), 0 })
+  , DistanceTexture(
+      { GL_RG32F, this->Columns * Outer, ProbeUniforms::Rows(field.Grid.Size()) * Outer, 0 })
+  , ProbeTexture({ GL_RGBA32F, this->Columns, ProbeUniforms::Rows(field.Grid.Size()), 0 })
 {
   this->FillLight(field, window);
   this->FillDistance(field);
@@ -69,7 +61,7 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
 {
   constexpr int n = ProbeField::Harmonics;
   const std::size_t width = static_cast<std::size_t>(this->Columns) * LightTexels * 4;
-  std::vector<float> texels(width * RowsOf(this->Grid), 0.0f);
+  std::vector<float> texels(width * ProbeUniforms::Rows(this->Grid.Size()), 0.0f);
   std::vector<float> all = field.Light;
   double most = 0.0;
   for (int probe = 0; probe < this->Grid.Size(); ++probe)
@@ -102,7 +94,7 @@ void ProbeTextures::FillDistance(const ProbeField& field)
 {
   const auto reach = static_cast<float>(field.Reach());
   const std::size_t width = static_cast<std::size_t>(this->Columns) * Outer;
-  std::vector<float> texels(2 * width * RowsOf(this->Grid) * Outer, 0.0f);
+  std::vector<float> texels(2 * width * ProbeUniforms::Rows(this->Grid.Size()) * Outer, 0.0f);
   for (int probe = 0; probe < this->Grid.Size(); ++probe)
   {
     const float* map = &field.Distance[static_cast<std::size_t>(probe) * ProbeField::Distances];
@@ -127,7 +119,8 @@ void ProbeTextures::FillDistance(const ProbeField& field)
 
 void ProbeTextures::FillProbes(const ProbeField& field)
 {
-  std::vector<float> texels(static_cast<std::size_t>(this->Columns) * RowsOf(this->Grid) * 4, 0.0f);
+  std::vector<float> texels(
+    static_cast<std::size_t>(this->Columns) * ProbeUniforms::Rows(this->Grid.Size()) * 4, 0.0f);
   for (int probe = 0; probe < this->Grid.Size(); ++probe)
   {
     const glm::vec3 offset(glm::dvec3(field.Offsets[probe]) * this->Grid.Spacing);
@@ -140,12 +133,7 @@ void ProbeTextures::FillProbes(const ProbeField& field)
 
 void ProbeTextures::Set(const Program& program, double bias) const
 {
-  const glm::vec3 spacing(this->Grid.Spacing);
-  glUniform3f(program.Location("fieldOrigin"), 0.0f, 0.0f, 0.0f);
-  glUniform3fv(program.Location("fieldSpacing"), 1, &spacing[0]);
-  glUniform3iv(program.Location("fieldCounts"), 1, &this->Grid.Counts[0]);
-  glUniform1i(program.Location("fieldColumns"), this->Columns);
-  glUniform1f(program.Location("fieldBias"), static_cast<GLfloat>(bias));
+  ProbeUniforms{ NestedGrids(this->Grid), this->Origin(), bias }.Set(program);
   glUniform1f(program.Location("lightScale"), static_cast<GLfloat>(this->Scale));
 }
 }

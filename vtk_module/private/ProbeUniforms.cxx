@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "private/ProbeUniforms.h"
+
+#include "private/ShaderLibrary.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+// So that textures of 16,384 maps of 18 texels a side stay below 8192.
+constexpr int MostColumns = 64;
+}
+
+int ProbeUniforms::Columns(int probes)
+{
+  return std::min(probes, MostColumns);
+}
+
+int ProbeUniforms::Rows(int probes)
+{
+  return (probes + MostColumns - 1) / MostColumns;
+}
+
+void ProbeUniforms::Set(const Program& program) const
+{
+  std::array<glm::vec3, NestedGrids::Most> origins;
+  std::array<glm::vec3, NestedGrids::Most> spacings;
+  std::array<glm::ivec3, NestedGrids::Most> wraps;
+  const int count = this->Grids.Count();
+  for (int i = 0; i < count; ++i)
+  {
+    const ProbeGrid grid = this->Grids.Get(i);
+    origins[i] = glm::vec3(grid.First - this->Origin);
+    spacings[i] = glm::vec3(grid.Spacing);
+    wraps[i] = this->Grids.Wrap(i);
+  }
+  const ProbeGrid first = this->Grids.Get(0);
+  glUniform1i(program.Location("fieldGrids"), count);
+  glUniform3fv(program.Location("fieldOrigins"), count, &origins[0][0]);
+  glUniform3fv(program.Location("fieldSpacings"), count, &spacings[0][0]);
+  glUniform3iv(program.Location("fieldWraps"), count, &wraps[0][0]);
+  glUniform3iv(program.Location("fieldCounts"), 1, &first.Counts[0]);
+  glUniform1i(program.Location("fieldColumns"), Columns(this->Grids.Size()));
+  glUniform1f(program.Location("fieldBias"), static_cast<GLfloat>(this->Bias));
+}
+}

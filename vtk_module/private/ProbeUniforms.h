@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What every shader that asks probes needs to know of their grids, see glsl/probes/field.glsl.
+ */
+#pragma once
+
+#include "private/NestedGrids.h"
+
+namespace penumbra
+{
+class Program;
+
+struct ProbeUniforms
+{
+  NestedGrids Grids;
+  glm::dvec3 Origin{ 0.0 }; ///< of the shaders' coordinates, world
+  double Bias = 0.0;        ///< in cells
+
+  /// For a program in use.
+  void Set(const Program& program) const;
+
+  /// Maps in a row of the textures that hold so many.
+  static int Columns(int probes);
+  static int Rows(int probes);
+};
+}
