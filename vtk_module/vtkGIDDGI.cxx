@@ -38,7 +38,9 @@ LiveField::Settings SettingsOf(vtkGIDDGI& technique)
 void Gather(FrameContext& context, const LiveField& field, double intensity)
 {
   const OpenDirection open(context);
-  const Program& program = context.Shaders().Fragment("ddgi/gather.frag", open.Variant);
+  Defines variant = open.Variant;
+  variant.merge(field.Uniforms().Variant());
+  const Program& program = context.Shaders().Fragment("ddgi/gather.frag", variant);
   const LiveProbeMaps& maps = field.Maps();
   context.Use(program,
     { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
@@ -58,10 +60,11 @@ void BindForward(ForwardProgram& program, const LiveField& field)
   program.SetTexture("fieldProbes", field.Maps().Probes->Get());
 }
 
-ForwardPart ForwardOf(std::function<void(ForwardProgram&)> bind)
+ForwardPart ForwardOf(const LiveField& field, std::function<void(ForwardProgram&)> bind)
 {
   ForwardPart part;
   part.Source = "ddgi/forward.glsl";
+  part.OnSurfaces = part.InVolumes = field.Uniforms().Variant();
   part.Textures = 3;
   part.Bind = std::move(bind);
   return part;
@@ -155,7 +158,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   frame.AddIndirectLight({ IndirectKind::LiveProbes, field.Grids().Detail(),
     { Blended, resource::Albedo, resource::Normal, resource::WindowDepth },
     [this, &field](FrameContext& context) { Gather(context, field, this->Intensity); },
-    ForwardOf([this, &field, toWorld = view.ViewToWorld](ForwardProgram& program) {
+    ForwardOf(field, [this, &field, toWorld = view.ViewToWorld](ForwardProgram& program) {
       BindForward(program, field);
       program.SetField(toWorld, field.Uniforms().Origin, this->Intensity);
     }) });

@@ -31,7 +31,7 @@ void main()
   for (int bit = 0; bit < 13; ++bit)
   {
     ivec3 other = cell + fieldNeighbour(bit);
-    if (any(lessThan(other, ivec3(0))) || any(greaterThanEqual(other, fieldCounts)))
+    if (any(lessThan(other, ivec3(0))) || any(greaterThanEqual(other, grid.counts)))
     {
       continue;
     }

@@ -9,7 +9,7 @@ layout(binding = 4) uniform sampler2D fieldLight;
 vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
   vec3 sum = vec3(0.0);
-  for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
+  fieldEachGrid(P)
   {
     int probes[8];
     float weights[8];

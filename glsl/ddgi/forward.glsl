@@ -7,7 +7,7 @@
 void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
   const float least = 1e-4; // less makes no difference that is seen
-  for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
+  fieldEachGrid(P)
   {
     int probes[8];
     float weights[8];

@@ -50,7 +50,7 @@ bool atHome(int probe)
 int neighbour(fieldGrid grid, ivec3 cell, int number)
 {
   ivec3 other = cell + ivec3(number % 3, (number / 3) % 3, number / 9) - 1;
-  bool outside = any(lessThan(other, ivec3(0))) || any(greaterThanEqual(other, fieldCounts));
+  bool outside = any(lessThan(other, ivec3(0))) || any(greaterThanEqual(other, grid.counts));
   return outside || number == 13 ? -1 : fieldIndex(grid, other);
 }
 

@@ -69,12 +69,12 @@ void main()
 {
   fieldGrid grid = fieldGridOf(number);
   int probe = grid.first + int(gl_GlobalInvocationID.x);
-  if (probe >= grid.first + fieldGridSize())
+  if (probe >= fieldBegins[number + 1])
   {
     return;
   }
   ivec3 before = fieldCell(grid, probe) + moved;
-  if (all(greaterThanEqual(before, ivec3(0))) && all(lessThan(before, fieldCounts)))
+  if (all(greaterThanEqual(before, ivec3(0))) && all(lessThan(before, grid.counts)))
   {
     return;
   }

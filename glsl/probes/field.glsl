@@ -4,8 +4,7 @@
 // it is known how far surfaces are in every direction, mean and mean square in an octahedral map with a border of
 // one texel, and which of its neighbours it sees. What the probes hold is up to the includer. After Majercik et
 // al. 2019, Dynamic Diffuse Global Illumination with Ray-Traced Irradiance Fields. The first grid is around
-// everything; each later one, of as many probes, is a part of those before, of smaller cells, and counts where it
-// reaches. Grids that move keep their probes where they are: one is stored by its place modulo the grid's size
+// everything; each later one is a part of those before, of smaller cells, and counts where it reaches. Grids that move keep their probes where they are: one is stored by its place modulo the grid's size
 // (Majercik et al. 2021, Scaling Probe-Based Real-Time Dynamic Global Illumination for Production). Needs
 // lib/octahedral.glsl. Coordinates are those of the rays' scene.
 #define GI_FIELD_DISTANCE 16 // texels across a map of distances, without its border
@@ -16,32 +15,34 @@ layout(binding = 6) uniform sampler2D fieldProbes; // xyz how far a probe stands
 uniform int fieldGrids;
 uniform vec3 fieldOrigins[GI_FIELD_GRIDS];  // of each grid's first place
 uniform vec3 fieldSpacings[GI_FIELD_GRIDS];
-uniform ivec3 fieldWraps[GI_FIELD_GRIDS];   // where in storage the first place is
-uniform ivec3 fieldCounts; // of probes in a grid
-uniform int fieldColumns;  // maps in a row of their textures
-uniform float fieldBias;   // in cells
+uniform ivec3 fieldCounts[GI_FIELD_GRIDS];  // of its probes
+uniform ivec3 fieldWraps[GI_FIELD_GRIDS];   // where in storage its first place is
+uniform int fieldBegins[GI_FIELD_GRIDS + 1]; // its first probe; after the last, all of them
+uniform int fieldColumns; // maps in a row of their textures
+uniform float fieldBias;  // in cells
 
 struct fieldGrid
 {
   vec3 origin;
   vec3 spacing;
+  ivec3 counts;
   ivec3 wrap;
   int first; // probe
 };
 
-int fieldGridSize()
-{
-  return fieldCounts.x * fieldCounts.y * fieldCounts.z;
-}
-
 fieldGrid fieldGridOf(int number)
 {
-  return fieldGrid(fieldOrigins[number], fieldSpacings[number], fieldWraps[number], number * fieldGridSize());
+  return fieldGrid(fieldOrigins[number], fieldSpacings[number], fieldCounts[number], fieldWraps[number], fieldBegins[number]);
 }
 
 fieldGrid fieldGridWith(int probe)
 {
-  return fieldGridOf(fieldGrids > 1 ? probe / fieldGridSize() : 0);
+  int number = 0;
+  while (probe >= fieldBegins[number + 1])
+  {
+    ++number;
+  }
+  return fieldGridOf(number);
 }
 
 float fieldCellSize(fieldGrid grid)
@@ -52,16 +53,16 @@ float fieldCellSize(fieldGrid grid)
 int fieldIndex(fieldGrid grid, ivec3 cell)
 {
   ivec3 kept = cell + grid.wrap;
-  kept -= fieldCounts * ivec3(greaterThanEqual(kept, fieldCounts));
-  return grid.first + kept.x + fieldCounts.x * (kept.y + fieldCounts.y * kept.z);
+  kept -= grid.counts * ivec3(greaterThanEqual(kept, grid.counts));
+  return grid.first + kept.x + grid.counts.x * (kept.y + grid.counts.y * kept.z);
 }
 
 ivec3 fieldCell(fieldGrid grid, int probe)
 {
   int kept = probe - grid.first;
-  int row = kept / fieldCounts.x;
-  ivec3 cell = ivec3(kept % fieldCounts.x, row % fieldCounts.y, row / fieldCounts.y) - grid.wrap;
-  return cell + fieldCounts * ivec3(lessThan(cell, ivec3(0)));
+  int row = kept / grid.counts.x;
+  ivec3 cell = ivec3(kept % grid.counts.x, row % grid.counts.y, row / grid.counts.y) - grid.wrap;
+  return cell + grid.counts * ivec3(lessThan(cell, ivec3(0)));
 }
 
 ivec2 fieldTile(int probe)
@@ -118,7 +119,7 @@ float fieldSees(int probe, vec3 fromProbe)
 // The map of distances of the place that a probe left.
 int fieldLeft(int probe)
 {
-  return fieldGrids * fieldGridSize() + probe;
+  return fieldBegins[fieldGrids] + probe;
 }
 
 // Of those that count so much together.
@@ -145,11 +146,18 @@ fieldWalk fieldWalkFrom(int number)
   return walk;
 }
 
-// All of the light that is left, but in a grid's outermost cells, where it fades to that of those around.
+// All of the light that is left, but in a grid's outermost cells, where it fades to that of those around. Not where it
+// reaches out of the scene, whose bounds are half a cell within the first grid.
 float fieldCovers(fieldGrid grid, vec3 P)
 {
-  vec3 place = (P - grid.origin) / grid.spacing;
-  vec3 inside = min(place, vec3(fieldCounts - 1) - place);
+  vec3 last = grid.origin + grid.spacing * vec3(grid.counts - 1);
+  vec3 lowest = fieldOrigins[0] + 0.5 * fieldSpacings[0];
+  vec3 highest = fieldOrigins[0] + fieldSpacings[0] * (vec3(fieldCounts[0]) - 1.5);
+  vec3 low = (P - grid.origin) / grid.spacing;
+  vec3 high = (last - P) / grid.spacing;
+  low += vec3(lessThanEqual(grid.origin, lowest)) * vec3(greaterThanEqual(low, vec3(0.0)));
+  high += vec3(greaterThanEqual(last, highest)) * vec3(greaterThanEqual(high, vec3(0.0)));
+  vec3 inside = min(low, high);
   return clamp(min(inside.x, min(inside.y, inside.z)), 0.0, 1.0);
 }
 
@@ -169,6 +177,14 @@ bool fieldStep(inout fieldWalk walk, vec3 P)
   }
   return false;
 }
+
+// Before a block: what it does is done for each grid that tells of a point, by the name of walk. Variant:
+// GI_FIELD_NESTED (there are several; software renderers take a fifth longer for a loop that ends after one).
+#ifdef GI_FIELD_NESTED
+#define fieldEachGrid(P) for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
+#else
+#define fieldEachGrid(P) fieldWalk walk = fieldWalk(fieldGridOf(0), 1.0, -1, 0.0);
+#endif
 
 // How much a probe at a position tells of a point of a surface, without its share in the grid. off: a little before the
 // point.
@@ -190,16 +206,17 @@ void fieldWeights(fieldGrid grid, vec3 P, vec3 N, vec3 V, float reach, bool dark
   float cell = fieldCellSize(grid);
   vec3 off = P + 0.2 * N * (fieldBias * cell) + 0.8 * V * min(fieldBias * cell, reach);
   vec3 place = (P - grid.origin) / grid.spacing;
-  ivec3 base = clamp(ivec3(floor(place)), ivec3(0), max(fieldCounts - 2, ivec3(0)));
+  ivec3 base = clamp(ivec3(floor(place)), ivec3(0), max(grid.counts - 2, ivec3(0)));
   vec3 share = clamp(place - vec3(base), vec3(0.0), vec3(1.0));
   int seen[8];
   float total = 0.0; // of their squares
   float left = 0.0;  // weights of the places that probes left
   float lefts = 0.0; // squares of those
+  int away = 0;      // bits of the probes that left
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-    ivec3 at = min(base + corner, fieldCounts - 1);
+    ivec3 at = min(base + corner, grid.counts - 1);
     int probe = fieldIndex(grid, at);
     probes[i] = probe;
     vec3 shares = mix(1.0 - share, share, vec3(corner));
@@ -209,12 +226,17 @@ void fieldWeights(fieldGrid grid, vec3 P, vec3 N, vec3 V, float reach, bool dark
     weights[i] = linear * fieldTells(probe, home + record.xyz, P, N, off);
     seen[i] = int(record.w);
     total += weights[i] * weights[i];
-    if (dark && record.xyz != vec3(0.0))
-    {
-      float tells = linear * fieldTells(fieldLeft(probe), home, P, N, off);
-      left += tells;
-      lefts += tells * tells;
-    }
+    away |= dark && record.xyz != vec3(0.0) ? 1 << i : 0;
+  }
+  for (; away != 0; away &= away - 1)
+  {
+    int i = findLSB(away);
+    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    vec3 shares = mix(1.0 - share, share, vec3(corner));
+    vec3 home = grid.origin + grid.spacing * vec3(min(base + corner, grid.counts - 1));
+    float tells = shares.x * shares.y * shares.z * fieldTells(fieldLeft(probes[i]), home, P, N, off);
+    left += tells;
+    lefts += tells * tells;
   }
   // A probe counts as far as the others that count see it: one behind a wall may seem to see the point where
   // that is close to the wall, but none of those before the wall sees the probe.

@@ -23,7 +23,7 @@ bool isToldByFiner(fieldGrid grid, vec3 P)
 void nearestSphere(fieldGrid grid, ivec3 low, ivec3 high, vec3 origin, vec3 direction, float radius, inout int nearest, inout float at)
 {
   low = max(low, ivec3(0));
-  high = min(high, fieldCounts - 1);
+  high = min(high, grid.counts - 1);
   for (int z = low.z; z <= high.z; ++z)
   {
     for (int y = low.y; y <= high.y; ++y)
@@ -52,12 +52,12 @@ int fieldSphere(fieldGrid grid, vec3 origin, vec3 direction, float radius, int s
   vec3 path = direction / grid.spacing;
   path = mix(path, vec3(1e-20), lessThan(abs(path), vec3(1e-20)));
   vec3 t0 = -start / path;
-  vec3 t1 = (vec3(fieldCounts) - start) / path;
+  vec3 t1 = (vec3(grid.counts) - start) / path;
   vec3 enter = min(t0, t1);
   vec3 leave = max(t0, t1);
   float t = max(0.0, max(enter.x, max(enter.y, enter.z)));
   float end = min(farthest, min(leave.x, min(leave.y, leave.z)));
-  ivec3 cell = clamp(ivec3(floor(start + t * path)), ivec3(0), fieldCounts - 1);
+  ivec3 cell = clamp(ivec3(floor(start + t * path)), ivec3(0), grid.counts - 1);
   ivec3 way = ivec3(sign(path));
   vec3 next = (vec3(cell + max(way, ivec3(0))) - start) / path;
   int nearest = -1;
@@ -76,7 +76,7 @@ int fieldSphere(fieldGrid grid, vec3 origin, vec3 direction, float radius, int s
     ivec3 axis = along3.x ? ivec3(1, 0, 0) : (along3.y ? ivec3(0, 1, 0) : ivec3(0, 0, 1));
     cell += axis * way;
     next += vec3(axis) / abs(path);
-    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, fieldCounts)))
+    if (any(lessThan(cell, ivec3(0))) || any(greaterThanEqual(cell, grid.counts)))
     {
       break;
     }

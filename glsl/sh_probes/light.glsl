@@ -52,7 +52,7 @@ void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[LIGHT_TE
     sums[i] = vec4(0.0);
   }
   const float least = 1e-4; // less makes no difference that is seen
-  for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
+  fieldEachGrid(P)
   {
     int probes[8];
     float weights[8];

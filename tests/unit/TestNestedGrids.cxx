@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -19,15 +20,15 @@ const ProbeGrid Around = ProbeGrid::Around({ { -4.0, 4.0, -2.0, 2.0, 0.0, 3.0 } 
 // As glsl/probes/field.glsl has it.
 glm::ivec3 Stored(const NestedGrids& grids, int number, const glm::ivec3& cell)
 {
-  return (cell + grids.Wrap(number)) % Around.Counts;
+  return (cell + grids.Wrap(number)) % grids.Get(number).Counts;
 }
 
 template <typename Visit>
-void ForCells(Visit visit)
+void ForCells(const ProbeGrid& grid, Visit visit)
 {
-  for (int i = 0; i < Around.Size(); ++i)
+  for (int i = 0; i < grid.Size(); ++i)
   {
-    const glm::ivec3& n = Around.Counts;
+    const glm::ivec3& n = grid.Counts;
     visit(glm::ivec3(i % n.x, i / n.x % n.y, i / n.x / n.y));
   }
 }
@@ -35,13 +36,18 @@ void ForCells(Visit visit)
 
 TEST(NestedGrids, FinerOnesStayWithinTheFirst)
 {
-  for (const int refinement : { 2, 3, 8 })
+  for (const double refinement : { 2.0, 2.8, 8.0 })
   {
-    NestedGrids grids(Around, 4, refinement);
-    EXPECT_EQ(grids.Size(), 4 * Around.Size());
+    NestedGrids grids(Around, 4, 280);
+    grids.Refine(refinement);
+    EXPECT_LE(grids.Size(), Around.Size() + 3 * 280);
+    EXPECT_GT(grids.Size(), Around.Size() + 3 * 200);
+    int begin = 0;
     double scale = 1.0;
     for (int number = 0; number < 4; ++number, scale *= refinement)
     {
+      EXPECT_EQ(grids.Begin(number), begin);
+      begin += grids.Get(number).Size();
       for (const double at : { -100.0, 0.3, 100.0 })
       {
         if (number > 0)
@@ -49,11 +55,12 @@ TEST(NestedGrids, FinerOnesStayWithinTheFirst)
           grids.Follow(number, glm::dvec3(at), false);
         }
         const ProbeGrid grid = grids.Get(number);
-        EXPECT_EQ(grid.Counts, Around.Counts);
         for (int axis = 0; axis < 3; ++axis)
         {
           EXPECT_NEAR(grid.Spacing[axis], Around.Spacing[axis] / scale, 1e-12);
-          const double outside = number > 0 ? 0.5001 * grid.Spacing[axis] : 1e-9;
+          // The first ends half a cell out of the scene, each other at most one and a half of its own.
+          const double scene = 0.5 * Around.Spacing[axis];
+          const double outside = number > 0 ? 1.5001 * grid.Spacing[axis] - scene : 1e-9;
           EXPECT_GE(grid.First[axis], Around.First[axis] - outside);
           EXPECT_LE(grid.Last()[axis], Around.Last()[axis] + outside);
         }
@@ -64,7 +71,9 @@ TEST(NestedGrids, FinerOnesStayWithinTheFirst)
 
 TEST(NestedGrids, FollowAPointByWholeCells)
 {
-  NestedGrids grids(Around, 2, 4);
+  NestedGrids grids(Around, 2, 280);
+  grids.Refine(4);
+  grids.Follow(1, 0.5 * (Around.First + Around.Last()), true);
   const glm::dvec3 spacing = grids.Get(1).Spacing;
   const glm::dvec3 start = 0.5 * (grids.Get(1).First + grids.Get(1).Last());
   EXPECT_EQ(grids.Follow(1, start + 1.2 * spacing, false), glm::ivec3(0)); // near enough
@@ -78,30 +87,67 @@ TEST(NestedGrids, FollowAPointByWholeCells)
 
 TEST(NestedGrids, ProbesStayInTheirStorage)
 {
-  NestedGrids grids(Around, 3, 2);
+  NestedGrids grids(Around, 3, 280);
+  grids.Refine(3);
+  const ProbeGrid before = grids.Get(2);
+  grids.Follow(2, 0.5 * (Around.First + Around.Last()), true);
   std::map<std::tuple<long, long, long>, glm::ivec3> places; // by storage
   const auto place = [&](const glm::ivec3& cell) {
     const ProbeGrid grid = grids.Get(2);
     return glm::ivec3(glm::round((grid.First - Around.First) / grid.Spacing)) + cell;
   };
   const auto key = [](const glm::ivec3& at) { return std::make_tuple(at.x, at.y, at.z); };
-  ForCells([&](const glm::ivec3& cell) { places[key(Stored(grids, 2, cell))] = place(cell); });
-  EXPECT_EQ(static_cast<int>(places.size()), Around.Size()); // one for each
-  const ProbeGrid before = grids.Get(2);
-  const glm::dvec3 middle = 0.5 * (before.First + before.Last());
+  ForCells(
+    before, [&](const glm::ivec3& cell) { places[key(Stored(grids, 2, cell))] = place(cell); });
+  EXPECT_EQ(static_cast<int>(places.size()), before.Size()); // one for each
+  const glm::dvec3 middle = 0.5 * (Around.First + Around.Last());
   const glm::ivec3 moved =
     grids.Follow(2, middle + glm::dvec3(3.0, -1.0, 1.0) * before.Spacing, false);
   EXPECT_NE(moved, glm::ivec3(0));
   int kept = 0;
-  ForCells([&](const glm::ivec3& cell) {
+  ForCells(before, [&](const glm::ivec3& cell) {
     const glm::ivec3 old = cell + moved;
     if (glm::all(glm::greaterThanEqual(old, glm::ivec3(0))) &&
-      glm::all(glm::lessThan(old, Around.Counts)))
+      glm::all(glm::lessThan(old, before.Counts)))
     {
       ++kept;
       EXPECT_EQ(places[key(Stored(grids, 2, cell))], place(cell));
     }
   });
   EXPECT_GT(kept, 0);
-  EXPECT_LT(kept, Around.Size());
+  EXPECT_LT(kept, before.Size());
+}
+
+// Along a long scene the finer grids are about as wide as long.
+TEST(NestedGrids, FinerOnesAreNotAsLongAsTheScene)
+{
+  const ProbeGrid first = ProbeGrid::Around({ { 0.0, 1.0, -20.0, 0.0, 0.0, 1.0 } }, 500);
+  const NestedGrids grids(first, 2, 500);
+  const glm::dvec3 size = grids.Get(1).Last() - grids.Get(1).First;
+  EXPECT_GE(size.x, 1.0);
+  EXPECT_GE(size.z, 1.0);
+  EXPECT_LT(size.y, 15.0);
+}
+
+TEST(NestedGrids, AreAsFineAsTheyCanBeAroundWhatIsShown)
+{
+  NestedGrids grids(Around, 3, 280);
+  for (const double size : { 1.2, 0.5, 0.2 })
+  {
+    grids.Refine(grids.RefinementFor(size));
+    const ProbeGrid finest = grids.Get(2);
+    const glm::dvec3 sides = finest.Last() - finest.First;
+    const double longest = std::max({ sides.x, sides.y, sides.z });
+    EXPECT_GT(longest, 0.8 * size);
+    EXPECT_LT(longest, 3.0 * size);
+  }
+  // Not forth and back for a little nearer and farther.
+  grids.Refine(3.0);
+  const ProbeGrid finest = grids.Get(2);
+  const glm::dvec3 sides = finest.Last() - finest.First;
+  const double longest = std::max({ sides.x, sides.y, sides.z });
+  EXPECT_EQ(grids.RefinementFor(longest / 1.1 * 0.8), 3.0);
+  EXPECT_EQ(grids.RefinementFor(longest / 1.1 * 1.05), 3.0);
+  EXPECT_GT(grids.RefinementFor(longest / 1.1 * 0.5), 3.5);
+  EXPECT_LT(grids.RefinementFor(longest / 1.1 * 1.3), 3.0);
 }

@@ -61,10 +61,14 @@ std::string ForwardShaders::Parts(bool volume) const
   for (std::size_t i = 0; i < count; ++i)
   {
     const ForwardPart& part = this->Light.Indirect[i];
+    const Defines& variant = volume ? part.InVolumes : part.OnSurfaces;
     // Two parts may declare the same names.
-    text += std::regex_replace(
-      this->Shaders.Source(part.Source, volume ? part.InVolumes : part.OnSurfaces),
+    text += std::regex_replace(this->Shaders.Source(part.Source, variant),
       std::regex("\\bfield([A-Z])"), ForwardProgram::FieldName(i) + "$1");
+    for (const auto& define : variant)
+    {
+      text += "#undef " + define.first + "\n";
+    }
   }
   text += this->Shaders.Source("forward/indirect.glsl", { { "GI_PARTS", std::to_string(count) } });
   return volume ? text + this->Shaders.Source("forward/volume.glsl") : text;

@@ -6,6 +6,7 @@
 #include "private/rays/RayProps.h"
 
 #include "vtkCamera.h"
+#include "vtkOpenGLRenderer.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,28 +35,37 @@ double ShareOf(int updates, double hysteresis)
   return updates < Agile ? most : 1.0 / (1.0 / most + 0.5 * (updates - Agile));
 }
 
-// What a grid of that extent should stand around: what the camera looks at, or nearer, what it sees first of the scene.
-glm::dvec3 MiddleFor(const View& view, double distance, const glm::dvec3& extent)
+// How far off the eye that is which the camera looks at, within the scene.
+double LooksAt(const View& view, vtkCamera* camera)
 {
-  constexpr double before = 0.4; // of the extent, a little less than half
-  const glm::dvec3 low(view.Bounds[0], view.Bounds[2], view.Bounds[4]);
-  const glm::dvec3 high(view.Bounds[1], view.Bounds[3], view.Bounds[5]);
-  const glm::dvec3 eye(view.ViewToWorld[3]);
-  const glm::dvec3 ahead = -glm::normalize(glm::dvec3(view.ViewToWorld[2]));
-  double enters = -std::numeric_limits<double>::infinity();
-  double leaves = -enters;
+  const glm::dvec3 ahead = -glm::dvec3(view.ViewToWorld[2]);
+  double leaves = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
+    const double wall = view.Bounds[2 * axis + (ahead[axis] > 0.0 ? 1 : 0)];
     const double slope = std::abs(ahead[axis]) > 1e-12 ? ahead[axis] : 1e-12;
-    const double one = (low[axis] - eye[axis]) / slope;
-    const double other = (high[axis] - eye[axis]) / slope;
-    enters = std::max(enters, std::min(one, other));
-    leaves = std::min(leaves, std::max(one, other));
+    leaves = std::min(leaves, (wall - view.ViewToWorld[3][axis]) / slope);
   }
-  enters = view.Parallel ? enters : std::max(enters, 0.0);
-  const double nearer = enters + before * glm::dot(glm::abs(ahead), extent);
-  const double along = enters < leaves ? std::min(distance, nearer) : distance;
-  return glm::clamp(eye + along * ahead, low, high);
+  return leaves > 0.0 ? std::min(camera->GetDistance(), leaves) : camera->GetDistance();
+}
+
+// How wide or high a part of the scene fills the picture there.
+double ShownSize(const View& view, vtkCamera* camera)
+{
+  const glm::dvec2 size(view.Viewport.z, view.Viewport.w);
+  const double wider = std::max(size.x / std::max(size.y, 1.0), 1.0);
+  const double high = view.Parallel
+    ? camera->GetParallelScale()
+    : LooksAt(view, camera) * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+  return 2.0 * high * wider;
+}
+
+glm::dvec3 PlaceLookedAt(const View& view, vtkCamera* camera)
+{
+  const glm::dvec3 low(view.Bounds[0], view.Bounds[2], view.Bounds[4]);
+  const glm::dvec3 high(view.Bounds[1], view.Bounds[3], view.Bounds[5]);
+  const glm::dvec3 ahead = -glm::dvec3(view.ViewToWorld[2]);
+  return glm::clamp(glm::dvec3(view.ViewToWorld[3]) + LooksAt(view, camera) * ahead, low, high);
 }
 }
 
@@ -68,7 +78,7 @@ int LiveField::Settings::ProbesPerFrame(int most) const
 void LiveField::Prepare(const View& view, const Settings& settings, vtkMTimeType parameters)
 {
   this->Now = settings;
-  const std::array<int, 3> asked = { settings.Probes, settings.Grids, settings.Refinement };
+  const std::array<int, 2> asked = { settings.Probes, settings.Grids };
   if (asked != this->Asked || !this->Grids().Get(0).Suits(view.Bounds))
   {
     *this = LiveField();
@@ -95,21 +105,26 @@ void LiveField::MakeGrids(const View& view)
 {
   const int probes = this->Now.Probes / this->Now.Grids;
   this->Update.Uniforms.Grids =
-    NestedGrids(ProbeGrid::Around(view.Bounds, probes), this->Now.Grids, this->Now.Refinement);
+    NestedGrids(ProbeGrid::Around(view.Bounds, probes), this->Now.Grids, probes);
 }
 
 void LiveField::Follow(FrameContext& context)
 {
   NestedGrids& grids = this->Update.Uniforms.Grids;
-  const double distance = context.Renderer()->GetActiveCamera()->GetDistance();
+  const View& view = context.GetView();
+  vtkCamera* camera = context.Renderer()->GetActiveCamera();
+  const bool fixed = this->Now.Refinement > 0.0;
+  const bool others =
+    grids.Refine(fixed ? std::max(this->Now.Refinement, NestedGrids::LeastRefinement)
+                       : grids.RefinementFor(ShownSize(view, camera)));
+  const glm::dvec3 looked = PlaceLookedAt(view, camera);
   for (int number = 1; number < grids.Count(); ++number)
   {
     const ProbeGrid grid = grids.Get(number);
-    const glm::dvec3 middle = MiddleFor(context.GetView(), distance, grid.Last() - grid.First);
-    const glm::ivec3 moved = grids.Follow(number, middle, this->Unknown);
-    if (moved != glm::ivec3(0) && !this->Unknown)
+    const glm::ivec3 moved = grids.Follow(number, looked, this->Unknown || others);
+    if (!this->Unknown && (others || moved != glm::ivec3(0)))
     {
-      this->Update.Scroll(context, this->Textures, number, moved);
+      this->Update.Scroll(context, this->Textures, number, others ? grid.Counts : moved);
       this->Done = 0;
       this->Looked = std::min(this->Looked, AllDistances);
       this->Unconnected = grids.Size();

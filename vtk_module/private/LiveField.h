@@ -25,10 +25,10 @@ public:
   {
     int Probes = 0; ///< in all grids
     int Grids = 1;
-    int Refinement = 2;
-    int Rays = 0;       ///< of a probe in an update
-    int RaysBudget = 0; ///< in a frame; 0: no limit
-    int Updates = 0;    ///< after which it rests
+    double Refinement = 0.0; ///< 0: by what the camera shows
+    int Rays = 0;            ///< of a probe in an update
+    int RaysBudget = 0;      ///< in a frame; 0: no limit
+    int Updates = 0;         ///< after which it rests
     double Hysteresis = 0.0;
     double Bias = 0.0;
     bool Relocate = false;
@@ -55,7 +55,7 @@ private:
   void Advance();
 
   Settings Now;
-  std::array<int, 3> Asked{}; ///< of the settings, that the grids were made for
+  std::array<int, 2> Asked{}; ///< of the settings, that the grids were made for
   vtkMTimeType Parameters = 0;
   LiveProbeMaps Textures;
   LiveProbeUpdate Update;

@@ -117,14 +117,16 @@ void LiveProbeUpdate::Scroll(
   maps.BindStates();
   glUniform1i(program.Location("number"), number);
   glUniform3iv(program.Location("moved"), 1, &moved[0]);
-  glDispatchCompute(Groups(this->Uniforms.Grids.SizeOfOne()), 1, 1);
+  glDispatchCompute(
+    Groups(this->Uniforms.Grids.Begin(number + 1) - this->Uniforms.Grids.Begin(number)), 1, 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void LiveProbeUpdate::Trace(FrameContext& context, const LiveProbeMaps& maps) const
 {
-  const Program& program =
-    context.Shaders().Compute("ddgi/trace.comp", this->Rays->ShaderDefines());
+  Defines variant = this->Rays->ShaderDefines();
+  variant.merge(this->Uniforms.Variant());
+  const Program& program = context.Shaders().Compute("ddgi/trace.comp", variant);
   context.Use(program,
     { nullptr, nullptr, nullptr, maps.Directions, maps.Light, maps.Distance, maps.Probes });
   this->Rays->Bind(program);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Grids of probes within each other: the first around the scene, each later one of as many probes and smaller cells,
- * around what is looked at. They follow it by whole cells, so that probes stay where they are (Majercik et al. 2021,
- * Scaling Probe-Based Real-Time Dynamic Global Illumination for Production, JCGT 10:2).
+ * Grids of probes within each other: the first around the scene, each later one of smaller cells, around what is looked
+ * at. They follow it by whole cells, so that probes stay where they are (Majercik et al. 2021, Scaling Probe-Based
+ * Real-Time Dynamic Global Illumination for Production, JCGT 10:2).
  */
 #pragma once
 
@@ -17,33 +17,42 @@ class NestedGrids
 {
 public:
   static constexpr int Most = 6; ///< as GI_FIELD_GRIDS in glsl/probes/field.glsl
+  static constexpr double LeastRefinement = 2.0;
+  static constexpr double MostRefinement = 8.0;
 
   NestedGrids() = default;
-  /// refinement: by how much the cells of each are smaller than those of the one before. The finer grids stand in
-  /// the first one's middle.
-  explicit NestedGrids(const ProbeGrid& first, int count = 1, int refinement = 2);
+  explicit NestedGrids(const ProbeGrid& first);
+  /// The finer ones have at most so many probes each, about as many along each axis.
+  NestedGrids(const ProbeGrid& first, int count, int probes);
 
   int Count() const { return this->Number; }
-  int SizeOfOne() const { return this->First.Size(); }
-  int Size() const { return this->Number * this->First.Size(); }
+  int Size() const { return this->Begin(this->Number); }
+  /// Number of a grid's first probe.
+  int Begin(int number) const;
   ProbeGrid Get(int number) const;
   /// Place of a grid's first probe in storage, where probes lie by their places modulo the grid's counts.
   glm::ivec3 Wrap(int number) const;
   /// The finest grid's ProbeGrid::Detail().
   double Detail() const { return this->Get(this->Number - 1).Detail(); }
 
-  /// Have a finer grid stand around a point, as far as it stays within the first one or half a cell outside, where it is more than a cell
-  /// off or at once. Returns by how many of its cells it moved.
+  /// By how much the cells of each grid are smaller than those of the one before.
+  double Refinement() const { return this->Finer; }
+  /// Returns whether it is another than before: then no probe of the finer grids is where it was.
+  bool Refine(double refinement);
+  /// The refinement with which the finest grid's longest side is a little longer than that, in steps of 19 %. Stays as
+  /// it is where it nearly suits.
+  double RefinementFor(double size) const;
+
+  /// Have a finer grid stand around a point, no farther out of the scene than half a cell, where it is more than a
+  /// cell off or at once. Returns by how many of its cells it moved.
   glm::ivec3 Follow(int number, const glm::dvec3& center, bool atOnce);
 
 private:
-  int Scale(int number) const;
-  double Shift(int number) const;
-
   ProbeGrid First;
+  glm::ivec3 Counts{ 0 }; ///< of the finer ones
   int Number = 1;
-  int Refinement = 2;
-  std::array<glm::ivec3, Most>
-    Bases{}; ///< of their first probes, in their own cells from the first grid's, and Shift()
+  double Finer = LeastRefinement;
+  /// Of their first probes, in their own cells: zero is half a cell within the bounds that the first grid is around.
+  std::array<glm::ivec3, Most> Bases{};
 };
 }

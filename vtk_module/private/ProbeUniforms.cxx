@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/ProbeUniforms.h"
 
-#include "private/ShaderLibrary.h"
-
 #include <algorithm>
 
 namespace penumbra
@@ -24,25 +22,35 @@ int ProbeUniforms::Rows(int probes)
   return (probes + MostColumns - 1) / MostColumns;
 }
 
+Defines ProbeUniforms::Variant() const
+{
+  return this->Grids.Count() > 1 ? Defines{ { "GI_FIELD_NESTED", "1" } } : Defines{};
+}
+
 void ProbeUniforms::Set(const Program& program) const
 {
   std::array<glm::vec3, NestedGrids::Most> origins;
   std::array<glm::vec3, NestedGrids::Most> spacings;
+  std::array<glm::ivec3, NestedGrids::Most> counts;
   std::array<glm::ivec3, NestedGrids::Most> wraps;
+  std::array<GLint, NestedGrids::Most + 1> begins;
   const int count = this->Grids.Count();
   for (int i = 0; i < count; ++i)
   {
     const ProbeGrid grid = this->Grids.Get(i);
     origins[i] = glm::vec3(grid.First - this->Origin);
     spacings[i] = glm::vec3(grid.Spacing);
+    counts[i] = grid.Counts;
     wraps[i] = this->Grids.Wrap(i);
+    begins[i] = this->Grids.Begin(i);
   }
-  const ProbeGrid first = this->Grids.Get(0);
+  begins[count] = this->Grids.Size();
   glUniform1i(program.Location("fieldGrids"), count);
   glUniform3fv(program.Location("fieldOrigins"), count, &origins[0][0]);
   glUniform3fv(program.Location("fieldSpacings"), count, &spacings[0][0]);
   glUniform3iv(program.Location("fieldWraps"), count, &wraps[0][0]);
-  glUniform3iv(program.Location("fieldCounts"), 1, &first.Counts[0]);
+  glUniform3iv(program.Location("fieldCounts"), count, &counts[0][0]);
+  glUniform1iv(program.Location("fieldBegins"), count + 1, begins.data());
   glUniform1i(program.Location("fieldColumns"), Columns(this->Grids.Size()));
   glUniform1f(program.Location("fieldBias"), static_cast<GLfloat>(this->Bias));
 }

@@ -6,11 +6,10 @@
 #pragma once
 
 #include "private/NestedGrids.h"
+#include "private/ShaderLibrary.h"
 
 namespace penumbra
 {
-class Program;
-
 struct ProbeUniforms
 {
   NestedGrids Grids;
@@ -19,6 +18,9 @@ struct ProbeUniforms
 
   /// For a program in use.
   void Set(const Program& program) const;
+
+  /// Of shaders that ask probes.
+  Defines Variant() const;
 
   /// Maps in a row of the textures that hold so many.
   static int Columns(int probes);
