@@ -1,7 +1,6 @@
 #version 430 core
 // Baked light on the pixels that show its surface. Variants: GI_LIGHTMAP_DIRECTIONAL (the map holds first moments
 // too, for normals that pictures bend), GI_LIGHTMAP_LAMPS (and light straight from lamps).
-#include "lightmap/nearer.glsl"
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2DArray lightTexture;
 #ifdef GI_LIGHTMAP_DIRECTIONAL
@@ -44,8 +43,9 @@ vec3 turned(vec3 bent, int first)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  // What moves right before the surface is lit by another technique.
-  float apart = abs(texelFetch(depthTexture, pixel, 0).r - (gl_FragCoord.z + GI_LIGHTMAP_NEARER));
+  // What hides the surface, be it by a hair, is lit by another technique. This takes the place of the depth test, which
+  // would have to be less strict, and cost as much again.
+  float apart = abs(texelFetch(depthTexture, pixel, 0).r - gl_FragCoord.z);
   if (apart > DIGITS + PIXELS * fwidth(gl_FragCoord.z))
   {
     discard;

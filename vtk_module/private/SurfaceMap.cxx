@@ -176,8 +176,6 @@ void SurfaceMap::Draw(FrameContext& context, double intensity)
   glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
   // A side's triangles are seen from that side only.
   ScopedState scope(context.State());
-  scope.Set(GL_DEPTH_TEST, true);
-  scope.DepthFunc(GL_LEQUAL);
   scope.Set(GL_CULL_FACE, true);
   context.State()->vtkglCullFace(GL_BACK);
   glBindVertexArray(this->OnCard->Layout.Get());
