@@ -131,6 +131,7 @@ void vtkGILightGatherer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "IncludeLamps: " << this->IncludeLamps << "\n";
+  os << indent << "IncludeIndirect: " << this->IncludeIndirect << "\n";
   os << indent << "Directional: " << this->Directional << "\n";
 }
 
@@ -180,6 +181,7 @@ void vtkGILightGatherer::Internals::Trace(
   glUniform1i(program.Location("seedOfAll"), settings.Seed);
   glUniform1i(program.Location("bounces"), settings.Bounces - 1); // after the first surface
   glUniform1i(program.Location("lamps"), settings.IncludeLamps);
+  glUniform1i(program.Location("indirect"), settings.IncludeIndirect);
   glUniform1f(program.Location("offset"),
     batch.Hemisphere ? static_cast<GLfloat>(2.0 * this->Stage.Error()) : 0.0f);
   const auto perGroup = static_cast<std::size_t>(GI_GATHER_GROUP / lanes);

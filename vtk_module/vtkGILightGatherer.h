@@ -84,6 +84,16 @@ public:
 
   ///@{
   /**
+   * Count light that was reflected, or is given off by surfaces and the environment. On by default. Without it no
+   * path is followed, and surroundings are 0.
+   */
+  vtkSetMacro(IncludeIndirect, bool);
+  vtkGetMacro(IncludeIndirect, bool);
+  vtkBooleanMacro(IncludeIndirect, bool);
+  ///@}
+
+  ///@{
+  /**
    * Of points with normals, return how light is spread over the hemisphere too. Off by default.
    */
   vtkSetMacro(Directional, bool);
@@ -149,6 +159,7 @@ protected:
   int Bounces = 64;
   int Seed = 0;
   bool IncludeLamps = false;
+  bool IncludeIndirect = true;
   bool Directional = false;
   bool Abort = false;
 

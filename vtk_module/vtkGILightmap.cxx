@@ -62,6 +62,11 @@ bool vtkGILightmap::HasBake()
   return !this->Impl->Map.IsEmpty();
 }
 
+bool vtkGILightmap::HasLampLight()
+{
+  return this->Impl->Map.HasLamps();
+}
+
 std::string vtkGILightmap::DescribeScene(vtkRenderer* renderer)
 {
   BakedSceneCache cache;
@@ -98,5 +103,6 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   }
   frame.AddIndirectLight(
     { IndirectKind::BakedOnSurfaces, 0.0, { resource::WindowDepth, resource::Normal },
-      [this](FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity); } });
+      [this](FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity); }, {},
+      this->Impl->Map.HasLamps() });
 }

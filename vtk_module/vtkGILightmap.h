@@ -6,7 +6,8 @@
  *
  * `penumbra bake lightmap` writes the picture; penumbra.load_bake() and `penumbra render --bake` bring it here.
  * The baked triangles are drawn over the pixels that show them, with one fetch each. Props that the bake does not
- * know, moving ones for instance, get no light from it: another technique lights them.
+ * know, moving ones for instance, get no light from it: another technique lights them. A map may hold the lamps' own
+ * light too, shadows included, of which highlights alone are then left to each frame.
  *
  * The bake holds while the props that it knows, the lamps and the environment are what they were. In the
  * first frame where one is not, vtkGIPass::GetNotes() says which, and the map lights nothing.
@@ -34,15 +35,18 @@ public:
    * side that the light is for, with normals and texture coordinates (0 to 1, rows of the picture from the first
    * on) at points, and a field array of strings "scene" with DescribeScene() of what was baked. light: a float
    * image of 3 components, irradiance divided by pi, or of 12, followed by the means over the hemisphere of
-   * radiance times x, y and z of its direction in the world, each in red, green and blue. Both are copied. Returns
-   * false, with an error that says why, and keeps the former map where they are not so.
+   * radiance times x, y and z of its direction in the world, each in red, green and blue. As many components may
+   * follow with the same of the light that arrives straight from the lamps: matter there is not lit by these again,
+   * but by lamps that follow the camera. Both are copied. Returns false, with an error that says why, and keeps the
+   * former map where they are not so.
    */
   bool SetBake(vtkPolyData* surfaces, vtkImageData* light);
 
   /**
-   * Whether there is a map.
+   * Whether there is a map, and whether it holds the light of lamps too.
    */
   bool HasBake();
+  bool HasLampLight();
 
   /**
    * What a map baked of the renderer's scene would depend on, as text: the visible props that rays see, with

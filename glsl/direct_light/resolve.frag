@@ -3,7 +3,7 @@
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
 // GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (and what highlights reflect of the environment
-// apart), GI_INTERREFLECTION (what hides a surface from ambient light reflects it too),
+// apart), GI_LAMP_LIGHT (of lamps that do not follow the camera, what matter reflects is known), GI_INTERREFLECTION (what hides a surface from ambient light reflects it too),
 // GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
 // radiance, not the colour as displayed), GI_LIT (write both).
 #include "shared/view.h"
@@ -26,6 +26,7 @@ layout(binding = 6) uniform sampler2DArray directVisibility;
 layout(binding = 7) uniform sampler2D ambientVisibility;
 layout(binding = 8) uniform sampler2D irradianceTexture;
 layout(binding = 9) uniform sampler2D surroundingsTexture;
+layout(binding = 10) uniform sampler2D lampLightTexture;
 
 uniform int lightCount;
 uniform float interreflection; // share of the surfaces' reflectance
@@ -95,7 +96,12 @@ void main()
   MaterialData material = materials[index];
 #endif
 
-  vec3 light = vec3(0.0); // what reaches the surface, for its diffuse reflection
+  vec4 lampLight = vec4(0.0); // a: share of the lamps' light that is known
+#ifdef GI_LAMP_LIGHT
+  lampLight = texelFetch(lampLightTexture, pixel, 0);
+#endif
+
+  vec3 light = lampLight.rgb; // what reaches the surface, for its diffuse reflection
   vec3 gloss = vec3(0.0); // what a Phong highlight reflects, or PBR altogether
 #ifdef GI_EXTENDED
   bool pbr = material.Model.x == GI_MATERIAL_PBR;
@@ -106,6 +112,16 @@ void main()
   for (int i = 0; i < lightCount; ++i)
   {
     LightData lamp = lights[i];
+    float matter = 1.0; // how much of its light is still to be reflected by more than highlights
+#ifdef GI_LAMP_LIGHT
+    matter = lamp.Kind.w != 0 ? 1.0 - lampLight.a : 1.0;
+#if !defined(GI_SPECULAR) && !defined(GI_EXTENDED)
+    if (matter == 0.0)
+    {
+      continue;
+    }
+#endif
+#endif
     vec3 strength = lamp.Color.rgb * visibility(pixel, lamp.Kind.y);
 #ifdef GI_EXTENDED
     if (pbr)
@@ -117,20 +133,20 @@ void main()
       strength *= reaching.Attenuation;
       vec3 L = -reaching.Travel;
 #endif
-      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90);
+      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90, matter);
       continue;
     }
 #endif
 #ifdef GI_HEADLIGHT
     float facing = max(0.000001, N.z);
-    light += facing * strength;
+    light += matter * facing * strength;
 #ifdef GI_SPECULAR
     gloss += pow(facing, material.Specular.w) * strength;
 #endif
 #else
     GiIncident incident = giIncident(lamp, P);
     float facing = max(0.0, incident.Attenuation * dot(N, -incident.Travel));
-    light += facing * strength;
+    light += matter * facing * strength;
 #ifdef GI_SPECULAR
     gloss += facing > 0.0
       ? incident.Attenuation * giPhongSpecular(N, incident.Travel, V, material.Specular.w) * strength
@@ -151,6 +167,9 @@ void main()
     vec3 matte = (1.0 - surface.r) * (1.0 - f0) * albedo.rgb;
     vec3 reflectance = matte + f0;
     vec3 surroundings = ambientLight / GI_PI * reflectance;
+#ifdef GI_LAMP_LIGHT
+    gloss += light / GI_PI * matte;
+#endif
 #ifdef GI_SURROUNDINGS
     // The light of the environment that matter sends on is in the indirect light, as far as that is known.
     ambient = mix(ambient, texelFetch(surroundingsTexture, pixel, 0).rgb, indirect.a);

@@ -40,7 +40,8 @@ uniform int lanes;     // of a group for a point, a power of two
 uniform int blocks;    // groups for a point, where it has more samples than a group
 uniform int seedOfAll;
 uniform float offset;  // off the surface that points lie on
-uniform bool lamps;    // their own light counts too
+uniform bool lamps;    // their own light counts
+uniform bool indirect; // all other light does
 
 vec3 lightSums[COLORS];
 shared float found[GI_GATHER_GROUP * NUMBERS];
@@ -201,12 +202,18 @@ void main()
     seed = giHash(bits.x ^ giHash(bits.y ^ giHash(bits.z ^ giHash(uint(seedOfAll)))));
     sampleNumber = firstSample + number;
     uint state = giHash(seed ^ giHash(uint(sampleNumber)));
-    addSources(P, N, state);
+    if (indirect)
+    {
+      addSources(P, N, state);
+    }
     if (lamps)
     {
       addLamps(P, N, state);
     }
-    addPath(P, N, state, surroundings);
+    if (indirect)
+    {
+      addPath(P, N, state, surroundings);
+    }
   }
   for (int i = 0; i < COLORS; ++i)
   {

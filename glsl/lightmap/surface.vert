@@ -1,6 +1,5 @@
 #version 430 core
 // A baked triangle, where the picture shows it. Variants: GI_LIGHTMAP_DIRECTIONAL.
-#include "lightmap/nearer.glsl"
 layout(location = 0) in vec3 position; // relative to the map's origin
 layout(location = 1) in vec3 normal;   // world
 layout(location = 2) in vec2 place;    // in the map
@@ -19,6 +18,4 @@ void main()
 #endif
   mapPlace = place;
   gl_Position = mapToClip * vec4(position, 1.0);
-  // Nearer for the depth test, which takes away most of what is hidden; the fragment shader compares well.
-  gl_Position.z -= 2.0 * GI_LIGHTMAP_NEARER * gl_Position.w;
 }

@@ -23,7 +23,8 @@ struct LightData
   vec4 Direction;   // xyz: the way the light travels; w: exponent of the cone's falloff
   vec4 Position;    // xyz: of a positional light
   vec4 Attenuation; // xyz: constant, linear, quadratic
-  ivec4 Kind;       // x: kind; y: layer of the visibility mask or -1; z: 1 if it shines from the eye
+  ivec4 Kind;       // x: kind; y: layer of the visibility mask or -1; z: 1 if it shines from the eye;
+                    // w: 1 if it stays where it is when the camera moves
 };
 
 #ifdef __cplusplus

@@ -15,6 +15,8 @@ from .passes import _quiet
 _AGAIN = "bake it again with penumbra bake lightmap"
 _LIGHT = ["R", "G", "B"]
 _MOMENTS = [f"moment-{axis}.{color}" for axis in "xyz" for color in "RGB"]
+_LAMPS = [f"lamps.{color}" for color in "RGB"]
+_LAMP_MOMENTS = [f"lamps-{name}" for name in _MOMENTS]
 _FIRST = [f"first.{color}" for color in "RGB"]
 _POINTS = ["x", "y", "z", "u", "v", "nx", "ny", "nz"]
 
@@ -35,7 +37,8 @@ def read_lightmap(path):
     if kind != "lightmap 1":
         raise ValueError(f"'{path}' is of another version of Penumbra: {_AGAIN}")
     try:
-        channels = _LIGHT + (_MOMENTS if _MOMENTS[0] in parts[0].channels else [])
+        channels = [name for group in (_LIGHT, _MOMENTS, _LAMPS, _LAMP_MOMENTS) if group[0] in parts[0].channels
+                    for name in group]
         tables = [_table(parts[0], channels + _FIRST), _table(parts[1], _POINTS), _table(parts[2], ["a", "b", "c"]),
                   _table(parts[3], ["x", "y", "width", "height", "high", "low"])]
         head = parts[0].attributes["penumbra:bake"]

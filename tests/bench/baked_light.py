@@ -46,6 +46,7 @@ def options():
     parser.add_argument("--frames", type=int, default=9, help="of the ball's way")
     parser.add_argument("--samples", type=int, default=256, help="paths of each texel and probe")
     parser.add_argument("--texel-size", type=float, default=0.05, help="of the lightmap, world units")
+    parser.add_argument("--direct", action="store_true", help="the lamp's own light too is the lightmap's")
     parser.add_argument("--probes", type=int, default=1024, help="at most")
     parser.add_argument("--occlusion", type=float, metavar="RADIUS", help="with ambient occlusion of that radius; 0: automatic")
     parser.add_argument("--live", type=int, default=0, metavar="UPDATES", help="DDGI in place of the bakes, so many updates a frame")
@@ -86,7 +87,9 @@ def baked(args, folder):
     scene = scene_file(folder)
     files = []
     for kind, suffix, more in (("lightmap", "exr", ["--texel-size", args.texel_size]), ("probes", "vti", ["--probes", args.probes])):
-        file = os.path.join(folder, f"{kind}_{more[1]}_{args.samples}.{suffix}")
+        if kind == "lightmap" and args.direct:
+            more.append("--direct")
+        file = os.path.join(folder, f"{kind}_{'_'.join(map(str, more[1:]))}_{args.samples}.{suffix}")
         if not os.path.exists(file):
             command = [args.tool, "bake", kind, scene, "-o", file, "--samples", args.samples] + more
             subprocess.run(list(map(str, command)), check=True, stdout=subprocess.DEVNULL)

@@ -175,6 +175,13 @@ TEST_F(LightGatherer, ABallAroundALamp)
   {
     EXPECT_NEAR(this->Value(0, k), 0.3 * (k + 1) * (1.0 + share), 0.005 * 0.3 * (k + 1));
   }
+  this->Gatherer->IncludeIndirectOff();
+  this->Gatherer->SetSamples(1);
+  this->Gather(true);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(this->Value(0, k), 0.3 * (k + 1), 1e-5) << "the lamp alone, without noise";
+  }
 }
 
 TEST_F(LightGatherer, AConstantEnvironment)

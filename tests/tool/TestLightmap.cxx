@@ -1,75 +1,22 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lightmaps without a context: charts do not overlap, tiles do not share texels, seams close, noise falls, files
-// come back and broken ones are refused.
-#include "lightmap/LightmapFile.h"
+// Lightmaps without a context: charts do not overlap, tiles do not share texels, seams close, noise falls.
+#include "LightmapScenes.h"
+
 #include "lightmap/Overlap.h"
-
-#include "scene/Failure.h"
-
-#include <vtkActor.h>
-#include <vtkCubeSource.h>
-#include <vtkNew.h>
-#include <vtkParametricFunctionSource.h>
-#include <vtkParametricTorus.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderer.h>
-#include <vtkSphereSource.h>
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <set>
 
-#include <unistd.h>
-
-using namespace penumbra::lightmap;
+using namespace penumbra_test;
 
 namespace
 {
-class Scene
-{
-public:
-  vtkActor* Add(vtkPolyDataAlgorithm* source)
-  {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(source->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    this->Renderer->AddActor(actor);
-    return actor;
-  }
-  void AddTorus()
-  {
-    vtkNew<vtkParametricTorus> torus;
-    vtkNew<vtkParametricFunctionSource> source;
-    source->SetParametricFunction(torus);
-    source->SetUResolution(48);
-    source->SetVResolution(24);
-    this->Add(source);
-  }
-  vtkActor* AddSphere()
-  {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetThetaResolution(40);
-    sphere->SetPhiResolution(24);
-    return this->Add(sphere);
-  }
-  vtkActor* AddBox()
-  {
-    vtkNew<vtkCubeSource> cube;
-    cube->SetXLength(2.0);
-    return this->Add(cube);
-  }
-  vtkNew<vtkRenderer> Renderer;
-};
-
 // A strip that winds upward around an axis, flat enough everywhere to be one chart: its turns cover each other.
 Surfaces Spiral()
 {
@@ -87,34 +34,6 @@ Surfaces Spiral()
     surfaces.Add({ a, c, d }, none, 0);
   }
   return surfaces;
-}
-
-Atlas PackAll(const std::vector<Chart>& charts, double texel, int largest = 2048)
-{
-  return PackAtlas(
-    charts, std::vector<std::array<bool, 2>>(charts.size(), { { true, true } }), texel, largest);
-}
-
-// The light that a texel should have: smooth over the surface.
-float Wanted(const Vec3& at, int channel)
-{
-  return static_cast<float>(
-    1.0 + 0.5 * std::sin(2.0 * at.x + channel) * std::cos(1.5 * at.y - at.z));
-}
-
-Light Fill(const Atlas& atlas, const std::vector<Texel>& texels, std::vector<unsigned char>& known)
-{
-  Light light(atlas.Width, atlas.Height, 3);
-  known.assign(std::size_t(atlas.Width) * atlas.Height, 0);
-  for (const Texel& texel : texels)
-  {
-    known[texel.Index] = 1;
-    for (int c = 0; c < 3; ++c)
-    {
-      light.At(texel.Index)[c] = Wanted(texel.At, c);
-    }
-  }
-  return light;
 }
 
 std::size_t CountTriangles(const std::vector<Chart>& charts)
@@ -267,6 +186,31 @@ TEST(Lightmap, TexelsLieOnTheSurface)
   EXPECT_LT(most, 0.503);
 }
 
+// Points beside the middles are of the same texels, and as far off as asked where the surface is wide enough.
+TEST(Lightmap, TexelsHaveOtherPointsToo)
+{
+  Scene scene;
+  scene.AddBox();
+  scene.AddSphere();
+  const Surfaces surfaces = GatherSurfaces(scene.Renderer);
+  const std::vector<Chart> charts = MakeCharts(surfaces);
+  constexpr double size = 0.03;
+  const Atlas atlas = PackAll(charts, size);
+  const std::vector<Texel> middles = PlaceTexels(surfaces, charts, atlas);
+  const std::vector<Texel> beside = PlaceTexels(surfaces, charts, atlas, Vec2(0.4, -0.3));
+  ASSERT_EQ(beside.size(), middles.size());
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < middles.size(); ++i)
+  {
+    ASSERT_EQ(beside[i].Index, middles[i].Index);
+    ASSERT_EQ(beside[i].Tile, middles[i].Tile);
+    const double distance = glm::length(beside[i].At - middles[i].At);
+    EXPECT_LT(distance, 2.5 * size) << "slanted, at an edge";
+    off += std::abs(distance - 0.5 * atlas.TexelSize) < 0.2 * size ? 1 : 0;
+  }
+  EXPECT_GT(off, middles.size() * 8 / 10) << "of " << middles.size();
+}
+
 TEST(Lightmap, TexelsWidenUntilTheyFit)
 {
   Scene scene;
@@ -351,103 +295,4 @@ TEST(Lightmap, NoiseFalls)
   std::printf("mean squared error %.6f, denoised %.6f\n", before / double(texels.size()),
     after / double(texels.size()));
   EXPECT_LT(after, 0.25 * before);
-}
-
-namespace
-{
-class LightmapFiles : public ::testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    this->Folder =
-      std::filesystem::temp_directory_path() / ("penumbra_lightmap_" + std::to_string(getpid()));
-    std::filesystem::create_directories(this->Folder);
-    Scene scene;
-    scene.AddBox();
-    const Surfaces surfaces = GatherSurfaces(scene.Renderer);
-    const std::vector<Chart> charts = MakeCharts(surfaces);
-    const Atlas atlas = PackAll(charts, 0.1);
-    const std::vector<Texel> texels = PlaceTexels(surfaces, charts, atlas);
-    std::vector<unsigned char> known;
-    this->Map.Baked = Fill(atlas, texels, known);
-    this->Map.First = this->Map.Baked;
-    AddSurfaces(this->Map, surfaces, charts, atlas);
-    this->Map.Patches = { { { 1, 2 }, { 3, 4 }, 0x123456789abcdef0u } };
-    this->Map.Scene = "a scene\nof two lines\n";
-    this->Map.Made = "made in a test";
-    this->Map.Settings = "settings";
-    this->Path = (this->Folder / "map.exr").string();
-    WriteLightmap(this->Path, this->Map);
-  }
-  void TearDown() override { std::filesystem::remove_all(this->Folder); }
-
-  std::string Refusal(const std::string& path)
-  {
-    try
-    {
-      ReadLightmap(path);
-    }
-    catch (const penumbra::tool::Failure& failure)
-    {
-      return failure.what();
-    }
-    return "";
-  }
-
-  std::filesystem::path Folder;
-  std::string Path;
-  Lightmap Map;
-};
-}
-
-TEST_F(LightmapFiles, ComeBack)
-{
-  EXPECT_TRUE(IsLightmap(this->Path));
-  const Lightmap read = ReadLightmap(this->Path);
-  EXPECT_EQ(read.Scene, this->Map.Scene);
-  EXPECT_EQ(read.Made, this->Map.Made);
-  EXPECT_EQ(read.Settings, this->Map.Settings);
-  EXPECT_EQ(read.Points, this->Map.Points);
-  EXPECT_EQ(read.Normals, this->Map.Normals);
-  EXPECT_EQ(read.Places, this->Map.Places);
-  EXPECT_EQ(read.Triangles, this->Map.Triangles);
-  ASSERT_EQ(read.Patches.size(), 1u);
-  EXPECT_EQ(read.Patches[0].Key, this->Map.Patches[0].Key);
-  ASSERT_EQ(read.Baked.Values.size(), this->Map.Baked.Values.size());
-  for (std::size_t i = 0; i < read.Baked.Values.size(); ++i)
-  {
-    ASSERT_NEAR(read.Baked.Values[i], this->Map.Baked.Values[i], 1e-3);
-  }
-}
-
-TEST_F(LightmapFiles, BrokenOnesAreRefused)
-{
-  std::ifstream file(this->Path, std::ios::binary);
-  const std::string whole((std::istreambuf_iterator<char>(file)), {});
-  const std::string broken = (this->Folder / "broken.exr").string();
-  int accepted = 0;
-  std::mt19937 random(11);
-  for (int i = 0; i < 60; ++i)
-  {
-    std::string bytes = whole;
-    if (i < 20)
-    {
-      bytes.resize(whole.size() * i / 20);
-    }
-    else
-    {
-      bytes[random() % bytes.size()] ^= static_cast<char>(1 + random() % 255);
-    }
-    std::ofstream(broken, std::ios::binary) << bytes;
-    const std::string said = this->Refusal(broken);
-    // Bytes that nothing depends on, such as another picture's size on the screen, may change.
-    accepted += said.empty() ? 1 : 0;
-    EXPECT_TRUE(said.empty() || said.find("broken.exr") != std::string::npos) << said;
-    EXPECT_TRUE(i >= 20 || !said.empty()) << "cut off at " << bytes.size();
-  }
-  std::printf("%d of 40 files with a byte changed were accepted\n", accepted);
-  EXPECT_LT(accepted, 8);
-  EXPECT_NE(
-    this->Refusal((this->Folder / "none.exr").string()).find("does not exist"), std::string::npos);
 }

@@ -25,7 +25,7 @@ public:
   CLI::App* Declare(CLI::App& app) override
   {
     CLI::App* command = app.add_subcommand(
-      "lightmap", "indirect light on still surfaces, in a picture laid over them");
+      "lightmap", "indirect (and direct) light on still surfaces, in a picture laid over them");
     command->add_option("-o,--output", this->Options.Output, "the lightmap (.exr)")->required();
     DeclareSceneOptions(*command, this->Options, "the scene's", false);
     const char* group = "Lightmap";
@@ -47,6 +47,10 @@ public:
       ->add_flag("--directional", s.Directional,
         "keep where light comes from too, for normals that pictures bend")
       ->group(group);
+    command
+      ->add_flag("--direct", s.Lamps,
+        "keep the lamps' own light too, with its shadows: frames add highlights alone")
+      ->group(group);
     command->add_flag("--no-denoise", this->Noisy, "leave the noise of few samples in")
       ->group(group);
     command->add_flag("--open-seams", this->OpenSeams, "leave steps between charts as they are")
@@ -65,6 +69,7 @@ public:
     command->footer(
       "Examples:\n"
       "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
+      "  penumbra bake lightmap room.json --direct --texel-size 0.01 -o room.exr\n"
       "  penumbra bake lightmap room.json --without robot --samples 1024 -o room.exr\n"
       "  penumbra render room.json --bake room.exr -o room.png");
     return command;

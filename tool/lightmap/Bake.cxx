@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bake.h"
 
+#include "EarlierBake.h"
 #include "GatherLight.h"
+#include "LampLight.h"
+#include "Layout.h"
 #include "Progress.h"
-
-#include "../scene/Checkpoint.h"
-#include "../scene/Failure.h"
 
 #include "private/BakedScene.h"
 
-#include <OpenImageIO/hash.h>
-
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
 
 namespace penumbra::lightmap
 {
@@ -23,187 +18,84 @@ namespace
 {
 constexpr std::uint32_t BlockSize = 32768; // texels between two looks at the clock
 
+/// What must be the same for light to be compared with.
+std::string Describe(const BakeSettings& settings)
+{
+  return fmt::format("{} samples, {} bounces{}{}{}", settings.Samples, settings.Bounces,
+    settings.Directional ? ", directional" : "", settings.Denoise ? ", denoised" : "",
+    settings.Lamps ? ", with the lamps' light" : "");
+}
+
+std::string DescribeScene(vtkRenderer* renderer, const BakeSettings& settings)
+{
+  BakedSceneCache cache;
+  const auto& names = settings.Names;
+  return BakedScene::Of(renderer, cache, [&names](vtkProp* prop) {
+    const auto found = names.find(prop);
+    return found == names.end() ? std::string() : "'" + found->second + "'";
+  }).ToText();
+}
+
+Layout Unwrap(vtkRenderer* renderer, const BakeSettings& settings, GatherLight& gather,
+  tool::Reporter& reporter)
+{
+  gather.Count(true, settings.Lamps);
+  Layout layout = MakeLayout(renderer, settings, gather, reporter);
+  gather.Count(true, false);
+  return layout;
+}
+
 class Baker
 {
 public:
   Baker(vtkRenderer* renderer, const BakeSettings& settings, tool::Reporter& reporter)
     : Options(settings)
     , Reporter(reporter)
-    , Renderer(renderer)
     , Gather(renderer, settings.Bounces, settings.Directional)
+    , Place(Unwrap(renderer, settings, this->Gather, reporter))
+    , Lamps(this->Place, this->Gather, settings.Samples / BakeSettings::Rounds)
+    , Earlier(settings, Describe(settings))
   {
+    Lightmap& map = this->Result.Map;
+    map.Settings = Describe(settings);
+    map.Made = fmt::format("{}, {} texels up to {:.6g} wide in {} charts", map.Settings,
+      this->Place.Texels.size(), this->Place.Places.TexelSize, this->Place.Charts.size());
+    map.Scene = DescribeScene(renderer, settings);
+    map.Patches = this->Place.Patches;
+    AddSurfaces(map, this->Place.Scene, this->Place.Charts, this->Place.Places);
+    this->Result.TexelSize = this->Place.Places.TexelSize;
+    this->Result.Charts = this->Place.Charts.size();
+    this->Result.Tiles = this->Place.Places.Tiles.size();
+    this->Result.Texels = this->Place.Texels.size();
+    this->Result.DarkSides = this->Place.DarkSides;
   }
 
   BakeResult Run()
   {
-    this->Unwrap();
-    this->ReadEarlier();
-    this->GatherAll();
+    const ProgressFile file = this->GatherAll();
     this->Finish();
+    WriteLightmap(this->Options.Output, this->Result.Map);
+    file.Remove();
     return std::move(this->Result);
   }
 
 private:
-  void Unwrap()
-  {
-    tool::Step step(this->Reporter, "unwrapping surfaces");
-    this->Scene = GatherSurfaces(this->Renderer);
-    for (const std::string& note : this->Scene.Notes)
-    {
-      this->Reporter.Note(note);
-    }
-    if (this->Scene.Triangles.empty())
-    {
-      tool::Fail("the scene has no opaque surface that is lit: a lightmap is for such");
-    }
-    this->Charts = MakeCharts(this->Scene);
-    constexpr double fine = 128.0;
-    const double texel =
-      this->Options.TexelSize > 0.0 ? this->Options.TexelSize : this->Scene.Diagonal() / fine;
-    const std::vector<std::array<bool, 2>> wanted = this->FindLitSides(texel, step);
-    try
-    {
-      this->Places = PackAtlas(this->Charts, wanted, texel, this->Options.LargestSide);
-    }
-    catch (const std::runtime_error& error)
-    {
-      tool::Fail("{}", error.what());
-    }
-    if (this->Options.TexelSize > 0.0 && this->Places.TexelSize > texel)
-    {
-      this->Reporter.Note(
-        fmt::format("texels are {:.3g} wide, to fit into --max-size", this->Places.TexelSize));
-    }
-    this->Texels = PlaceTexels(this->Scene, this->Charts, this->Places);
-    this->Result.TexelSize = this->Places.TexelSize;
-    this->Result.Charts = this->Charts.size();
-    this->Result.Tiles = this->Places.Tiles.size();
-    this->Result.Texels = this->Texels.size();
-    BakedSceneCache cache;
-    const auto& names = this->Options.Names;
-    this->Result.Map.Scene = BakedScene::Of(this->Renderer, cache, [&names](vtkProp* prop) {
-      const auto found = names.find(prop);
-      return found == names.end() ? std::string() : "'" + found->second + "'";
-    }).ToText();
-    AddSurfaces(this->Result.Map, this->Scene, this->Charts, this->Places);
-    this->MakePatches();
-  }
-
-  /// Sides of charts that some light reaches: within solids, and where a room turns its back, there is none.
-  std::vector<std::array<bool, 2>> FindLitSides(double texel, tool::Step& step)
-  {
-    constexpr int least = 8, most = 64, paths = 16;
-    std::vector<Vec3> points, normals;
-    std::vector<std::pair<std::size_t, int>> sides;
-    for (std::size_t c = 0; c < this->Charts.size(); ++c)
-    {
-      const Chart& chart = this->Charts[c];
-      const double texels = chart.Size.x * chart.Size.y / (texel * texel);
-      const int count = std::clamp(static_cast<int>(std::min(texels, 1e6) / 4), least, most);
-      for (int back = 0; back < 2; ++back)
-      {
-        if (this->Scene.Triangles[chart.Triangles.front()].Drawn[back])
-        {
-          ScatterPoints(this->Scene, chart, back != 0, count, points, normals);
-          sides.resize(points.size(), { c, back });
-        }
-      }
-    }
-    this->Gather(points, normals, 0, paths, [&step](double share) { step.Advance(share); });
-    for (const std::string& note : this->Gather.Notes())
-    {
-      this->Reporter.Note(note);
-    }
-    std::vector<std::array<bool, 2>> lit(this->Charts.size(), { { false, false } });
-    const auto channels = static_cast<std::size_t>(this->Gather.Channels());
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const float* light = &this->Gather.Light[i * channels];
-      bool& side = lit[sides[i].first][static_cast<std::size_t>(sides[i].second)];
-      side = side || light[0] > 0.0f || light[1] > 0.0f || light[2] > 0.0f;
-    }
-    std::size_t tiles = 0;
-    for (const auto& side : lit)
-    {
-      this->Result.DarkSides += (side[0] ? 0 : 1) + (side[1] ? 0 : 1);
-      tiles += (side[0] ? 1 : 0) + (side[1] ? 1 : 0);
-    }
-    if (tiles == 0)
-    {
-      tool::Fail(
-        "no indirect light reaches any surface: give the scene lights, an environment or surfaces "
-        "that glow");
-    }
-    return lit;
-  }
-
-  void MakePatches()
-  {
-    std::vector<OIIO::SHA1> keys(this->Places.Tiles.size());
-    for (const Texel& texel : this->Texels)
-    {
-      // Of the middle of the surfaces, as rays are traced from there: to its rounding.
-      const glm::vec3 at(texel.At - this->Scene.Center());
-      const glm::vec3 normal(texel.Normal);
-      keys[texel.Tile].append(&at, sizeof(at));
-      keys[texel.Tile].append(&normal, sizeof(normal));
-    }
-    for (std::size_t i = 0; i < keys.size(); ++i)
-    {
-      const Tile& tile = this->Places.Tiles[i];
-      std::uint64_t key = 0;
-      std::memcpy(&key, keys[i].digest().data(), sizeof(key));
-      this->Result.Map.Patches.push_back({ tile.At, tile.Texels, key });
-    }
-    this->Result.Map.Settings = fmt::format("{} samples, {} bounces{}{}", this->Options.Samples,
-      this->Options.Bounces, this->Options.Directional ? ", directional" : "",
-      this->Options.Denoise ? ", denoised" : "");
-    this->Result.Map.Made = fmt::format("{}, {} texels up to {:.6g} wide in {} charts",
-      this->Result.Map.Settings, this->Texels.size(), this->Places.TexelSize, this->Charts.size());
-  }
-
-  /// A bake that is there already, if it can be compared with.
-  void ReadEarlier()
-  {
-    std::error_code error;
-    if (this->Options.Anew || !std::filesystem::exists(this->Options.Output, error))
-    {
-      return;
-    }
-    try
-    {
-      this->Earlier = ReadLightmap(this->Options.Output);
-    }
-    catch (const tool::Failure& failure)
-    {
-      tool::Fail("{}; --anew bakes over it", failure.what());
-    }
-    if (this->Earlier->Settings != this->Result.Map.Settings)
-    {
-      this->Earlier.reset();
-    }
-  }
-
   std::string Identity() const
   {
-    OIIO::SHA1 sum(this->Result.Map.Scene.data(), this->Result.Map.Scene.size());
-    sum.append(this->Result.Map.Made.data(), this->Result.Map.Made.size());
-    for (const Patch& patch : this->Result.Map.Patches)
+    const Lightmap& map = this->Result.Map;
+    OIIO::SHA1 sum(map.Scene.data(), map.Scene.size());
+    sum.append(map.Made.data(), map.Made.size());
+    for (const Patch& patch : map.Patches)
     {
       sum.append(&patch, sizeof(patch));
     }
-    if (this->Earlier)
-    {
-      sum.append(this->Earlier->Scene.data(), this->Earlier->Scene.size());
-      sum.append(
-        this->Earlier->First.Values.data(), this->Earlier->First.Values.size() * sizeof(float));
-    }
+    this->Earlier.AddTo(sum);
     return sum.digest();
   }
 
-  void GatherAll()
+  void Begin()
   {
-    const std::size_t count = this->Texels.size();
+    const std::size_t count = this->Place.Texels.size();
     const auto channels = static_cast<std::size_t>(this->Gather.Channels());
     for (auto& half : this->Sums.Halves)
     {
@@ -212,6 +104,13 @@ private:
     this->Sums.First.assign(count * channels, 0.0f);
     this->Sums.Backs.assign(count, 0.0f);
     this->Sums.Kept.assign(count, 0);
+    this->Sums.Lamps.assign(this->Options.Lamps ? count * channels : 0, 0.0f);
+    this->Sums.LampRounds.assign(this->Options.Lamps ? count : 0, 0);
+  }
+
+  ProgressFile GatherAll()
+  {
+    this->Begin();
     ProgressFile file(this->Options.Output + ".baking", this->Identity());
     if (!this->Options.Anew)
     {
@@ -222,7 +121,8 @@ private:
           fmt::format("'{}.baking' {}: baking begins anew", this->Options.Output, reason));
       }
     }
-    const auto blocks = static_cast<std::uint32_t>((count + BlockSize - 1) / BlockSize);
+    const auto count = static_cast<std::uint32_t>(this->Place.Texels.size());
+    const std::uint32_t blocks = (count + BlockSize - 1) / BlockSize;
     const auto share = [&](double within) {
       return (this->Sums.Round + (this->Sums.Block + within) / blocks) / BakeSettings::Rounds;
     };
@@ -230,25 +130,33 @@ private:
     tool::Step step(this->Reporter, "gathering light");
     while (this->Sums.Round < BakeSettings::Rounds)
     {
-      this->GatherBlock([&](double within) { step.Advance(share(within)); });
+      const std::size_t first = std::size_t(this->Sums.Block) * BlockSize;
+      const std::size_t last = std::min<std::size_t>(first + BlockSize, count);
+      const double indirect = this->Options.Lamps ? 0.8 : 1.0; // of the time, about
+      this->GatherBlock(
+        first, last, [&](double within) { step.Advance(share(indirect * within)); });
+      if (this->Options.Lamps)
+      {
+        this->Lamps.AddRound(first, last, this->Sums,
+          [&](double within) { step.Advance(share(indirect + (1.0 - indirect) * within)); });
+      }
       if (++this->Sums.Block == blocks)
       {
         this->Sums.Block = 0;
         ++this->Sums.Round;
         if (this->Sums.Round == 1)
         {
-          this->KeepWhatIsTheSame();
+          this->Earlier.FindSame(this->Place, this->Sums.First,
+            static_cast<std::size_t>(this->Gather.Channels()), this->Sums.Kept);
         }
       }
       file.Save(this->Sums);
     }
-    this->Partial = std::make_unique<ProgressFile>(file);
+    return file;
   }
 
-  void GatherBlock(const std::function<void(double)>& advance)
+  void GatherBlock(std::size_t first, std::size_t last, const std::function<void(double)>& advance)
   {
-    const std::size_t first = std::size_t(this->Sums.Block) * BlockSize;
-    const std::size_t last = std::min<std::size_t>(first + BlockSize, this->Texels.size());
     std::vector<std::size_t> which;
     std::vector<Vec3> points, normals;
     for (std::size_t i = first; i < last; ++i)
@@ -256,8 +164,8 @@ private:
       if (!this->Sums.Kept[i])
       {
         which.push_back(i);
-        points.push_back(this->Texels[i].At);
-        normals.push_back(this->Texels[i].Normal);
+        points.push_back(this->Place.Texels[i].At);
+        normals.push_back(this->Place.Texels[i].Normal);
       }
     }
     if (which.empty())
@@ -285,73 +193,48 @@ private:
     }
   }
 
-  /// Paths are the same for the same texel, sample and scene. Where the first round finds at every texel of a tile
-  /// what it found for the earlier bake, no path there met what has changed since: its light is kept.
-  void KeepWhatIsTheSame()
-  {
-    if (!this->Earlier)
-    {
-      return;
-    }
-    std::map<std::uint64_t, const Patch*> known;
-    for (const Patch& patch : this->Earlier->Patches)
-    {
-      known[patch.Key] = &patch;
-    }
-    const auto& patches = this->Result.Map.Patches;
-    std::vector<const Patch*> same(patches.size(), nullptr);
-    for (std::size_t i = 0; i < patches.size(); ++i)
-    {
-      const auto found = known.find(patches[i].Key);
-      same[i] = found != known.end() && found->second->Texels == patches[i].Texels ? found->second
-                                                                                   : nullptr;
-    }
-    const auto channels = static_cast<std::size_t>(this->Gather.Channels());
-    constexpr float rounding = 2e-3f; // of half floats, and of another origin of the rays
-    for (std::size_t i = 0; i < this->Texels.size(); ++i)
-    {
-      const std::uint32_t tile = this->Texels[i].Tile;
-      const float* old =
-        same[tile] ? this->Earlier->First.At(this->IndexIn(*same[tile], i)) : nullptr;
-      for (std::size_t c = 0; c < 3 && old; ++c)
-      {
-        const float now = this->Sums.First[i * channels + c];
-        if (std::abs(now - old[c]) > rounding * std::max(now, old[c]) + 1e-6f)
-        {
-          same[tile] = nullptr;
-          break;
-        }
-      }
-    }
-    for (std::size_t i = 0; i < this->Texels.size(); ++i)
-    {
-      this->Sums.Kept[i] = same[this->Texels[i].Tile] ? 1 : 0;
-    }
-  }
-
-  /// Where in the earlier bake's picture a texel was.
-  std::size_t IndexIn(const Patch& patch, std::size_t i) const
-  {
-    const Tile& tile = this->Places.Tiles[this->Texels[i].Tile];
-    const auto index = static_cast<int>(this->Texels[i].Index);
-    const glm::ivec2 within =
-      glm::ivec2(index % this->Places.Width, index / this->Places.Width) - tile.At;
-    const glm::ivec2 there = patch.At + within;
-    return std::size_t(there.y) * this->Earlier->Baked.Width + there.x;
-  }
-
   void Finish()
   {
     tool::Step step(this->Reporter, "filtering light");
     Lightmap& map = this->Result.Map;
-    const int channels = this->Gather.Channels();
-    const int width = this->Places.Width, height = this->Places.Height;
-    std::vector<unsigned char> known(std::size_t(width) * height, 0);
-    Light halves[2] = { { width, height, channels }, { width, height, channels } };
-    map.First = Light(width, height, 3);
-    for (std::size_t i = 0; i < this->Texels.size(); ++i)
+    std::vector<unsigned char> known;
+    map.Baked = this->Filtered(known);
+    this->Result.KeptTiles = this->Earlier.Copy(this->Place, this->Sums.Kept, map.Baked, known);
+    Dilate(map.Baked, known, this->Place.Places);
+    if (this->Options.Lamps)
     {
-      const std::uint32_t index = this->Texels[i].Index;
+      map.Lamps = this->Lamps.Mean(this->Sums, known);
+      Dilate(map.Lamps, known, this->Place.Places);
+    }
+    const auto lines = PlaceSeams(this->Place.Scene, this->Place.Charts, this->Place.Places,
+      FindSeams(this->Place.Scene, this->Place.Charts));
+    for (Light* light : { &map.Baked, &map.Lamps })
+    {
+      if (light->Channels == 0)
+      {
+        continue;
+      }
+      this->Result.OpenSeamStep = std::max(this->Result.OpenSeamStep, SeamStep(*light, lines));
+      if (this->Options.CloseSeams)
+      {
+        CloseSeams(*light, lines);
+      }
+      this->Result.SeamStep = std::max(this->Result.SeamStep, SeamStep(*light, lines));
+    }
+  }
+
+  /// The mean of all rounds, and which texels have one; their first round goes to the map.
+  Light Filtered(std::vector<unsigned char>& known)
+  {
+    const int channels = this->Gather.Channels();
+    const int width = this->Place.Places.Width, height = this->Place.Places.Height;
+    known.assign(std::size_t(width) * height, 0);
+    Light halves[2] = { { width, height, channels }, { width, height, channels } };
+    Light& first = this->Result.Map.First;
+    first = Light(width, height, 3);
+    for (std::size_t i = 0; i < this->Place.Texels.size(); ++i)
+    {
+      const std::uint32_t index = this->Place.Texels[i].Index;
       const bool dark = this->IsBuried(i);
       known[index] = dark ? 0 : 1;
       this->Result.Buried += dark ? 1 : 0;
@@ -364,34 +247,19 @@ private:
         }
         if (c < 3)
         {
-          map.First.At(index)[c] = this->Sums.First[i * channels + c];
+          first.At(index)[c] = this->Sums.First[i * channels + c];
         }
       }
     }
     if (this->Options.Denoise)
     {
-      map.Baked = Denoise(halves[0], halves[1], known, this->Texels, this->Places);
+      return Denoise(halves[0], halves[1], known, this->Place.Texels, this->Place.Places);
     }
-    else
+    for (std::size_t i = 0; i < halves[0].Values.size(); ++i)
     {
-      map.Baked = halves[0];
-      for (std::size_t i = 0; i < map.Baked.Values.size(); ++i)
-      {
-        map.Baked.Values[i] = 0.5f * (halves[0].Values[i] + halves[1].Values[i]);
-      }
+      halves[0].Values[i] = 0.5f * (halves[0].Values[i] + halves[1].Values[i]);
     }
-    this->TakeKept(known);
-    Dilate(map.Baked, known, this->Places);
-    const auto lines =
-      PlaceSeams(this->Scene, this->Charts, this->Places, FindSeams(this->Scene, this->Charts));
-    this->Result.OpenSeamStep = SeamStep(map.Baked, lines);
-    if (this->Options.CloseSeams)
-    {
-      CloseSeams(map.Baked, lines);
-    }
-    this->Result.SeamStep = SeamStep(map.Baked, lines);
-    WriteLightmap(this->Options.Output, map);
-    this->Partial->Remove();
+    return std::move(halves[0]);
   }
 
   /// Within a solid: no light at all, and around it mostly backs.
@@ -405,38 +273,13 @@ private:
     return dark && !this->Sums.Kept[i] && this->Sums.Backs[i] > mostly * BakeSettings::Rounds;
   }
 
-  void TakeKept(std::vector<unsigned char>& known)
-  {
-    std::vector<bool> kept(this->Places.Tiles.size(), false);
-    for (std::size_t i = 0; i < this->Texels.size(); ++i)
-    {
-      if (!this->Sums.Kept[i])
-      {
-        continue;
-      }
-      const std::uint32_t tile = this->Texels[i].Tile;
-      kept[tile] = true;
-      const auto& patches = this->Earlier->Patches;
-      const auto found = std::find_if(patches.begin(), patches.end(),
-        [&](const Patch& patch) { return patch.Key == this->Result.Map.Patches[tile].Key; });
-      const float* old = this->Earlier->Baked.At(this->IndexIn(*found, i));
-      std::copy_n(old, this->Gather.Channels(), this->Result.Map.Baked.At(this->Texels[i].Index));
-      known[this->Texels[i].Index] = 1;
-    }
-    this->Result.KeptTiles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), true));
-  }
-
   const BakeSettings& Options;
   tool::Reporter& Reporter;
-  vtkRenderer* Renderer;
   GatherLight Gather;
-  Surfaces Scene;
-  std::vector<Chart> Charts;
-  Atlas Places;
-  std::vector<Texel> Texels;
-  std::optional<Lightmap> Earlier;
+  Layout Place;
+  LampLight Lamps;
+  EarlierBake Earlier;
   Gathered Sums;
-  std::unique_ptr<ProgressFile> Partial;
   BakeResult Result;
 };
 }

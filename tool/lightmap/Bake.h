@@ -24,6 +24,7 @@ struct BakeSettings
   int Samples = 256;      ///< paths from each texel, a multiple of Rounds
   int Bounces = 64;
   bool Directional = false;
+  bool Lamps = false; ///< what arrives straight from lamps, too
   bool Denoise = true;
   bool CloseSeams = true;
   std::string Output; ///< where the file will be: what is done so far is kept beside it

@@ -40,6 +40,12 @@ GatherLight::~GatherLight()
   this->Gatherer->ReleaseGraphicsResources(nullptr);
 }
 
+void GatherLight::Count(bool indirect, bool lamps)
+{
+  this->Gatherer->SetIncludeIndirect(indirect);
+  this->Gatherer->SetIncludeLamps(lamps);
+}
+
 void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
   int firstSample, int samples, const std::function<void(double)>& advance)
 {

@@ -20,6 +20,9 @@ public:
   GatherLight(vtkRenderer* renderer, int bounces, bool directional);
   ~GatherLight();
 
+  /// What counts from now on; at first all but the lamps' own light.
+  void Count(bool indirect, bool lamps);
+
   /// Means over these samples: Channels() values of light for each point, and the share of rays that met backs.
   /// Throws a Failure.
   void operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,

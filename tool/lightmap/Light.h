@@ -15,7 +15,7 @@ struct Light
 {
   int Width = 0;
   int Height = 0;
-  int Channels = 3; ///< irradiance divided by pi, and for directional maps nine more
+  int Channels = 0; ///< irradiance divided by pi, and for directional maps nine more
   std::vector<float> Values;
 
   Light() = default;

@@ -96,10 +96,20 @@ vtkSmartPointer<vtkPolyData> MakeSurfaces(const Lightmap& lightmap)
 vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(lightmap.Baked.Width, lightmap.Baked.Height, 1);
-  image->AllocateScalars(VTK_FLOAT, lightmap.Baked.Channels);
-  std::copy(lightmap.Baked.Values.begin(), lightmap.Baked.Values.end(),
-    static_cast<float*>(image->GetScalarPointer()));
+  const Light& baked = lightmap.Baked;
+  image->SetDimensions(baked.Width, baked.Height, 1);
+  image->AllocateScalars(VTK_FLOAT, baked.Channels + lightmap.Lamps.Channels);
+  auto* to = static_cast<float*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < std::size_t(baked.Width) * baked.Height; ++i)
+  {
+    for (const Light* light : { &lightmap.Baked, &lightmap.Lamps })
+    {
+      for (int c = 0; c < light->Channels; ++c)
+      {
+        *to++ = light->At(i)[c];
+      }
+    }
+  }
   return image;
 }
 }

@@ -10,6 +10,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <filesystem>
 
@@ -41,31 +42,65 @@ const std::vector<std::string> PointChannels = { "x", "y", "z", "u", "v", "nx", 
 const std::vector<std::string> TriangleChannels = { "a", "b", "c" };
 const std::vector<std::string> PatchChannels = { "x", "y", "width", "height", "high", "low" };
 
-std::vector<std::string> LightChannels(int channels)
+/// What a file holds of light.
+struct Kinds
 {
-  std::vector<std::string> names = { "R", "G", "B" };
-  if (channels > 3)
+  bool Directional = false;
+  bool Lamps = false;
+
+  int Each() const { return this->Directional ? 12 : 3; } ///< channels of one kind
+};
+
+void AddChannels(std::vector<std::string>& names, const std::string& layer)
+{
+  for (const char* color : { "R", "G", "B" })
   {
-    for (const char* axis : { "x", "y", "z" })
+    names.push_back(layer.empty() ? color : layer + "." + color);
+  }
+}
+
+std::vector<std::string> LightChannels(const Kinds& kinds)
+{
+  std::vector<std::string> names;
+  for (const std::string of : { "", "lamps" })
+  {
+    if (of.empty() || kinds.Lamps)
     {
-      for (const char* color : { "R", "G", "B" })
+      AddChannels(names, of);
+      for (const char* axis : { "x", "y", "z" })
       {
-        names.push_back(std::string("moment-") + axis + "." + color);
+        if (kinds.Directional)
+        {
+          AddChannels(names, (of.empty() ? "moment-" : of + "-moment-") + std::string(axis));
+        }
       }
     }
   }
-  for (const char* color : { "R", "G", "B" })
-  {
-    names.push_back(std::string("first.") + color);
-  }
+  AddChannels(names, "first");
   return names;
+}
+
+Kinds FindKinds(const OIIO::ImageSpec& spec)
+{
+  const auto& names = spec.channelnames;
+  const auto has = [&names](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return { has("moment-x.R"), has("lamps.R") };
+}
+
+/// Lights whose channels lie beside one another in a file's picture.
+template <typename Map>
+auto LightsOf(Map& lightmap)
+{
+  return std::array{ &lightmap.Baked, &lightmap.Lamps, &lightmap.First };
 }
 
 Part LightPart(const Lightmap& lightmap)
 {
   const Light& baked = lightmap.Baked;
-  Part part{ "light", OIIO::TypeDesc::HALF, LightChannels(baked.Channels), baked.Width,
-    baked.Height, {} };
+  const Kinds kinds{ baked.Channels > 3, lightmap.Lamps.Channels > 0 };
+  Part part{ "light", OIIO::TypeDesc::HALF, LightChannels(kinds), baked.Width, baked.Height, {} };
   const std::size_t pixels = std::size_t(baked.Width) * baked.Height;
   const std::size_t channels = part.Channels.size();
   std::vector<std::uint16_t> values(pixels * channels);
@@ -73,13 +108,12 @@ Part LightPart(const Lightmap& lightmap)
   for (std::size_t i = 0; i < pixels; ++i)
   {
     std::uint16_t* to = &values[i * channels];
-    for (int c = 0; c < baked.Channels; ++c)
+    for (const Light* light : LightsOf(lightmap))
     {
-      *to++ = glm::packHalf1x16(glm::clamp(baked.At(i)[c], -largest, largest));
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      *to++ = glm::packHalf1x16(glm::clamp(lightmap.First.At(i)[c], -largest, largest));
+      for (int c = 0; c < light->Channels; ++c)
+      {
+        *to++ = glm::packHalf1x16(glm::clamp(light->At(i)[c], -largest, largest));
+      }
     }
   }
   part.Bytes.resize(values.size() * sizeof(values[0]));
@@ -216,23 +250,22 @@ std::vector<Value> ValuesOf(const Part& part, std::size_t rows)
   return values;
 }
 
-void TakeLight(const Part& part, Lightmap& lightmap)
+void TakeLight(const Part& part, const Kinds& kinds, Lightmap& lightmap)
 {
-  const int channels = static_cast<int>(part.Channels.size()) - 3;
-  lightmap.Baked = Light(part.Width, part.Height, channels);
+  lightmap.Baked = Light(part.Width, part.Height, kinds.Each());
+  lightmap.Lamps = Light(part.Width, part.Height, kinds.Lamps ? kinds.Each() : 0);
   lightmap.First = Light(part.Width, part.Height, 3);
   const std::size_t pixels = std::size_t(part.Width) * part.Height;
   const auto values = ValuesOf<std::uint16_t>(part, pixels);
   for (std::size_t i = 0; i < pixels; ++i)
   {
     const std::uint16_t* from = &values[i * part.Channels.size()];
-    for (int c = 0; c < channels; ++c)
+    for (Light* light : LightsOf(lightmap))
     {
-      lightmap.Baked.At(i)[c] = glm::unpackHalf1x16(from[c]);
-    }
-    for (int c = 0; c < 3; ++c)
-    {
-      lightmap.First.At(i)[c] = glm::unpackHalf1x16(from[channels + c]);
+      for (int c = 0; c < light->Channels; ++c)
+      {
+        light->At(i)[c] = glm::unpackHalf1x16(*from++);
+      }
     }
   }
 }
@@ -333,9 +366,9 @@ Lightmap ReadLightmap(const std::string& path)
   }
   const std::string head(input->spec().get_string_attribute("penumbra:bake"));
   const std::string sum(input->spec().get_string_attribute("penumbra:checksum"));
-  const bool directional = input->spec().nchannels > static_cast<int>(LightChannels(3).size());
-  const std::vector<std::vector<std::string>> channels = { LightChannels(directional ? 12 : 3),
-    PointChannels, TriangleChannels, PatchChannels };
+  const Kinds kinds = FindKinds(input->spec());
+  const std::vector<std::vector<std::string>> channels = { LightChannels(kinds), PointChannels,
+    TriangleChannels, PatchChannels };
   std::vector<Part> parts;
   for (std::size_t i = 0; i < channels.size() && input->seek_subimage(static_cast<int>(i), 0); ++i)
   {
@@ -350,7 +383,7 @@ Lightmap ReadLightmap(const std::string& path)
   {
     Fail("the lightmap '{}' is damaged: its checksum does not fit; bake it again", path);
   }
-  TakeLight(parts[0], lightmap);
+  TakeLight(parts[0], kinds, lightmap);
   TakeTables(parts, counts, lightmap);
   return lightmap;
 }

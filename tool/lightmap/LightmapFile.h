@@ -25,6 +25,7 @@ struct Patch
 struct Lightmap
 {
   Light Baked;
+  Light Lamps; ///< what arrives straight from lamps; without channels where that is not baked
   Light First; ///< what the first round of samples gave, unfiltered: a later bake compares with it
   Vec3 Origin{ 0.0 }; ///< what points are relative to
   std::vector<glm::vec3> Points;

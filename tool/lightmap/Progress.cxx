@@ -20,6 +20,9 @@ constexpr const char* Head = "penumbra lightmap in the making 1\n";
 template <typename Visit>
 void ForEachArray(Gathered& gathered, const Visit& visit)
 {
+  const auto bytes = [&visit](std::vector<unsigned char>& values) {
+    visit(reinterpret_cast<char*>(values.data()), values.size());
+  };
   const auto floats = [&visit](std::vector<float>& values) {
     visit(reinterpret_cast<char*>(values.data()), values.size() * sizeof(float));
   };
@@ -29,7 +32,9 @@ void ForEachArray(Gathered& gathered, const Visit& visit)
   floats(gathered.Halves[1]);
   floats(gathered.First);
   floats(gathered.Backs);
-  visit(reinterpret_cast<char*>(gathered.Kept.data()), gathered.Kept.size());
+  bytes(gathered.Kept);
+  floats(gathered.Lamps);
+  bytes(gathered.LampRounds);
 }
 }
 

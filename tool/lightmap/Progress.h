@@ -15,8 +15,10 @@ struct Gathered
 {
   std::uint32_t Round = 0; ///< the next to gather, and which block of texels of it
   std::uint32_t Block = 0;
-  std::vector<float> Halves[2];    ///< sums of the light of even and of odd rounds, texel by texel
-  std::vector<float> First;        ///< of the first round
+  std::vector<float> Halves[2]; ///< sums of the light of even and of odd rounds, texel by texel
+  std::vector<float> First;     ///< of the first round
+  std::vector<float> Lamps;     ///< sums of what lamps send, and how many rounds each is of
+  std::vector<unsigned char> LampRounds;
   std::vector<float> Backs;        ///< sums of the share of rays that met backs
   std::vector<unsigned char> Kept; ///< texels whose light is taken from an earlier bake
 };

@@ -114,7 +114,7 @@ struct Found
 }
 
 std::vector<Texel> PlaceTexels(
-  const Surfaces& surfaces, const std::vector<Chart>& charts, const Atlas& atlas)
+  const Surfaces& surfaces, const std::vector<Chart>& charts, const Atlas& atlas, const Vec2& shift)
 {
   constexpr double reach2 = 2.0; // a texel's middle and what it has a part in, squared
   constexpr double inset = 0.02; // texels
@@ -137,8 +137,16 @@ std::vector<Texel> PlaceTexels(
         {
           Found& best = found[static_cast<std::size_t>(y) * tile.Texels.x + x];
           double distance2 = 0.0;
-          const Vec3 share = Nearest(flat, Vec2(x, y), distance2);
-          if (distance2 < reach2 && distance2 < best.Distance2)
+          Vec3 share = Nearest(flat, Vec2(x, y), distance2);
+          if (distance2 >= reach2)
+          {
+            continue;
+          }
+          if (shift != Vec2(0.0))
+          {
+            share = Nearest(flat, Vec2(x, y) + shift, distance2);
+          }
+          if (distance2 < best.Distance2)
           {
             best = { distance2, t, Inset(flat, share, inset) };
           }
@@ -147,7 +155,7 @@ std::vector<Texel> PlaceTexels(
     }
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-      if (found[i].Distance2 < reach2)
+      if (found[i].Distance2 < std::numeric_limits<double>::max())
       {
         Texel texel;
         const int x = static_cast<int>(i) % tile.Texels.x;

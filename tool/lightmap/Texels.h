@@ -17,9 +17,10 @@ struct Texel
 };
 
 /// All texels that interpolation at any point of the surfaces takes part of, tile by tile. Those whose middle is
-/// beside the surface have the nearest point of it.
-std::vector<Texel> PlaceTexels(
-  const Surfaces& surfaces, const std::vector<Chart>& charts, const Atlas& atlas);
+/// beside the surface have the nearest point of it. shift: of the points off the texels' middles, in texels; which
+/// texels there are, and their order, does not depend on it.
+std::vector<Texel> PlaceTexels(const Surfaces& surfaces, const std::vector<Chart>& charts,
+  const Atlas& atlas, const Vec2& shift = Vec2(0.0));
 
 /// Points of one side of a chart with normals to that side, evenly spread over its triangles by area.
 void ScatterPoints(const Surfaces& surfaces, const Chart& chart, bool back, int count,

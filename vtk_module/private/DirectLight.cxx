@@ -49,6 +49,7 @@ struct Resolve
     flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
     flag("GI_IRRADIANCE", context.Input(resource::Irradiance) != nullptr);
+    flag("GI_LAMP_LIGHT", context.Input(resource::LampLight) != nullptr);
     flag("GI_SURROUNDINGS",
       context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
     flag("GI_INTERREFLECTION",
@@ -99,7 +100,8 @@ struct Resolve
         context.Input(resource::Normal), context.Input(resource::Ambient),
         context.Input(resource::Surface), context.Input(resource::Emission),
         context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility),
-        context.Input(resource::Irradiance), context.Input(resource::Surroundings) });
+        context.Input(resource::Irradiance), context.Input(resource::Surroundings),
+        context.Input(resource::LampLight) });
     this->Lights->Bind(0, 1.0 - this->Share);
     this->Materials->Bind(1);
     glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
@@ -149,6 +151,7 @@ void ContributeDirectLight(
     .ReadIfPresent(resource::AmbientVisibility)
     .ReadIfPresent(resource::Irradiance)
     .ReadIfPresent(resource::Surroundings)
+    .ReadIfPresent(resource::LampLight)
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
   if (radiance)

@@ -46,6 +46,7 @@ constexpr const char* Surroundings =
 constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: 0 closed to 1 open; see giOpen() for more
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
+constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed

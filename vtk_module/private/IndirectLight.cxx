@@ -5,6 +5,8 @@
 #include "private/Frame.h"
 #include "private/ScopedState.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 OpenDirection::OpenDirection(const FrameContext& context)
@@ -23,7 +25,13 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   {
     return;
   }
+  const bool lamps = std::any_of(
+    lights.begin(), lights.end(), [](const IndirectLight& light) { return light.KnowsLamps; });
   auto& pass = frame.AddPass("indirect-light");
+  if (lamps)
+  {
+    pass.Write(resource::LampLight, frame.WindowTexture(GL_RGBA16F));
+  }
   for (const IndirectLight& light : lights)
   {
     for (const char* resource : light.Reads)
@@ -34,12 +42,17 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   pass.Read(resource::Depth)
     .ReadIfPresent(resource::AmbientVisibility)
     .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
-    .Execute([lights = std::move(lights)](FrameContext& context) {
+    .Execute([lights = std::move(lights), lamps](FrameContext& context) {
+      const std::vector<const char*> irradiance = { resource::Irradiance };
+      const std::vector<const char*> both = { resource::Irradiance, resource::LampLight };
       // Later passes draw to the framebuffer that was bound before.
       ScopedState outer(context.State());
-      context.BindTarget({ resource::Irradiance }, resource::Depth);
+      context.BindTarget(lamps ? both : irradiance, resource::Depth);
       constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
-      glClearBufferfv(GL_COLOR, 0, nothing);
+      for (GLint target = 0; target < (lamps ? 2 : 1); ++target)
+      {
+        glClearBufferfv(GL_COLOR, target, nothing);
+      }
       for (const IndirectLight& light : lights)
       {
         ScopedState scope(context.State());
@@ -49,7 +62,7 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
         scope.Set(GL_BLEND, &light != &lights.front());
         context.State()->vtkglBlendFuncSeparate(
           GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-        context.BindTarget({ resource::Irradiance }, resource::Depth);
+        context.BindTarget(light.KnowsLamps ? both : irradiance, resource::Depth);
         light.Draw(context);
       }
     });

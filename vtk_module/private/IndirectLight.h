@@ -38,6 +38,9 @@ struct IndirectLight
   std::function<void(FrameContext&)> Draw;
   /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
   ForwardPart Forward;
+  /// Draw knows what arrives straight from lamps, too, but for those that follow the camera, and writes it to
+  /// resource::LampLight, in the same way, as the second output: such lamps light the matter there no more.
+  bool KnowsLamps = false;
 };
 
 /// The mean direction that light comes from past what is near, for probes/gather.glsl: a texture for its unit and the
@@ -49,6 +52,7 @@ struct OpenDirection
   explicit OpenDirection(const FrameContext& context);
 };
 
-/// Add the passes that make resource::Irradiance of what the techniques know, in their order.
+/// Add the passes that make resource::Irradiance, and resource::LampLight where one knows it, of what the techniques
+/// know, in their order.
 void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lights);
 }

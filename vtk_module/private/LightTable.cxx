@@ -113,7 +113,7 @@ shared::LightData LightTable::Entry(const Light& light, double scale) const
   entry.Kind = glm::ivec4(this->SingleHeadlight ? GI_LIGHT_HEADLIGHT
       : light.Positional                        ? GI_LIGHT_POSITIONAL
                                                 : GI_LIGHT_DIRECTIONAL,
-    light.MaskChannel, light.Headlight ? 1 : 0, 0);
+    light.MaskChannel, light.Headlight ? 1 : 0, light.FollowsCamera ? 0 : 1);
   return entry;
 }
 

@@ -82,13 +82,16 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
 
 void SurfaceMap::TakePicture(vtkImageData* light)
 {
-  constexpr int plain = 3, directional = 12;
+  constexpr int plain = 3, directional = 12; // twice as many with the lamps' light
   const int channels = light->GetNumberOfScalarComponents();
   vtkDataArray* scalars = light->GetPointData()->GetScalars();
   const int* size = light->GetDimensions();
-  if (!scalars || (channels != plain && channels != directional) || size[2] != 1)
+  this->Directional = channels % directional == 0;
+  const int each = this->Directional ? directional : plain;
+  this->Lamps = channels == 2 * each;
+  if (!scalars || (channels != each && !this->Lamps) || size[2] != 1)
   {
-    Refuse("its light is no picture of 3 or 12 components");
+    Refuse("its light is no picture of 3 or 12 components, or of twice as many");
   }
   if (size[0] > LargestSide || size[1] > LargestSide)
   {
@@ -151,9 +154,17 @@ void SurfaceMap::Draw(FrameContext& context, double intensity)
     this->Upload();
   }
   const View& view = context.GetView();
+  Defines variant;
+  if (this->Directional)
+  {
+    variant["GI_LIGHTMAP_DIRECTIONAL"] = "1";
+  }
+  if (this->Lamps)
+  {
+    variant["GI_LIGHTMAP_LAMPS"] = "1";
+  }
   const Program& program =
-    context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag",
-      this->Layers > 1 ? Defines{ { "GI_LIGHTMAP_DIRECTIONAL", "1" } } : Defines{});
+    context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag", variant);
   context.Use(program,
     { context.Input(resource::WindowDepth), this->OnCard->Light.get(),
       context.Input(resource::Normal) });
@@ -165,8 +176,6 @@ void SurfaceMap::Draw(FrameContext& context, double intensity)
   glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
   // A side's triangles are seen from that side only.
   ScopedState scope(context.State());
-  scope.Set(GL_DEPTH_TEST, true);
-  scope.DepthFunc(GL_LEQUAL);
   scope.Set(GL_CULL_FACE, true);
   context.State()->vtkglCullFace(GL_BACK);
   glBindVertexArray(this->OnCard->Layout.Get());

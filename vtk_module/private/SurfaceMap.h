@@ -27,6 +27,8 @@ public:
   SurfaceMap(vtkPolyData* surfaces, vtkImageData* light);
 
   bool IsEmpty() const { return this->Corners.empty(); }
+  /// Whether it holds what arrives straight from lamps.
+  bool HasLamps() const { return this->Lamps; }
 
   /// Draw as IndirectLight::Draw does, with the light multiplied by intensity.
   void Draw(FrameContext& context, double intensity);
@@ -47,7 +49,8 @@ private:
     Buffer Points;
     Buffer Corners;
     VertexArrayHandle Layout;
-    std::unique_ptr<Texture> Light; ///< a layer for the irradiance and each of its moments
+    std::unique_ptr<Texture>
+      Light; ///< layers: irradiance, its moments; of the lamps' light the same
   };
   void TakePicture(vtkImageData* light);
   void Upload();
@@ -58,6 +61,8 @@ private:
   int Width = 0;
   int Height = 0;
   int Layers = 0;
+  bool Directional = false;
+  bool Lamps = false;
   std::vector<float> Values; ///< rgba, layer by layer
   std::unique_ptr<Uploaded> OnCard;
   std::vector<std::unique_ptr<Uploaded>> Old;
