@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws several frames of a vtkGIPass for one still picture of ParaView, which draws each once: light
+ * that techniques collect over frames arrives, and edges are smoothed. One frame while the camera is
+ * moved, and for a selection.
+ */
+#pragma once
+
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
+
+class vtkGIPass;
+
+namespace penumbra
+{
+class StillFramesPass : public vtkRenderPass
+{
+public:
+  static StillFramesPass* New();
+  vtkTypeMacro(StillFramesPass, vtkRenderPass);
+
+  void SetPass(vtkGIPass* pass);
+  void SetFrames(int frames) { this->Frames = frames; }
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  vtkSmartPointer<vtkGIPass> Pass;
+  int Frames = 1;
+};
+}
