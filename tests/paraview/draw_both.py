@@ -23,6 +23,8 @@ lit = scenes.picture(view)
 
 renderer = scenes.vtk_renderer(view, things)
 window = penumbra.window(renderer, size=scenes.SIZE, multisamples=view.GetRenderWindow().GetMultiSamples())
+# ParaView's windows have a stencil buffer, and so fewer bits of depth than others.
+window.SetStencilCapable(view.GetRenderWindow().GetStencilCapable())
 penumbra.enable(renderer, preset, on=extra)
 truth = penumbra.render(window)
 

@@ -4,9 +4,13 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkPVProcessWindow.h"
 #include "vtkPVRenderView.h"
+#include "vtkViewLayout.h"
 
 #if __has_include("vtk_glew.h")
 #define PENUMBRA_VTK_HAS_GLEW
@@ -46,22 +50,42 @@ vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view)
 }
 
 // pvbatch and pvserver draw each view in a window of its own that borrows the context of the process's
-// window. It would ask GLEW for OpenGL's functions again, which looks for an X display and gives up
-// without one, although the process's window loaded every function. So it is told that this is done.
-void PrepareWindow(vtkRenderWindow* window)
-{
+// window. Before its first frame it would ask GLEW for OpenGL's functions again, which looks for an X
+// display and gives up without one, although the process's window loaded every function. So all that is
+// done then is done a moment earlier, when the window announces the frame, without GLEW.
 #ifdef PENUMBRA_VTK_HAS_GLEW
-  auto* borrower = vtkOpenGLRenderWindow::SafeDownCast(window);
+namespace
+{
+void BeforeFrame(vtkObject* caller, unsigned long, void*, void*)
+{
+  auto* borrower = static_cast<vtkOpenGLRenderWindow*>(caller);
   auto* context = vtkHeadlessRenderWindow::SafeDownCast(vtkPVProcessWindow::GetRenderWindow());
-  if (!borrower || !context || borrower == context || WindowMembers::IsInitialized(borrower))
+  if (WindowMembers::IsInitialized(borrower) || !context)
   {
     return;
   }
   vtkPVProcessWindow::PrepareForRendering();
   context->MakeCurrent();
+  context->GetState()->PushFramebufferBindings();
   WindowMembers::IsGlewValid(borrower) = true;
   WindowMembers::IsInitialized(borrower) = true;
   borrower->OpenGLInit();
+  context->GetState()->PopFramebufferBindings();
+}
+}
+#endif
+
+void PrepareWindow(vtkRenderWindow* window)
+{
+#ifdef PENUMBRA_VTK_HAS_GLEW
+  auto* borrower = vtkOpenGLRenderWindow::SafeDownCast(window);
+  vtkRenderWindow* context = vtkPVProcessWindow::GetRenderWindow();
+  if (borrower && borrower != context && vtkHeadlessRenderWindow::SafeDownCast(context))
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(BeforeFrame);
+    window->AddObserver(vtkViewLayout::RequestUpdateLayoutEvent, command);
+  }
 #else
   (void)window;
 #endif
