@@ -39,6 +39,14 @@ const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer
   return nullptr;
 }
 
+void vtkGIPass::Internals::Restart()
+{
+  for (auto& view : this->Views)
+  {
+    view.second.Restarts = true;
+  }
+}
+
 std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
@@ -104,6 +112,7 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
   view.StillFrames = memory.StillFrames;
   view.Sequence = memory.StillFrames;
   view.FrameNumber = memory.FrameNumber;
+  view.FirstFrame = memory.FirstFrame;
   return view;
 }
 
@@ -134,6 +143,13 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
     memory = Memory(); // another renderer at a dead one's address
     memory.Renderer = renderer;
     memory.Name = std::to_string(++this->ViewsMade);
+  }
+  if (memory.Restarts)
+  {
+    memory.Restarts = false;
+    memory.StillFrames = 0;
+    memory.FirstFrame = memory.FrameNumber;
+    memory.Motion = MotionTable(); // nothing is reprojected from before
   }
   try
   {

@@ -9,8 +9,10 @@
 
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 class vtkGIPass;
+class vtkPVView;
 
 namespace penumbra
 {
@@ -22,12 +24,14 @@ public:
 
   void SetPass(vtkGIPass* pass);
   void SetFrames(int frames) { this->Frames = frames; }
+  void SetView(vtkPVView* view) { this->View = view; }
 
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 private:
   vtkSmartPointer<vtkGIPass> Pass;
+  vtkWeakPointer<vtkPVView> View;
   int Frames = 1;
 };
 }

@@ -27,6 +27,10 @@ struct ViewMembers : public vtkPVRenderView
   {
     return view->*(&ViewMembers::SynchronizedRenderers);
   }
+  static bool Captured(vtkPVView* view)
+  {
+    return (view->*(&ViewMembers::GetInCaptureScreenshot))();
+  }
 };
 
 #ifdef PENUMBRA_VTK_HAS_GLEW
@@ -47,6 +51,11 @@ struct WindowMembers : public vtkOpenGLRenderWindow
 vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view)
 {
   return ViewMembers::Passes(view);
+}
+
+bool IsCaptured(vtkPVView* view)
+{
+  return ViewMembers::Captured(view);
 }
 
 // pvbatch and pvserver draw each view in a window of its own that borrows the context of the process's

@@ -114,6 +114,7 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
     this->Impl->Enabled = enabled;
   }
   this->Impl->View = view;
+  this->Impl->Frames->SetView(view);
   if (view)
   {
     penumbra::PrepareWindow(view->GetRenderWindow());
