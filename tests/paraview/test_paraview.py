@@ -5,9 +5,11 @@ import os
 import pathlib
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy
@@ -15,7 +17,7 @@ from PIL import Image
 
 HERE = pathlib.Path(__file__).resolve().parent
 ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
-PACKAGE = os.environ.get("PENUMBRA_PYTHON_PATH", HERE.parent.parent / "build" / "python")
+PACKAGE = pathlib.Path(os.environ.get("PENUMBRA_PYTHON_PATH", HERE.parent.parent / "build" / "python"))
 ENVIRONMENT["PYTHONPATH"] = os.pathsep.join([str(PACKAGE), str(HERE)])
 
 
@@ -27,7 +29,7 @@ def within(one, other, limit=2):
     return float((numpy.abs(one - other).max(axis=2) <= limit).mean())
 
 
-class ParaView(unittest.TestCase):
+class Base(unittest.TestCase):
     def setUp(self):
         kept = os.environ.get("PENUMBRA_TEST_OUTPUT")
         self.folder = pathlib.Path(kept or tempfile.mkdtemp())
@@ -49,6 +51,8 @@ class ParaView(unittest.TestCase):
     def number(self, name, text):
         return float(re.search(rf"\b{name}'?:? ([-\d.]+)", text).group(1))
 
+
+class Pictures(Base):
     # 2 of 255 is what the blending of edges differs by; 0.5 % of pixels are left to rasterisation along
     # edges, where ParaView's mappers and VTK's transform points in another order of operations.
     def check_same_as_vtk(self, program, preset, *techniques):
@@ -68,6 +72,8 @@ class ParaView(unittest.TestCase):
     def test_batch_shows_what_vtk_draws(self):
         self.assertGreater(self.check_same_as_vtk("pvbatch", "balanced"), 0.3)
 
+
+class Screenshots(Base):
     def check_screenshots(self, program):
         self.run_script(program, "screenshots.py", self.folder)
         same, again = picture(self.folder / "same.png"), picture(self.folder / "again.png")
@@ -92,6 +98,8 @@ class ParaView(unittest.TestCase):
     def test_screenshots_in_batch(self):
         self.check_screenshots("pvbatch")
 
+
+class States(Base):
     def test_state_is_restored_in_a_new_process(self):
         self.run_script("pvpython", "states.py", "save", self.folder)
         saved = picture(self.folder / "save.png")
@@ -100,6 +108,41 @@ class ParaView(unittest.TestCase):
             self.assertIn("samples 28 radius 1.25 temporal 0", text)
             self.assertEqual(within(saved, picture(self.folder / f"{action}.png"), 0), 1.0, action)
 
+
+class Server(Base):
+    def test_a_server_draws_the_same(self):
+        with socket.socket() as probe:
+            probe.bind(("localhost", 0))
+            port = probe.getsockname()[1]
+        plugin = os.environ.get("PENUMBRA_PLUGIN", PACKAGE.parent / "lib/paraview-5.11/plugins/PenumbraGI/PenumbraGI.so")
+        with open(self.folder / "server.log", "w+") as log:
+            server = subprocess.Popen(
+                ["pvserver", "--disable-xdisplay-test", "--hostname=localhost", f"--server-port={port}",
+                 f"--plugins={plugin}"], env=ENVIRONMENT, stdout=log, stderr=subprocess.STDOUT)
+            try:
+                self.wait_for_server(server, self.folder / "server.log")
+                remote = self.run_script("pvpython", "remote.py", self.folder / "remote.png", port)
+                self.assertEqual(server.wait(60), 0)
+            finally:
+                server.kill()
+                server.wait()
+        self.assertIn("remote 1", remote)
+        self.assertNotIn("ERR|", (self.folder / "server.log").read_text())
+        self.run_script("pvpython", "remote.py", self.folder / "local.png")
+        share = within(picture(self.folder / "remote.png"), picture(self.folder / "local.png"))
+        print(f"equal {share:.5f}")
+        self.assertGreaterEqual(share, 0.995)
+
+    def wait_for_server(self, server, log):
+        for _ in range(300):
+            if "Connection URL" in log.read_text():
+                return
+            self.assertIsNone(server.poll(), log.read_text())
+            time.sleep(0.2)
+        self.fail(f"the server did not start: {log.read_text()}")
+
+
+class Switching(Base):
     def test_switching_leaves_nothing_behind(self):
         text = self.run_script("pvpython", "toggles.py", 200)
         for kind in ("Texture", "Buffer", "Framebuffer", "Program"):
