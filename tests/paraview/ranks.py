@@ -27,9 +27,11 @@ save("plain")
 enable(view, "off")
 save("direct")
 enable(view, "balanced")
+view.ViewSize = [160, 120]
 for i in range(int(sys.argv[2])):
-    view.CameraPosition = [34 + 0.2 * i, -42, 22]
+    view.CameraPosition = [34 - 0.3 * i, -42, 22]
     simple.Render(view)
+view.ViewSize = size
 scenes.aim(view)
 save("balanced")
 disable(view)

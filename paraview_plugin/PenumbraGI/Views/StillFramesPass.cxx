@@ -27,7 +27,8 @@ void StillFramesPass::Render(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
   // ParaView asks for 5 frames a second while it interacts, and for 0.002 of a still picture.
-  const bool still = renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1.0 && !renderer->GetSelector();
+  const bool still =
+    renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1.0 && !renderer->GetSelector();
   if (still && this->View && IsCaptured(this->View))
   {
     this->Pass->Restart();

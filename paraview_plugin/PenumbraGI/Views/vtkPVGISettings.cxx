@@ -48,7 +48,8 @@ void SayWhatRanksDoNotShare()
   if (controller->GetLocalProcessId() == 0)
   {
     vtkOutputWindow::GetInstance()->DisplayText(
-      "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect light stop at "
+      "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect "
+      "light stop at "
       "the boundaries between them for now.\n");
   }
 }
