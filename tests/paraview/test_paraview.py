@@ -76,6 +76,19 @@ class Pictures(Base):
         self.assertGreater(self.check_same_as_vtk("pvbatch", "balanced"), 0.3)
 
 
+class Representations(Base):
+    def test_what_a_view_can_show(self):
+        text = self.run_script("pvpython", "representations.py", self.folder)
+        cases = re.findall(r"(\w+): off ([\d.]+) balanced_changes ([\d.]+) after ([\d.]+)", text)
+        self.assertGreaterEqual(len(cases), 20)
+        for name, off, changed, after in cases:
+            with self.subTest(name):
+                self.assertGreaterEqual(float(off), 0.995)
+                self.assertEqual(float(after), 1.0)
+                # Without any light there is nothing to shade.
+                self.assertGreater(float(changed), -1.0 if name == "no_light_kit" else 0.02)
+
+
 class Screenshots(Base):
     def check_screenshots(self, program):
         self.run_script(program, "screenshots.py", self.folder)
