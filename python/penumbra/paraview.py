@@ -49,8 +49,16 @@ def load(remote_plugin=None):
     simple.LoadPlugin(_plugin(), remote=False)
     if connection is not None and connection.IsRemote():
         simple.LoadPlugin(remote_plugin or _plugin(), remote=True)
+    _forget_class(connection)
     if connection is not None and not _is_loaded():
         raise RuntimeError("ParaView did not take the plugin: see its message above")
+
+
+def _forget_class(connection):
+    """ParaView keeps the Python class of a kind of view that was made before: let it make one with the new properties."""
+    kinds = getattr(connection, "ProxiesNS", None)
+    for namespace in kinds.getNamespaces().values() if kinds is not None else ():
+        vars(namespace).pop("RenderView", None)
 
 
 def _render_view(view):
@@ -72,13 +80,13 @@ def settings(view=None):
         load()
     manager = servermanager.ProxyManager()
     name = f"GlobalIllumination{view.GetGlobalID()}"
-    held = manager.GetProxy(_GROUP, name)
+    held = manager.SMProxyManager.GetProxy(_GROUP, name)
     if held is None:
-        held = servermanager._getPyProxy(manager.NewProxy(_GROUP, "Settings"))
-        held.GIView = view
+        held = manager.SMProxyManager.NewProxy(_GROUP, "Settings")
+        held.GetProperty("GIView").AddProxy(view.SMProxy)
         held.UpdateVTKObjects()
-        manager.RegisterProxy(_GROUP, name, held)
-    return held
+        manager.SMProxyManager.RegisterProxy(_GROUP, name, held)
+    return servermanager._getPyProxy(held)
 
 
 def enable(view=None, preset="balanced", on=(), off=(), frames=1, **parameters):
@@ -119,9 +127,18 @@ def _set(proxy, name, value):
     proxy.SMProxy.GetProperty(name).SetElement(0, value)
 
 
+def _property_names(proxy):
+    iterator = proxy.SMProxy.NewPropertyIterator()
+    iterator.UnRegister(None)
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        yield iterator.GetKey()
+        iterator.Next()
+
+
 def _values(gi, proxy):
     """(property, value) of every switch and parameter of a pass."""
-    known = {name.lower(): name for name in proxy.ListProperties()}
+    known = {name.lower(): name for name in _property_names(proxy)}
     for i in range(gi.GetNumberOfTechniques()):
         technique = gi.GetTechnique(i)
         stem = technique.GetClassName()[len("vtk"):]
