@@ -133,7 +133,7 @@ class Server(Base):
         plugin = os.environ.get("PENUMBRA_PLUGIN", PACKAGE.parent / "lib/paraview-5.11/plugins/PenumbraGI/PenumbraGI.so")
         with open(self.folder / "server.log", "w+") as log:
             server = subprocess.Popen(
-                ["pvserver", "--disable-xdisplay-test", "--hostname=localhost", f"--server-port={port}",
+                ["pvserver", "--hostname=localhost", f"--server-port={port}",
                  f"--plugins={plugin}"], env=ENVIRONMENT, stdout=log, stderr=subprocess.STDOUT)
             try:
                 self.wait_for_server(server, self.folder / "server.log")
