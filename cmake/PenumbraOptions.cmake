@@ -3,6 +3,7 @@ set(PENUMBRA_VTK "auto" CACHE STRING
   "Which VTK to build against: auto (ParaView's if installed, else plain VTK), paraview, vtk")
 set_property(CACHE PENUMBRA_VTK PROPERTY STRINGS auto paraview vtk)
 option(PENUMBRA_BUILD_TOOL "Build the penumbra command" ON)
+option(PENUMBRA_BUILD_PARAVIEW_PLUGIN "Build ParaView's plugin where ParaView's development files are found" ON)
 option(PENUMBRA_BUILD_EXAMPLES "Build the examples" ON)
 option(PENUMBRA_BUILD_TESTS "Build the tests and benchmarks" ON)
 option(PENUMBRA_WRAP_PYTHON "Wrap the module for Python" ON)

@@ -156,4 +156,5 @@ def main():
     write(folder / "TechniqueRegistry.cxx", registry(stems))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -128,6 +128,11 @@ const char* vtkGIPass::GetLastError()
   return this->Impl->LastError.c_str();
 }
 
+void vtkGIPass::Restart()
+{
+  this->Impl->Restart();
+}
+
 int vtkGIPass::GetAccumulatedFrames(vtkRenderer* renderer)
 {
   const auto* memory = this->Impl->FindMemory(renderer);

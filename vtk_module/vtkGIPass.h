@@ -90,6 +90,12 @@ public:
   bool GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image);
 
   /**
+   * Begin what is averaged over frames anew at the next frame, so that its picture does not depend on
+   * those before. What techniques know of light in the scene, probes for instance, stays.
+   */
+  void Restart();
+
+  /**
    * Number of still frames averaged in the last picture of a renderer: 1 for a first frame.
    */
   int GetAccumulatedFrames(vtkRenderer* renderer);

@@ -90,7 +90,8 @@ struct View
   double Diagonal = 0.0;                                   ///< of Bounds
   int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
   int FrameNumber = 0;
-  int Sequence = 0; ///< place in the sequences of noise
+  int FirstFrame = 0; ///< number of the one that averages over frames began with
+  int Sequence = 0;   ///< place in the sequences of noise
   SceneChanges Changes;
   GLenum DepthFormat = 0;         ///< of the window, so that depth can be copied; 0 if it cannot
   bool KeepsRadiance = false;     ///< values above 1 matter
@@ -168,7 +169,10 @@ public:
   }
 
   /// Other noise every frame, also while things change: a technique averages over them.
-  void ChangeNoise() { this->CurrentView.Sequence = this->CurrentView.FrameNumber; }
+  void ChangeNoise()
+  {
+    this->CurrentView.Sequence = this->CurrentView.FrameNumber - this->CurrentView.FirstFrame;
+  }
 
   /// Shift this frame's picture by a part of a pixel.
   void SetJitter(const glm::dvec2& pixels);

@@ -39,6 +39,14 @@ const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer
   return nullptr;
 }
 
+void vtkGIPass::Internals::Restart()
+{
+  for (auto& view : this->Views)
+  {
+    view.second.Restarts = true;
+  }
+}
+
 std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
@@ -70,6 +78,47 @@ GLenum TextureFormat(vtkTextureObject* texture)
   glBindTexture(texture->GetTarget(), 0);
   return static_cast<GLenum>(format);
 }
+
+// The format of the depth that is drawn to now: the window's, or that of a pass around this one, as tone
+// mapping is. 0 where it cannot be told.
+GLenum BoundDepthFormat()
+{
+  GLint bound = 0;
+  GLint samples = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (bound == 0)
+  {
+    return 0;
+  }
+  const auto ask = [](GLenum what) {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, what, &value);
+    return value;
+  };
+  const GLint type = ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+  if (type == GL_NONE)
+  {
+    return 0;
+  }
+  const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  const GLenum target = samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  GLint format = 0;
+  if (type == GL_RENDERBUFFER)
+  {
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &format);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+  }
+  else if (type == GL_TEXTURE)
+  {
+    glBindTexture(target, name);
+    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    glBindTexture(target, 0);
+  }
+  const TextureDesc desc = { static_cast<GLenum>(format), 0, 0, 0 };
+  return desc.IsDepth() ? desc.Format : 0;
+}
 }
 
 View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
@@ -83,13 +132,7 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
   view.ViewToWorld = glm::inverse(view.WorldToView);
   view.ViewToClip = CameraOverride::ViewToClip(renderer);
   view.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  if (auto* depth = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())
-                      ->GetRenderFramebuffer()
-                      ->GetDepthAttachmentAsTextureObject())
-  {
-    const TextureDesc desc = { TextureFormat(depth), 0, 0, 0 };
-    view.DepthFormat = desc.IsDepth() ? desc.Format : 0;
-  }
+  view.DepthFormat = BoundDepthFormat();
   view.WantsAntiAliasing = renderer->GetRenderWindow()->GetMultiSamples() > 1;
   renderer->ComputeVisiblePropBounds(view.Bounds.data());
   if (view.Bounds[0] <= view.Bounds[1])
@@ -104,6 +147,7 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
   view.StillFrames = memory.StillFrames;
   view.Sequence = memory.StillFrames;
   view.FrameNumber = memory.FrameNumber;
+  view.FirstFrame = memory.FirstFrame;
   return view;
 }
 
@@ -134,6 +178,13 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
     memory = Memory(); // another renderer at a dead one's address
     memory.Renderer = renderer;
     memory.Name = std::to_string(++this->ViewsMade);
+  }
+  if (memory.Restarts)
+  {
+    memory.Restarts = false;
+    memory.StillFrames = 0;
+    memory.FirstFrame = memory.FrameNumber;
+    memory.Motion = MotionTable(); // nothing is reprojected from before
   }
   try
   {

@@ -29,6 +29,7 @@ public:
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
   void ReleaseGraphicsResources(vtkWindow* window);
+  void Restart();
   bool ReadHistory(vtkRenderer* renderer, const std::string& name, vtkImageData* image);
   bool ReadRadiance(vtkRenderer* renderer, vtkImageData* image);
 
@@ -40,7 +41,9 @@ public:
     penumbra::SceneSignature Signature;
     penumbra::MotionTable Motion;
     int StillFrames = 0;
+    bool Restarts = false; ///< the next frame knows nothing of those before
     int FrameNumber = 0;
+    int FirstFrame = 0; ///< since the last Restart()
     glm::ivec2 WindowSize{ 0 };
     std::vector<float> Radiance; ///< rgba, bottom row first
   };

@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Generate, from vtk_module/parameters/*.json, what ParaView's server manager needs to know of each technique.
+
+GlobalIllumination.xml: a property for each parameter (documentation, unit, range, default), and the extension of
+ParaView's render view by all of them, a group for each technique. vtkPVGIParameters.h and .cxx: the method that each
+property calls, and the table of property, technique and parameter.
+
+The defaults are the values of the preset "balanced": to switch global illumination on is to have that preset.
+
+usage: generate_paraview.py OUTPUT_FOLDER FILE.json...
+"""
+import json
+import pathlib
+import sys
+from xml.sax.saxutils import escape, quoteattr
+
+from generate_parameters import NOTICE, check, kebab, number, quote, write
+
+START_PRESET = "balanced"
+SWITCH = "GlobalIllumination"
+
+
+def words(camel):
+    """SlopeBias as a label: Slope bias. What is written in capitals stays so."""
+    text = kebab(camel).replace("-", " ") if not camel.isupper() else camel
+    return text[0].upper() + text[1:]
+
+
+def capital(text):
+    return text[0].upper() + text[1:]
+
+
+def visible_where(prop, indent):
+    return (f'{indent}<Hints><PropertyWidgetDecorator type="GenericDecorator" mode="visibility" '
+            f'property="{prop}" value="1"/></Hints>\n')
+
+
+def domain(parameter):
+    if parameter["type"] == "bool":
+        return '<BooleanDomain name="bool"/>'
+    if parameter["type"] == "enum":
+        entries = "".join(f'<Entry text={quoteattr(value)} value="{i}"/>'
+                          for i, value in enumerate(parameter["values"]))
+        return f'<EnumerationDomain name="enum">{entries}</EnumerationDomain>'
+    kind = "Double" if parameter["type"] == "double" else "Int"
+    low, high = parameter["range"]
+    most = "" if high >= 1e30 else f' max="{high}"'
+    return f'<{kind}RangeDomain name="range" min="{low}"{most}/>'
+
+
+def tooltip(parameter):
+    text = parameter["doc"]
+    if parameter.get("unit"):
+        text += f" Unit: {parameter['unit']}."
+    low, high = parameter["range"]
+    if parameter["type"] in ("int", "double"):
+        text += f" Range: {low} and more." if high >= 1e30 else f" Range: {low} to {high}."
+    return text
+
+
+def sm_property(name, label, command, kind, default, inner, doc, shown_with=None, advanced=False):
+    tag = "DoubleVectorProperty" if kind == "double" else "IntVectorProperty"
+    visibility = "advanced" if advanced else "default"
+    call = f' command="{command}"' if command else ""
+    return (f'      <{tag} name="{name}" label={quoteattr(label)}{call} number_of_elements="1" '
+            f'default_values="{default}" panel_visibility="{visibility}">\n        {inner}\n'
+            f'        <Documentation>{escape(doc)}</Documentation>\n' +
+            (visible_where(shown_with, "        ") if shown_with else "") + f'      </{tag}>\n')
+
+
+def rows(techniques):
+    """(property, technique, parameter or None, declaration, default) in the order of the panel."""
+    for stem, technique in techniques:
+        preset = technique["presets"][START_PRESET]
+        yield f"GI{stem}", technique["name"], None, technique, int(preset["enabled"])
+        for p in technique["parameters"]:
+            yield (f"GI{stem}{p['name']}", technique["name"], kebab(p["name"]), p,
+                   number(p, preset.get(p["name"], p["default"])))
+
+
+def general_properties(presets):
+    names = "".join(f'<Entry text="{name}" value="{i}"/>' for i, name in enumerate(presets))
+    yield sm_property(SWITCH, "Global illumination", "SetEnabled", "int", 0, '<BooleanDomain name="bool"/>',
+                      "Light what is drawn in this view by Penumbra: shadows, occlusion, reflected light. Off: the "
+                      "picture of ParaView itself.")
+    yield sm_property("GIPreset", "Apply preset", None, "int", -1,
+                      f'<EnumerationDomain name="enum"><Entry text="choose" value="-1"/>{names}</EnumerationDomain>',
+                      "Sets all techniques and parameters below to the values of a preset. What they are afterwards "
+                      "is what counts and what is saved; this goes back to where it was.", SWITCH)
+    yield sm_property("GIStillFrames", "Frames of a still picture", "SetStillFrames", "int", 1,
+                      '<IntRangeDomain name="range" min="1"/>',
+                      "How many frames are drawn for one still picture, a screenshot for instance: techniques that "
+                      "collect light or smooth edges from frame to frame need several. While the camera is moved, one.",
+                      SWITCH)
+
+
+def settings_proxy(techniques):
+    out = ['    <GISettingsProxy name="Settings" class="vtkPVGISettings" label="Global illumination"\n'
+           '        processes="client|renderserver">\n'
+           '      <Documentation>Global illumination of one render view.</Documentation>\n']
+    out += general_properties(techniques[0][1]["presets"])
+    for name, technique, parameter, declaration, default in rows(techniques):
+        if parameter is None:
+            out.append(sm_property(
+                name, declaration["title"], f"Set{name}", "int", default, '<BooleanDomain name="bool"/>',
+                f"It buys: {declaration['term']}. Verb: {declaration['verb']}. Follows a moving scene: "
+                f"{declaration['dynamic']}.", SWITCH))
+            switch = name
+        else:
+            out.append(sm_property(name, words(declaration["name"]), f"Set{name}", declaration["type"], default,
+                                   domain(declaration), tooltip(declaration), switch, advanced=True))
+    out.append('      <ProxyProperty name="GIView" command="SetView" panel_visibility="never">\n'
+               '        <ProxyGroupDomain name="groups"><Group name="views"/></ProxyGroupDomain>\n'
+               '        <Documentation>The render view that these are the settings of, where they are no part of '
+               'it.</Documentation>\n      </ProxyProperty>\n    </GISettingsProxy>\n')
+    return "".join(out)
+
+
+def group(label, names):
+    listed = "".join(f'            <Property name="{name}"/>\n' for name in names)
+    return f'          <PropertyGroup label={quoteattr(label)}>\n{listed}          </PropertyGroup>\n'
+
+
+def extension(techniques):
+    table = list(rows(techniques))
+    switches = [SWITCH, "GIPreset", "GIStillFrames"] + [name for name, _, parameter, _, _ in table if parameter is None]
+    groups = group("Global illumination", switches)
+    for stem, technique in techniques:
+        names = [name for name, owner, parameter, _, _ in table if owner == technique["name"] and parameter]
+        if names:
+            groups += group(f"Global illumination: {technique['title']}", names)
+    return ('    <Extension name="RenderView">\n      <SubProxy command="AddRepresentation">\n'
+            '        <Proxy name="GlobalIllumination" proxygroup="global_illumination" proxyname="Settings"/>\n'
+            f'        <ExposedProperties>\n{groups}        </ExposedProperties>\n'
+            '      </SubProxy>\n    </Extension>\n')
+
+
+def xml(techniques):
+    return ("<!-- Generated from vtk_module/parameters/*.json: edit those files instead. -->\n"
+            "<ServerManagerConfiguration>\n  <ProxyGroup name=\"global_illumination\">\n" + settings_proxy(techniques) +
+            "  </ProxyGroup>\n  <ProxyGroup name=\"views\">\n" + extension(techniques) +
+            "  </ProxyGroup>\n</ServerManagerConfiguration>\n")
+
+
+def header(techniques):
+    setters = []
+    for name, technique, parameter, declaration, _ in rows(techniques):
+        kind = "double" if declaration.get("type") == "double" else "int"
+        setters += ["  /**", f"   * {declaration['doc'] if parameter else 'Switch: ' + declaration['title'] + '.'}", "   */",
+                    f"  void Set{name}({kind} value) {{ this->SetSetting({quote(name)}, value); }}"]
+    return "\n".join([
+        NOTICE.format(stem="*") + "/**\n * @class   vtkPVGIParameters\n * @brief   a method for each property of "
+        "ParaView's settings of global illumination\n */",
+        "#ifndef vtkPVGIParameters_h", "#define vtkPVGIParameters_h", "", '#include "vtkDataRepresentation.h"',
+        '#include "vtkPenumbraParaViewModule.h" // for the export macro', "", "#include <vector> // for the table", "",
+        "class VTKPENUMBRAPARAVIEW_EXPORT vtkPVGIParameters : public vtkDataRepresentation", "{", "public:",
+        "  vtkTypeMacro(vtkPVGIParameters, vtkDataRepresentation);", ""] + setters + ["",
+        "#ifndef __VTK_WRAP__",
+        "  /// One property: its technique, and the parameter of that, or nullptr for its switch.",
+        "  struct Row", "  {", "    const char* Property;", "    const char* Technique;", "    const char* Parameter;", "  };",
+        "  static const std::vector<Row>& Table();", "#endif", "",
+        "protected:", "  vtkPVGIParameters() = default;", "  ~vtkPVGIParameters() override = default;", "",
+        "  virtual void SetSetting(const char* property, double value) = 0;", "",
+        "private:", "  vtkPVGIParameters(const vtkPVGIParameters&) = delete;",
+        "  void operator=(const vtkPVGIParameters&) = delete;", "};", "", "#endif", ""])
+
+
+def source(techniques):
+    table = [f"    {{ {quote(name)}, {quote(technique)}, {quote(parameter) if parameter else 'nullptr'} }},"
+             for name, technique, parameter, _, _ in rows(techniques)]
+    return "\n".join([NOTICE.format(stem="*") + '#include "vtkPVGIParameters.h"', "",
+                      "const std::vector<vtkPVGIParameters::Row>& vtkPVGIParameters::Table()", "{",
+                      "  static const std::vector<Row> table = {"] + table + ["  };", "  return table;", "}", ""])
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    techniques = []
+    for path in map(pathlib.Path, sys.argv[2:]):
+        technique = json.loads(path.read_text())
+        check(path, technique)
+        techniques.append((path.stem, technique))
+    write(folder / "GlobalIllumination.xml", xml(techniques))
+    write(folder / "vtkPVGIParameters.h", header(techniques))
+    write(folder / "vtkPVGIParameters.cxx", source(techniques))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Draws several frames of a vtkGIPass for one still picture of ParaView, which draws each once: light
+ * that techniques collect over frames arrives, and edges are smoothed. One frame while the camera is
+ * moved, and for a selection.
+ */
+#pragma once
+
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+class vtkGIPass;
+class vtkPVView;
+
+namespace penumbra
+{
+class StillFramesPass : public vtkRenderPass
+{
+public:
+  static StillFramesPass* New();
+  vtkTypeMacro(StillFramesPass, vtkRenderPass);
+
+  void SetPass(vtkGIPass* pass);
+  void SetFrames(int frames) { this->Frames = frames; }
+  void SetView(vtkPVView* view) { this->View = view; }
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+private:
+  vtkSmartPointer<vtkGIPass> Pass;
+  vtkWeakPointer<vtkPVView> View;
+  int Frames = 1;
+};
+}

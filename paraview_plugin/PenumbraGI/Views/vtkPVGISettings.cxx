@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVGISettings.h"
+
+#include "StillFramesPass.h"
+#include "ViewAccess.h"
+
+#include "vtkGIPass.h"
+#include "vtkGITechnique.h"
+
+#include "vtkCommand.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkPVRenderView.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
+
+#include <cstring>
+
+vtkStandardNewMacro(vtkPVGISettings);
+
+class vtkPVGISettings::Internals
+{
+public:
+  vtkNew<vtkGIPass> Pass;
+  vtkNew<penumbra::StillFramesPass> Frames;
+  vtkWeakPointer<vtkPVRenderView> View;
+  unsigned long StartOfFrame = 0;
+  bool Enabled = false;
+};
+
+namespace
+{
+// Each process of several draws its own part of the data and knows nothing of the others'.
+void SayWhatRanksDoNotShare()
+{
+  static bool said = false;
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (said || !controller || controller->GetNumberOfProcesses() < 2)
+  {
+    return;
+  }
+  said = true;
+  if (controller->GetLocalProcessId() == 0)
+  {
+    vtkOutputWindow::GetInstance()->DisplayText(
+      "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect "
+      "light stop at "
+      "the boundaries between them for now.\n");
+  }
+}
+}
+
+vtkPVGISettings::vtkPVGISettings()
+  : Impl(new Internals)
+{
+  this->Impl->Pass->SetPreset("balanced");
+  this->Impl->Frames->SetPass(this->Impl->Pass);
+}
+
+vtkPVGISettings::~vtkPVGISettings()
+{
+  this->SetView(nullptr);
+}
+
+void vtkPVGISettings::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Enabled: " << this->Impl->Enabled << "\n";
+  this->Impl->Pass->PrintSelf(os, indent.GetNextIndent());
+}
+
+vtkGIPass* vtkPVGISettings::GetPass()
+{
+  return this->Impl->Pass;
+}
+
+bool vtkPVGISettings::GetEnabled() const
+{
+  return this->Impl->Enabled;
+}
+
+void vtkPVGISettings::SetEnabled(bool enabled)
+{
+  this->Impl->Enabled = enabled;
+  this->Place();
+}
+
+void vtkPVGISettings::SetStillFrames(int frames)
+{
+  this->Impl->Frames->SetFrames(frames);
+}
+
+bool vtkPVGISettings::AddToView(vtkView* view)
+{
+  this->SetView(vtkPVRenderView::SafeDownCast(view));
+  return false; // known to the view no longer than this call
+}
+
+void vtkPVGISettings::SetView(vtkPVRenderView* view)
+{
+  if (view == this->Impl->View)
+  {
+    return;
+  }
+  if (this->Impl->View)
+  {
+    this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->StartOfFrame);
+    const bool enabled = this->Impl->Enabled;
+    this->SetEnabled(false);
+    this->Impl->Enabled = enabled;
+  }
+  this->Impl->View = view;
+  this->Impl->Frames->SetView(view);
+  if (view)
+  {
+    penumbra::PrepareWindow(view->GetRenderWindow());
+    this->Impl->StartOfFrame =
+      view->GetRenderer()->AddObserver(vtkCommand::StartEvent, this, &vtkPVGISettings::Place);
+    this->Place();
+  }
+}
+
+void vtkPVGISettings::Place()
+{
+  vtkPVRenderView* view = this->Impl->View;
+  if (!view)
+  {
+    return;
+  }
+  vtkPVSynchronizedRenderer* passes = penumbra::PassesOf(view);
+  vtkRenderPass* present = passes->GetRenderPass();
+  if (this->Impl->Enabled && !present)
+  {
+    SayWhatRanksDoNotShare();
+    passes->SetRenderPass(this->Impl->Frames);
+  }
+  else if (!this->Impl->Enabled && present == this->Impl->Frames)
+  {
+    passes->SetRenderPass(nullptr);
+    this->Impl->Pass->ReleaseGraphicsResources(view->GetRenderWindow());
+  }
+}
+
+void vtkPVGISettings::SetSetting(const char* property, double value)
+{
+  for (const Row& row : Table())
+  {
+    if (std::strcmp(row.Property, property) != 0)
+    {
+      continue;
+    }
+    vtkGITechnique* technique = this->Impl->Pass->GetTechnique(row.Technique);
+    if (row.Parameter)
+    {
+      technique->SetParameter(row.Parameter, value);
+    }
+    else
+    {
+      technique->SetEnabled(value != 0.0);
+    }
+    return;
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMGISettingsProxy.h"
+
+#include "vtkPVGIParameters.h"
+
+#include "vtkGIPass.h"
+#include "vtkGITechnique.h"
+
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPropertyHelper.h"
+
+#include <cstring>
+
+vtkStandardNewMacro(vtkSMGISettingsProxy);
+
+namespace
+{
+constexpr const char* PresetProperty = "GIPreset";
+}
+
+void vtkSMGISettingsProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+void vtkSMGISettingsProxy::SetPropertyModifiedFlag(const char* name, int flag)
+{
+  this->Superclass::SetPropertyModifiedFlag(name, flag);
+  // While the proxy is made, the property has no value yet, and others are missing.
+  if (flag && this->GetObjectsCreated() && std::strcmp(name, PresetProperty) == 0)
+  {
+    vtkSMPropertyHelper preset(this, PresetProperty);
+    const int index = preset.GetAsInt();
+    if (index >= 0)
+    {
+      preset.Set(-1);
+      this->ApplyPreset(index);
+    }
+  }
+}
+
+void vtkSMGISettingsProxy::ApplyPreset(int index)
+{
+  vtkNew<vtkGIPass> pass; // never drawn: it knows the values
+  if (!pass->SetPreset(vtkGIPass::GetPresetName(index)))
+  {
+    return;
+  }
+  for (const vtkPVGIParameters::Row& row : vtkPVGIParameters::Table())
+  {
+    vtkGITechnique* technique = pass->GetTechnique(row.Technique);
+    vtkSMPropertyHelper(this, row.Property)
+      .Set(row.Parameter ? technique->GetParameter(row.Parameter) : technique->GetEnabled());
+  }
+}

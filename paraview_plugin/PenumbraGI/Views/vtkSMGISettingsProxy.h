@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMGISettingsProxy
+ * @brief   the client's side of vtkPVGISettings: applies presets
+ *
+ * Setting the property GIPreset sets every switch and parameter to the preset's value, and GIPreset
+ * back to "choose". So a state file holds the values alone, and cannot contradict itself.
+ *
+ * @sa vtkPVGISettings
+ */
+#ifndef vtkSMGISettingsProxy_h
+#define vtkSMGISettingsProxy_h
+
+#include "vtkPenumbraParaViewModule.h" // for the export macro
+#include "vtkSMProxy.h"
+
+class VTKPENUMBRAPARAVIEW_EXPORT vtkSMGISettingsProxy : public vtkSMProxy
+{
+public:
+  static vtkSMGISettingsProxy* New();
+  vtkTypeMacro(vtkSMGISettingsProxy, vtkSMProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkSMGISettingsProxy() = default;
+  ~vtkSMGISettingsProxy() override = default;
+
+  void SetPropertyModifiedFlag(const char* name, int flag) override;
+
+private:
+  vtkSMGISettingsProxy(const vtkSMGISettingsProxy&) = delete;
+  void operator=(const vtkSMGISettingsProxy&) = delete;
+
+  void ApplyPreset(int index);
+};
+
+#endif

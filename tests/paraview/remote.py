@@ -1,0 +1,25 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run by pvpython: the scene drawn by a server, all of it remotely; or by this process where no port is given.
+
+usage: remote.py PICTURE [PORT]
+"""
+import sys
+
+import scenes
+from paraview import simple
+from PIL import Image
+from penumbra.paraview import enable
+
+simple._DisableFirstRenderCameraReset()
+if len(sys.argv) > 2:
+    simple.Connect("localhost", int(sys.argv[2]))
+    scenes.penumbra.paraview.load()
+view = scenes.make_view()
+if len(sys.argv) > 2:
+    view.RemoteRenderThreshold = 0  # megabytes: always
+    view.CompressorConfig = "vtkLZ4Compressor 0 3"  # without loss
+scenes.show(view, scenes.sources())
+enable(view, frames=2)
+Image.fromarray(scenes.picture(view)).save(sys.argv[1])
+print("remote", int(view.GetClientSideObject().GetUseDistributedRenderingForRender()))

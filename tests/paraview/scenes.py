@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scene made twice: by ParaView's pipeline and views, and by VTK's own classes."""
+import penumbra.paraview  # noqa: F401 first, so that windows can be made without a display
+import numpy
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkLightKit, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+SIZE = (320, 240)
+# A ground under three isosurfaces, and balls on it: shadows near and far, hollows, colours by an array.
+GROUND = {"Origin": [-20, -20, -11], "Point1": [20, -20, -11], "Point2": [-20, 20, -11]}
+
+
+def sources():
+    """(source, array it is coloured by or None, colour) of every visible thing."""
+    wavelet = simple.Wavelet()
+    surface = simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[130.0, 160.0, 220.0])
+    ball = simple.Sphere(Center=[9, -9, -8], Radius=3, ThetaResolution=48, PhiResolution=48)
+    return [(simple.Plane(**GROUND), None, [0.8, 0.8, 0.75]), (surface, "RTData", None),
+            (ball, None, [0.9, 0.3, 0.2])]
+
+
+def show(view, things):
+    for source, array, colour in things:
+        shown = simple.Show(source, view, "GeometryRepresentation")
+        if array:
+            simple.ColorBy(shown, ("POINTS", array))
+            shown.RescaleTransferFunctionToDataRange(False)
+            shown.SetScalarBarVisibility(view, False)
+        else:
+            shown.ColorArrayName = [None, ""]
+            shown.AmbientColor = shown.DiffuseColor = colour
+    aim(view)
+
+
+def aim(view):
+    view.CameraPosition = [34, -42, 22]
+    view.CameraFocalPoint = [0, 0, -4]
+    view.CameraViewUp = [0, 0, 1]
+
+
+def make_view(**properties):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = SIZE
+    view.OrientationAxesVisibility = 0
+    view.CenterAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.32, 0.34, 0.43]
+    for name, value in properties.items():
+        view.GetProperty(name).SetData(value)
+    return view
+
+
+def picture(view):
+    """What a view shows: an array of bytes, top row first."""
+    simple.Render(view)
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(view.GetRenderWindow())
+    capture.ReadFrontBufferOff()
+    capture.ShouldRerenderOff()
+    capture.Update()
+    image = capture.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
+
+
+def vtk_renderer(view, things):
+    """The same scene by VTK's classes alone, with the camera of the view and ParaView's light kit."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(*view.Background)
+    renderer.SetTwoSidedLighting(True)
+    renderer.SetUseFXAA(bool(view.UseFXAA))
+    renderer.SetFXAAOptions(view.GetClientSideObject().GetRenderer().GetFXAAOptions())
+    for source, array, colour in things:
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputData(servermanager.Fetch(source))
+        actor = vtkActor()
+        actor.SetMapper(mapper)
+        if array:
+            table = simple.GetColorTransferFunction(array)
+            mapper.SetLookupTable(table.GetClientSideObject())
+            mapper.SetScalarModeToUsePointFieldData()
+            mapper.SelectColorArray(array)
+            mapper.InterpolateScalarsBeforeMappingOn()
+        else:
+            mapper.ScalarVisibilityOff()
+            actor.GetProperty().SetColor(*colour)
+        renderer.AddActor(actor)
+    camera = vtkCamera()
+    camera.DeepCopy(view.GetClientSideObject().GetActiveCamera())
+    renderer.SetActiveCamera(camera)
+    renderer.RemoveAllLights()
+    renderer.AutomaticLightCreationOff()
+    kit = vtkLightKit()
+    kit.AddLightsToRenderer(renderer)
+    kit.Update()
+    return renderer
+
+
+def within(one, other, limit=2):
+    """The share of pixels whose every component differs by no more than a limit."""
+    difference = numpy.abs(one.astype(int) - other.astype(int)).max(axis=2)
+    return float((difference <= limit).mean())

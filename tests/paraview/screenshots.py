@@ -1,0 +1,28 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run by pvpython or pvbatch: SaveScreenshot at the view's size, larger, and with a transparent background.
+
+usage: screenshots.py FOLDER
+"""
+import sys
+
+import scenes
+from paraview import simple
+from penumbra.paraview import enable
+
+folder = sys.argv[1]
+simple._DisableFirstRenderCameraReset()
+view = scenes.make_view()
+scenes.show(view, scenes.sources())
+enable(view, frames=4)
+simple.Render(view)
+width, height = scenes.SIZE
+small, large = [width, height], [3 * width, 3 * height]
+simple.SaveScreenshot(f"{folder}/same.png", view, ImageResolution=small)
+simple.SaveScreenshot(f"{folder}/transparent.png", view, ImageResolution=small, TransparentBackground=1)
+simple.SaveScreenshot(f"{folder}/again.png", view, ImageResolution=small)
+# ParaView draws what is larger than the view in tiles; occlusion on the screen ends at their edges.
+enable(view, off="ambient-occlusion")
+simple.SaveScreenshot(f"{folder}/tiled.png", view, ImageResolution=large)
+view.ViewSize = large
+simple.SaveScreenshot(f"{folder}/whole.png", view, ImageResolution=large)

@@ -1,0 +1,186 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView with the plugin, as scripts use it: pvpython and pvbatch without a display."""
+import os
+import pathlib
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy
+from PIL import Image
+
+HERE = pathlib.Path(__file__).resolve().parent
+# Open MPI as a container's or a chroot's only user; ranks that wait leave the processor to others.
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "DISPLAY"} | MPI
+PACKAGE = pathlib.Path(os.environ.get("PENUMBRA_PYTHON_PATH", HERE.parent.parent / "build" / "python"))
+ENVIRONMENT["PYTHONPATH"] = os.pathsep.join([str(PACKAGE), str(HERE)])
+
+
+def picture(path):
+    return numpy.asarray(Image.open(path)).astype(int)
+
+
+def within(one, other, limit=2):
+    return float((numpy.abs(one - other).max(axis=2) <= limit).mean())
+
+
+class Base(unittest.TestCase):
+    def setUp(self):
+        kept = os.environ.get("PENUMBRA_TEST_OUTPUT")
+        self.folder = pathlib.Path(kept or tempfile.mkdtemp())
+        self.folder.mkdir(parents=True, exist_ok=True)
+        if not kept:
+            self.addCleanup(shutil.rmtree, self.folder)
+
+    def run_script(self, program, script, *arguments, timeout=500):
+        """What a script printed, where ParaView found nothing to complain of."""
+        command = [*program.split(), str(HERE / script), *map(str, arguments)]
+        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
+        output = done.stdout + done.stderr
+        self.messages = output
+        self.assertEqual(done.returncode, 0, output)
+        for complaint in ("ERR|", "WARN|", "Traceback", "Error"):
+            self.assertNotIn(complaint, output)
+        print(f"\n{program} {script} {' '.join(map(str, arguments[:1]))}: {done.stdout.strip()}")
+        return done.stdout
+
+    def number(self, name, text):
+        return float(re.search(rf"\b{name}'?:? ([-\d.]+)", text).group(1))
+
+
+class Pictures(Base):
+    # 2 of 255 is what the blending of edges differs by; 0.5 % of pixels are left to rasterisation along
+    # edges, where ParaView's mappers and VTK's transform points in another order of operations.
+    def check_same_as_vtk(self, program, preset, *techniques):
+        text = self.run_script(program, "draw_both.py", preset, self.folder, *techniques)
+        self.assertGreaterEqual(self.number("equal", text), 0.995)
+        return self.number("changed", text)
+
+    def test_a_view_shows_what_vtk_draws(self):
+        self.assertGreater(self.check_same_as_vtk("pvpython", "balanced"), 0.3)
+
+    def test_probes_in_a_view_show_what_vtk_draws(self):
+        self.assertGreater(self.check_same_as_vtk("pvpython", "high", "ddgi"), 0.3)
+
+    def test_off_is_paraview_itself(self):
+        self.assertLess(self.check_same_as_vtk("pvpython", "off"), 0.005)
+
+    def test_batch_shows_what_vtk_draws(self):
+        self.assertGreater(self.check_same_as_vtk("pvbatch", "balanced"), 0.3)
+
+
+class Representations(Base):
+    def test_what_a_view_can_show(self):
+        text = self.run_script("pvpython", "representations.py", self.folder)
+        cases = re.findall(r"(\w+): off ([\d.]+) balanced_changes ([\d.]+) after ([\d.]+)", text)
+        self.assertGreaterEqual(len(cases), 20)
+        for name, off, changed, after in cases:
+            with self.subTest(name):
+                self.assertGreaterEqual(float(off), 0.995)
+                self.assertEqual(float(after), 1.0)
+                # Without any light there is nothing to shade.
+                self.assertGreater(float(changed), -1.0 if name == "no_light_kit" else 0.02)
+
+
+class Screenshots(Base):
+    def check_screenshots(self, program):
+        self.run_script(program, "screenshots.py", self.folder)
+        same, again = picture(self.folder / "same.png"), picture(self.folder / "again.png")
+        self.assertEqual(within(same, again, 0), 1.0)
+        tiled, whole = picture(self.folder / "tiled.png"), picture(self.folder / "whole.png")
+        self.assertEqual(tiled.shape[:2], (3 * same.shape[0], 3 * same.shape[1]))
+        # Each tile is a picture of its own camera: its shadows are sampled at other places (as in the test of the
+        # pass's own tiles).
+        self.assertGreaterEqual(within(tiled, whole, 8), 0.98)
+        clear = picture(self.folder / "transparent.png")
+        self.assertEqual(clear.shape[2], 4)
+        opaque, open_ = clear[..., 3] == 255, clear[..., 3] == 0
+        self.assertGreater(opaque.mean(), 0.5)
+        self.assertGreater(open_.mean(), 0.2)
+        self.assertLess(1 - opaque.mean() - open_.mean(), 0.03)  # smoothed edges
+        difference = numpy.abs(clear[..., :3] - same[..., :3]).max(axis=2)
+        self.assertGreaterEqual((difference[opaque] <= 2).mean(), 0.98)
+
+    def test_screenshots(self):
+        self.check_screenshots("pvpython")
+
+    def test_screenshots_in_batch(self):
+        self.check_screenshots("pvbatch")
+
+
+class States(Base):
+    def test_state_is_restored_in_a_new_process(self):
+        self.run_script("pvpython", "states.py", "save", self.folder)
+        saved = picture(self.folder / "save.png")
+        for action in ("load", "run"):
+            text = self.run_script("pvpython", "states.py", action, self.folder)
+            self.assertIn("samples 28 radius 1.25 temporal 0", text)
+            self.assertEqual(within(saved, picture(self.folder / f"{action}.png"), 0), 1.0, action)
+
+
+class Server(Base):
+    def test_a_server_draws_the_same(self):
+        with socket.socket() as probe:
+            probe.bind(("localhost", 0))
+            port = probe.getsockname()[1]
+        plugin = os.environ.get("PENUMBRA_PLUGIN", PACKAGE.parent / "lib/paraview-5.11/plugins/PenumbraGI/PenumbraGI.so")
+        with open(self.folder / "server.log", "w+") as log:
+            server = subprocess.Popen(
+                ["pvserver", "--hostname=localhost", f"--server-port={port}",
+                 f"--plugins={plugin}"], env=ENVIRONMENT, stdout=log, stderr=subprocess.STDOUT)
+            try:
+                self.wait_for_server(server, self.folder / "server.log")
+                remote = self.run_script("pvpython", "remote.py", self.folder / "remote.png", port)
+                self.assertEqual(server.wait(60), 0)
+            finally:
+                server.kill()
+                server.wait()
+        self.assertIn("remote 1", remote)
+        self.assertNotIn("ERR|", (self.folder / "server.log").read_text())
+        self.run_script("pvpython", "remote.py", self.folder / "local.png")
+        share = within(picture(self.folder / "remote.png"), picture(self.folder / "local.png"))
+        print(f"equal {share:.5f}")
+        self.assertGreaterEqual(share, 0.995)
+
+    def wait_for_server(self, server, log):
+        for _ in range(300):
+            if "Connection URL" in log.read_text():
+                return
+            self.assertIsNone(server.poll(), log.read_text())
+            time.sleep(0.2)
+        self.fail(f"the server did not start: {log.read_text()}")
+
+
+class Ranks(Base):
+    def test_two_ranks(self):
+        for count, name in ((1, "one"), (2, "two")):
+            program = f"mpirun --oversubscribe -n {count} pvbatch" if count > 1 else "pvbatch"
+            text = self.run_script(program, "ranks.py", self.folder / name, 100)
+            said = self.messages.count("stop at the boundaries")
+            self.assertEqual(said, 1 if count > 1 else 0, text)
+        # Direct light needs nothing of the other rank; what is left is the blending of edges before compositing.
+        for name, limit in (("plain", 0.995), ("direct", 0.995), ("after", 0.995)):
+            share = within(picture(self.folder / f"one_{name}.png"), picture(self.folder / f"two_{name}.png"))
+            print(f"{name} {share:.5f}")
+            self.assertGreaterEqual(share, limit)
+
+
+class Switching(Base):
+    def test_switching_leaves_nothing_behind(self):
+        text = self.run_script("pvpython", "toggles.py", 200)
+        for kind in ("Texture", "Buffer", "Framebuffer", "Program"):
+            self.assertLessEqual(self.number(kind, text), 0)
+        self.assertLess(self.number("megabytes", text), 8)
+        self.assertEqual(self.number("lit_equal", text), 1.0)
+        self.assertEqual(self.number("plain_equal", text), 1.0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)
