@@ -13,7 +13,7 @@ vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
   {
     int probes[8];
     float weights[8];
-    fieldWeights(walk.grid, P, N, V, reach, true, probes, weights);
+    fieldWeights(walk, P, N, V, reach, true, probes, weights);
     for (int i = 0; i < 8; ++i)
     {
       sum += walk.share * weights[i] * fieldFetch(fieldLight, probes[i], D, float(GI_FIELD_LIGHT)).rgb;

@@ -11,7 +11,7 @@ void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
   {
     int probes[8];
     float weights[8];
-    fieldWeights(walk.grid, P, vec3(0.0), V, reach, true, probes, weights);
+    fieldWeights(walk, P, vec3(0.0), V, reach, true, probes, weights);
     for (int i = 0; i < 8; ++i)
     {
       float weight = walk.share * weights[i];

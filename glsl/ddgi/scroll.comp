@@ -1,7 +1,7 @@
 #version 430 core
 // Probes of a grid that moved, where the grid had none before. Until its rays know better such a probe has the light of
 // those of the grids around that it sees, and is asked only where no other sees a point. Variants: those of
-// rays/passage.glsl.
+// probes/field.glsl and rays/passage.glsl.
 #include "shared/material.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -47,7 +47,7 @@ void takeLightOfGridsAround(int probe, vec3 place)
   {
     int others[8];
     float weights[8];
-    fieldWeights(walk.grid, place, vec3(0.0), vec3(0.0), 0.0, false, others, weights);
+    fieldWeights(walk, place, vec3(0.0), vec3(0.0), 0.0, false, others, weights);
     float seen = 0.0;
     for (int i = 0; i < 8; ++i)
     {

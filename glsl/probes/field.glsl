@@ -200,15 +200,18 @@ float fieldTells(int probe, vec3 position, vec3 P, vec3 N, vec3 off)
 
 // A grid's eight probes around a point of a surface, and weights that add up to 1, or to less where probes left their
 // places (dark: as nothing but what is in the dark was seen from there, which is still known). V: unit, to where the
-// point is seen from; reach: how far that is, with nothing between.
-void fieldWeights(fieldGrid grid, vec3 P, vec3 N, vec3 V, float reach, bool dark, out int probes[8], out float weights[8])
+// point is seen from; reach: how far that is, with nothing between. Where none of a finer grid's probes sees the point, as
+// when they are new, it tells nothing of it, and the grids around do.
+void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, bool dark, out int probes[8], out float weights[8])
 {
+  fieldGrid grid = walk.grid;
   float cell = fieldCellSize(grid);
   vec3 off = P + 0.2 * N * (fieldBias * cell) + 0.8 * V * min(fieldBias * cell, reach);
   vec3 place = (P - grid.origin) / grid.spacing;
   ivec3 base = clamp(ivec3(floor(place)), ivec3(0), max(grid.counts - 2, ivec3(0)));
   vec3 share = clamp(place - vec3(base), vec3(0.0), vec3(1.0));
   int seen[8];
+  float told = 0.0;
   float total = 0.0; // of their squares
   float left = 0.0;  // weights of the places that probes left
   float lefts = 0.0; // squares of those
@@ -225,6 +228,7 @@ void fieldWeights(fieldGrid grid, vec3 P, vec3 N, vec3 V, float reach, bool dark
     vec3 home = grid.origin + grid.spacing * vec3(at);
     weights[i] = linear * fieldTells(probe, home + record.xyz, P, N, off);
     seen[i] = int(record.w);
+    told += weights[i];
     total += weights[i] * weights[i];
     away |= dark && record.xyz != vec3(0.0) ? 1 << i : 0;
   }
@@ -241,6 +245,11 @@ void fieldWeights(fieldGrid grid, vec3 P, vec3 N, vec3 V, float reach, bool dark
   // A probe counts as far as the others that count see it: one behind a wall may seem to see the point where
   // that is close to the wall, but none of those before the wall sees the probe.
   float agreements[8];
+#ifdef GI_FIELD_NESTED
+  float known = grid.first > 0 ? min(1e4 * (told + left), 1.0) : 1.0;
+  walk.left += (1.0 - known) * walk.share;
+  walk.share *= known;
+#endif
   total = max(total + lefts, 1e-30);
   float all = left * fieldAgreement(lefts / total);
   for (int i = 0; i < 8; ++i)

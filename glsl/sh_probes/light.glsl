@@ -56,7 +56,7 @@ void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[LIGHT_TE
   {
     int probes[8];
     float weights[8];
-    fieldWeights(walk.grid, P, N, V, reach, false, probes, weights);
+    fieldWeights(walk, P, N, V, reach, false, probes, weights);
     for (int i = 0; i < 8; ++i)
     {
       float weight = walk.share * weights[i];

@@ -104,8 +104,9 @@ void LiveProbeMaps::BindStates() const
 void LiveProbeUpdate::Scroll(
   FrameContext& context, const LiveProbeMaps& maps, int number, const glm::ivec3& moved) const
 {
-  const Program& program =
-    context.Shaders().Compute("ddgi/scroll.comp", this->Rays->ShaderDefines());
+  Defines variant = this->Rays->ShaderDefines();
+  variant.merge(this->Uniforms.Variant());
+  const Program& program = context.Shaders().Compute("ddgi/scroll.comp", variant);
   context.Use(
     program, { nullptr, nullptr, nullptr, nullptr, maps.Light, maps.Distance, maps.Probes });
   this->Rays->Bind(program);
