@@ -141,18 +141,26 @@ def write(path, text):
         path.write_text(text)
 
 
-def main():
+def arguments(usage):
+    """From the command line, FOLDER FILE...: the folder, made, and the techniques of the files by their stems."""
     if len(sys.argv) < 3:
-        sys.exit(__doc__)
+        sys.exit(usage)
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    stems = []
+    techniques = []
     for path in map(pathlib.Path, sys.argv[2:]):
         technique = json.loads(path.read_text())
         check(path, technique)
-        write(folder / f"vtkGI{path.stem}Parameters.h", header(path.stem, technique))
-        write(folder / f"vtkGI{path.stem}Parameters.cxx", source(path.stem, technique))
-        stems.append(path.stem)
+        techniques.append((path.stem, technique))
+    return folder, techniques
+
+
+def main():
+    folder, techniques = arguments(__doc__)
+    for stem, technique in techniques:
+        write(folder / f"vtkGI{stem}Parameters.h", header(stem, technique))
+        write(folder / f"vtkGI{stem}Parameters.cxx", source(stem, technique))
+    stems = [stem for stem, _ in techniques]
     write(folder / "TechniqueRegistry.cxx", registry(stems))
 
 

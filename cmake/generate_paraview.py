@@ -11,12 +11,9 @@ The defaults are the values of the preset "balanced": to switch global illuminat
 
 usage: generate_paraview.py OUTPUT_FOLDER FILE.json...
 """
-import json
-import pathlib
-import sys
 from xml.sax.saxutils import escape, quoteattr
 
-from generate_parameters import NOTICE, check, kebab, number, quote, write
+from generate_parameters import NOTICE, arguments, kebab, number, quote, write
 
 START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
@@ -176,15 +173,7 @@ def source(techniques):
 
 
 def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    folder = pathlib.Path(sys.argv[1])
-    folder.mkdir(parents=True, exist_ok=True)
-    techniques = []
-    for path in map(pathlib.Path, sys.argv[2:]):
-        technique = json.loads(path.read_text())
-        check(path, technique)
-        techniques.append((path.stem, technique))
+    folder, techniques = arguments(__doc__)
     write(folder / "GlobalIllumination.xml", xml(techniques))
     write(folder / "vtkPVGIParameters.h", header(techniques))
     write(folder / "vtkPVGIParameters.cxx", source(techniques))

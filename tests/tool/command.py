@@ -50,6 +50,13 @@ class CommandTest(unittest.TestCase):
             self.assertIn(words, line)
         return ended
 
+    def report(self, *arguments, notes=()):
+        """The JSON that it prints as it ends well."""
+        return json.loads(self.succeeds(*arguments, notes=notes).stdout)
+
+    def compare(self, one, other, *limits):
+        return self.report("compare", one, other, "--json", *limits)
+
     def refused(self, *arguments, says, status=None, env=None):
         """Ends with one sentence that has these words, no signal, and a status other than 0."""
         ended = self.penumbra(*arguments, env=env)
@@ -68,3 +75,8 @@ class CommandTest(unittest.TestCase):
         self.assertIn(says, sentences[0])
         for raw in ("ERR|", "WARN|", "Warning:", "ERROR:"):
             self.assertNotIn(raw, ended.stdout + ended.stderr)
+
+
+class LightmapTest(CommandTest):
+    def bake(self, scene, *arguments, notes=(), output="map.exr"):
+        return self.report("bake", "lightmap", scene, "-o", output, "--stats", *arguments, notes=notes)

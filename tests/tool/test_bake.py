@@ -23,8 +23,7 @@ ROOM = {"size": [32, 24], "objects": [FLOOR], "lights": [LAMP]}
 
 class Radiosity(command.CommandTest):
     def bake(self, scene, *arguments, notes=()):
-        ended = self.succeeds("bake", "radiosity", scene, "-o", "solution.vtp", "--stats", *arguments, notes=notes)
-        return json.loads(ended.stdout)
+        return self.report("bake", "radiosity", scene, "-o", "solution.vtp", "--stats", *arguments, notes=notes)
 
     def test_cornell_box_is_the_path_tracers(self):
         """The lamp's own pixels are masked: what its outline makes is no light of radiosity."""
@@ -32,7 +31,7 @@ class Radiosity(command.CommandTest):
         self.succeeds("render", CORNELL, "--preset", "reference", "--spp", 512, *size, "-o", "traced.exr")
         baked = self.bake(CORNELL, *size, "--patch-size", 40, "--refine", 0, "--solver", "both", "--view",
                           "baked.exr")
-        compared = json.loads(self.succeeds("compare", "baked.exr", "traced.exr", "--mask-above", 3, "--json").stdout)
+        compared = self.compare("baked.exr", "traced.exr", "--mask-above", 3)
         print(f"\nCornell box, {baked['patches']} patches: relMSE {compared['relmse']:.6f} ({compared['masked-pixels']} "
               f"pixels of the lamp masked), signed mean "
               f"{compared['signed-mean']:+.6f}; solvers apart by {100 * baked['solvers-differ']:.4f} %")

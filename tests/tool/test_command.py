@@ -22,9 +22,6 @@ class Rendered(command.CommandTest):
     def render(self, output, *arguments, scene=SCENE, **more):
         return self.succeeds("render", self.scene(scene), "-o", output, *arguments, **more)
 
-    def compare(self, a, b, *limits):
-        return json.loads(self.succeeds("compare", a, b, "--json", *limits).stdout)
-
     def test_png(self):
         self.render("out.png")
         with Image.open(self.folder / "out.png") as picture:

@@ -18,18 +18,11 @@ BALL = {"name": "ball", "sphere": {"center": [160, 300, 120], "radius": 70, "res
         "material": {"color": [0.8, 0.8, 0.3], "shading": "phong"}}
 
 
-class DirectLightmap(command.CommandTest):
+class DirectLightmap(command.LightmapTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
         cls.cornell = json.loads(CORNELL.read_text())
-
-    def bake(self, scene, *arguments, notes=(), output="map.exr"):
-        ended = self.succeeds("bake", "lightmap", scene, "-o", output, "--stats", *arguments, notes=notes)
-        return json.loads(ended.stdout)
-
-    def compare(self, one, other, *arguments):
-        return json.loads(self.succeeds("compare", one, other, *arguments, "--json").stdout)
 
     def test_cornell_box_is_the_path_tracers(self):
         """The whole picture, with no technique for shadows: they are the map's."""

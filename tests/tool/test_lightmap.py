@@ -42,14 +42,7 @@ def lamp_room():
             "camera": {"position": [0.4, -4, 0.3], "focal": [0, 0, -0.1], "up": [0, 0, 1], "angle": 35}}
 
 
-class Lightmap(command.CommandTest):
-    def bake(self, scene, *arguments, notes=(), output="map.exr"):
-        ended = self.succeeds("bake", "lightmap", scene, "-o", output, "--stats", *arguments, notes=notes)
-        return json.loads(ended.stdout)
-
-    def compare(self, one, other, *arguments):
-        return json.loads(self.succeeds("compare", one, other, *arguments, "--json").stdout)
-
+class Lightmap(command.LightmapTest):
     def test_closed_enclosure(self):
         for reflectance in (0.5, 0.8):
             emission = 0.2

@@ -22,13 +22,12 @@ BAKE = ("--probes", 64, "--samples", 64)
 
 class Probes(command.CommandTest):
     def bake(self, scene, *arguments, notes=()):
-        ended = self.succeeds("bake", "probes", scene, "-o", "room.vti", "--stats", *BAKE, *arguments, notes=notes)
-        return json.loads(ended.stdout)
+        return self.report("bake", "probes", scene, "-o", "room.vti", "--stats", *BAKE, *arguments, notes=notes)
 
     def brightness(self, scene, *arguments, notes=()):
         self.succeeds("render", scene, "-o", "seen.exr", "--preset", "off", "--frames", 1, *arguments, notes=notes)
         self.succeeds("render", scene, "-o", "plain.exr", "--preset", "off", "--frames", 1)
-        compared = json.loads(self.succeeds("compare", "seen.exr", "plain.exr", "--json").stdout)
+        compared = self.compare("seen.exr", "plain.exr")
         return compared["signed-mean"]
 
     def test_a_room_is_lit_by_its_bake(self):
