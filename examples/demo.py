@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw real data with stock VTK and with Penumbra, and put the pictures side by side.
+"""Draw real data with stock VTK and with two presets of Penumbra, and put the pictures side by side.
 
 usage: PYTHONPATH=build/python python3 examples/demo.py [--output FOLDER] [--size WxH] [SCENE...]
 """
@@ -39,44 +39,43 @@ def milliseconds(window, renderer, frames):
 
 
 def draw(name, size, frames, still):
-    """Both pictures of a scene and the times of their frames."""
+    """Columns of a scene, each a picture, what it is and what its frames take; its title; and what drew it."""
     title, build = scenes.SCENES[name]
     progress(f"{name}: reading")
     renderer = build()
-    # VTK's cheap anti-aliasing on both sides, as multisampling makes stock VTK slow on a CPU.
+    # VTK's cheap anti-aliasing on all sides, as multisampling makes stock VTK slow on a CPU.
     renderer.UseFXAAOn()
     window = penumbra.window(renderer, size=size, multisamples=0)
     progress(f"{name}: stock VTK")
     stock = penumbra.render(window)
-    stock_time = milliseconds(window, renderer, frames)
-    progress(f"{name}: Penumbra")
-    # Still frames are averaged; a fifth of the light comes from all around.
-    penumbra.enable(renderer, "balanced", anti_aliasing__mode="accumulate",
-                    ambient_occlusion__ambient_share=0.2)
-    penumbra.render(window)
-    lit_time = milliseconds(window, renderer, frames)
-    lit = penumbra.render(window, frames=still)
+    columns = [(stock, f"VTK {vtkVersion.GetVTKVersion()}", f"FXAA: {milliseconds(window, renderer, frames):.0f} ms a frame")]
+    for preset, label, what in (("balanced", "Penumbra, balanced", "shadows, ambient occlusion"),
+                                ("high", "high", "and indirect light")):
+        progress(f"{name}: the preset {preset}")
+        # Still frames are averaged.
+        penumbra.enable(renderer, preset, anti_aliasing__mode="accumulate")
+        penumbra.render(window)
+        lit_time = milliseconds(window, renderer, frames)
+        columns.append((penumbra.render(window, frames=still), label, f"{what}: {lit_time:.0f} ms a frame"))
     where = window.GetDescription() if hasattr(window, "GetDescription") else ""
-    return title, stock, stock_time, lit, lit_time, where
+    return columns, title, where
 
 
-def sheet(drawn):
-    """The two pictures of a scene beside each other, with labels."""
-    title, stock, stock_time, lit, lit_time, where = drawn
-    height, width, _ = stock.shape
+def sheet(columns, title, where):
+    """The pictures of a scene beside each other, with labels."""
+    height, width, _ = columns[0][0].shape
     unit = max(7, round(width / 40))
     large, small = (ImageFont.truetype(FONT, n) for n in (unit, round(0.72 * unit)))
     top, bottom, gap = 2 * unit, round(2.6 * unit), max(2, unit // 4)
-    page = Image.new("RGB", (2 * width + gap, height + top + bottom), (250, 250, 250))
+    page = Image.new("RGB", (len(columns) * (width + gap) - gap, height + top + bottom), (250, 250, 250))
     pen = ImageDraw.Draw(page)
     pen.text((unit, top / 2), title, (20, 20, 20), large, "lm")
     if where:
         pen.text((page.width - unit, top / 2), where, (120, 120, 120), small, "rm")
-    for x, picture, label, note in (
-            (0, stock, f"VTK {vtkVersion.GetVTKVersion()}", f"FXAA: {stock_time:.0f} ms a frame"),
-            (width + gap, lit, "Penumbra", f"and shadows, ambient occlusion: {lit_time:.0f} ms a frame")):
+    y = top + height + bottom / 2
+    for number, (picture, label, note) in enumerate(columns):
+        x = number * (width + gap)
         page.paste(Image.fromarray(picture), (x, top))
-        y = top + height + bottom / 2
         pen.text((x + unit, y), label, (20, 20, 20), large, "lm")
         pen.text((x + width - unit, y), note, (90, 90, 90), small, "rm")
     return page
@@ -88,7 +87,7 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/demo"))
     parser.add_argument("--size", default="800x600", help="of each picture (default %(default)s)")
     parser.add_argument("--frames", type=int, default=2, help="timed in each direction")
-    parser.add_argument("--still", type=int, default=16, help="still frames averaged")
+    parser.add_argument("--still", type=int, default=32, help="still frames averaged")
     options = parser.parse_args()
     for name in options.scenes:
         if name not in scenes.SCENES:
@@ -105,7 +104,7 @@ def main():
         options.output.mkdir(parents=True, exist_ok=True)
         pages = []
         for name in options.scenes or scenes.SCENES:
-            pages.append(sheet(draw(name, (width, height), options.frames, options.still)))
+            pages.append(sheet(*draw(name, (width, height), options.frames, options.still)))
             pages[-1].save(options.output / f"{name}.png")
             print(f"{options.output / name}.png")
     except (OSError, RuntimeError) as error:
