@@ -137,10 +137,10 @@ struct fieldWalk
   float left;  // of the light, for those to come
 };
 
-fieldWalk fieldWalkFrom(int number)
+fieldWalk fieldWalkFromFinest()
 {
   fieldWalk walk;
-  walk.next = number;
+  walk.next = fieldGrids - 1;
   walk.share = 0.0;
   walk.left = 1.0;
   return walk;
@@ -181,7 +181,7 @@ bool fieldStep(inout fieldWalk walk, vec3 P)
 // Before a block: what it does is done for each grid that tells of a point, by the name of walk. Variant:
 // GI_FIELD_NESTED (there are several; software renderers take a fifth longer for a loop that ends after one).
 #ifdef GI_FIELD_NESTED
-#define fieldEachGrid(P) for (fieldWalk walk = fieldWalkFrom(fieldGrids - 1); fieldStep(walk, P);)
+#define fieldEachGrid(P) for (fieldWalk walk = fieldWalkFromFinest(); fieldStep(walk, P);)
 #else
 #define fieldEachGrid(P) fieldWalk walk = fieldWalk(fieldGridOf(0), 1.0, -1, 0.0);
 #endif

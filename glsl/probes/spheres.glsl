@@ -15,7 +15,7 @@ float sphereAt(fieldGrid grid, int probe, vec3 origin, vec3 direction, float rad
 // Whether finer grids tell all of the light there, so that a grid's probe is not asked.
 bool isToldByFiner(fieldGrid grid, vec3 P)
 {
-  fieldWalk walk = fieldWalkFrom(fieldGrids - 1);
+  fieldWalk walk = fieldWalkFromFinest();
   return fieldStep(walk, P) && walk.share >= 1.0 && walk.grid.first > grid.first;
 }
 

@@ -113,11 +113,17 @@ protected:
     data->SetPolys(cells);
     data->GetPointData()->SetTCoords(places);
     data->GetPointData()->SetNormals(normals);
+    this->Describe(data);
+    return data;
+  }
+
+  // A bake of the scene as it is.
+  void Describe(vtkPolyData* surfaces)
+  {
     vtkNew<vtkStringArray> scene;
     scene->SetName("scene");
     scene->InsertNextValue(vtkGILightmap::DescribeScene(this->Scene.Renderer));
-    data->GetFieldData()->AddArray(scene);
-    return data;
+    surfaces->GetFieldData()->AddArray(scene);
   }
 
   // The front's left half 0.6, its right half 0.2, the back 0.4, moments along x; of the lamps, where there are twice as

@@ -5,6 +5,9 @@
  */
 #include "LightmapStage.h"
 
+#include <vtkAppendPolyData.h>
+#include <vtkTriangleFilter.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -13,9 +16,53 @@ using namespace penumbra_test;
 
 namespace
 {
+// A frame of 1280 x 720 under a lamp within the scene, with shadow maps.
 class LightmapCost : public LightmapTechnique
 {
 protected:
+  void SetUp() override
+  {
+    this->LightmapTechnique::SetUp();
+    this->Scene.Window->SetSize(1280, 720);
+    this->Pass->KeepRadianceOff();
+    this->Pass->GetTechnique("shadow-maps")->EnabledOn();
+    this->Lamp->PositionalOn();
+    this->Lamp->SetConeAngle(180.0);
+  }
+
+  // Six walls of a physically based look around the eye, all in the map.
+  void MoveIntoARoom()
+  {
+    this->Scene.Renderer->RemoveActor(this->Wall);
+    vtkNew<vtkAppendPolyData> all;
+    for (int side = 0; side < 6; ++side)
+    {
+      const int axis = side / 2;
+      const double at = side % 2 ? 2.0 : -2.0;
+      double corners[3][3];
+      for (int i = 0; i < 3; ++i)
+      {
+        corners[i][axis] = at;
+        corners[i][(axis + 1) % 3] = i == (side % 2 ? 2 : 1) ? 2.0 : -2.0;
+        corners[i][(axis + 2) % 3] = i == (side % 2 ? 1 : 2) ? 2.0 : -2.0;
+      }
+      vtkNew<vtkPlaneSource> wall;
+      wall->SetOrigin(corners[0]);
+      wall->SetPoint1(corners[1]);
+      wall->SetPoint2(corners[2]);
+      this->Scene.Add(wall)->GetProperty()->SetInterpolationToPBR();
+      vtkNew<vtkTriangleFilter> triangles;
+      triangles->SetInputConnection(wall->GetOutputPort());
+      all->AddInputConnection(triangles->GetOutputPort());
+    }
+    all->Update();
+    this->Lamp->SetPosition(0.0, 0.0, 1.5);
+    this->Scene.Renderer->GetActiveCamera()->SetPosition(-1.5, -1.5, -1.0);
+    vtkPolyData* surfaces = all->GetOutput();
+    this->Describe(surfaces);
+    ASSERT_TRUE(this->Map->SetBake(surfaces, Light()));
+  }
+
   // Processor seconds of the next frame, with the map or without.
   double TimeOf(bool map)
   {
@@ -25,6 +72,18 @@ protected:
     this->Scene.Window->Render();
     this->Scene.Window->WaitForCompletion();
     return double(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+
+  // The least of what several runs measure, until one is no more than that.
+  double LeastCost(double enough)
+  {
+    constexpr int tries = 5, pairs = 12;
+    double least = 1e30;
+    for (int i = 0; i < tries && least > enough; ++i)
+    {
+      least = std::min(least, this->CostOfTheMap(pairs));
+    }
+    return least;
   }
 
   // The median of what frames take with the map, of what those before and after them take without.
@@ -218,26 +277,20 @@ TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
 // By processor time, all threads together, of frames that take turns, each beside its neighbours. What other programs do
 // to the caches meanwhile makes the map's part larger, never smaller: the best of some tries is nearest to the truth.
 // The goal is a ratio of 1.05, which is not held yet (docs/techniques/lightmap.md); the limit keeps what was reached.
-TEST_F(LightmapCost, AFetchCostsLittleBesideDirectLight)
+// The least that a frame can be: one matte wall and a lamp.
+TEST_F(LightmapCost, AFetchIsBoundedInTheCheapestFrame)
 {
-  this->Scene.Window->SetSize(1280, 720);
-  this->Pass->KeepRadianceOff();
-  this->Pass->GetTechnique("shadow-maps")->EnabledOn();
   this->AddWall(0.5, 1.0);
-  this->Lamp->PositionalOn(); // within the scene, as that of a Cornell box
-  this->Lamp->SetConeAngle(180.0);
   this->Lamp->SetPosition(0.5, 0.5, 1.5);
   this->Bake();
   this->Scene.Renderer->GetActiveCamera()->SetViewAngle(35.0);
-  constexpr double goal = 1.05;
-  constexpr double limit = 1.1;
-  constexpr int tries = 5, pairs = 12;
-  double best = 1e30;
-  for (int i = 0; i < tries && best > goal; ++i)
-  {
-    best = std::min(best, this->CostOfTheMap(pairs));
-  }
-  EXPECT_LE(best, limit);
+  EXPECT_LE(this->LeastCost(1.1), 1.1);
+}
+
+TEST_F(LightmapCost, AFetchCostsLittleInARoom)
+{
+  this->MoveIntoARoom();
+  EXPECT_LE(this->LeastCost(1.05), 1.05);
 }
 
 TEST_F(LightmapTechnique, WhatIsNoMapIsRefused)

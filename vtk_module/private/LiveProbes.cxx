@@ -104,15 +104,10 @@ void LiveProbeMaps::BindStates() const
 void LiveProbeUpdate::Scroll(
   FrameContext& context, const LiveProbeMaps& maps, int number, const glm::ivec3& moved) const
 {
-  Defines variant = this->Rays->ShaderDefines();
-  variant.merge(this->Uniforms.Variant());
-  const Program& program = context.Shaders().Compute("ddgi/scroll.comp", variant);
-  context.Use(
-    program, { nullptr, nullptr, nullptr, nullptr, maps.Light, maps.Distance, maps.Probes });
-  this->Rays->Bind(program);
+  const Program& program = context.Shaders().Compute("ddgi/scroll.comp", this->Uniforms.Variant());
+  context.Use(program, {});
   this->Uniforms.Set(program);
-  glBindImageTexture(0, maps.Probes->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  glBindImageTexture(1, maps.Light->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glBindImageTexture(0, maps.Probes->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   glBindImageTexture(3, maps.Distance->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
   glBindImageTexture(4, maps.Places->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   maps.BindStates();
