@@ -4,9 +4,9 @@
 
 #include "vtkGILightGatherer.h"
 
+#include "private/AdaptivePlacement.h"
 #include "private/BakedScene.h"
 #include "private/GatherStage.h"
-#include "private/ProbePlacement.h"
 
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <stdexcept>
 
@@ -25,7 +26,6 @@ using namespace penumbra;
 namespace
 {
 constexpr int MostProbes = 1 << 20;
-constexpr int BrightnessSamples = 32; // to tell a lit place from one that is not
 
 std::string SceneText(vtkRenderer* renderer)
 {
@@ -48,24 +48,52 @@ void RequireSameScene(const ProbeField& field, vtkRenderer* renderer)
 
 struct vtkGIProbeBaker::Internals
 {
+  static vtkSmartPointer<vtkDoubleArray> Vectors(const std::vector<glm::dvec3>& vectors)
+  {
+    auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetNumberOfComponents(3);
+    for (const glm::dvec3& vector : vectors)
+    {
+      array->InsertNextTuple3(vector.x, vector.y, vector.z);
+    }
+    return array;
+  }
+  static std::vector<float> Numbers(vtkFloatArray* array)
+  {
+    return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
+  }
+
   vtkNew<vtkGILightGatherer> Gatherer;
   std::string Error;
+  /// What the gatherer's progress is a part of.
+  double From = 0.0;
+  double To = 1.0;
 
-  /// Light at points, by the gatherer's settings; empty where it was ended. Throws where it failed.
-  bool Gather(vtkRenderer* renderer, const std::vector<glm::dvec3>& points, vtkFloatArray* light)
+  /// Light at points, with normals or without (empty); empty where it was ended. Throws where it failed.
+  std::vector<float> Gather(vtkRenderer* renderer, const vtkGIProbeBaker& settings,
+    const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals, int firstSample,
+    int samples, std::vector<float>* surroundings)
   {
-    vtkNew<vtkDoubleArray> places;
-    places->SetNumberOfComponents(3);
-    for (const glm::dvec3& point : points)
-    {
-      places->InsertNextTuple3(point.x, point.y, point.z);
-    }
-    const bool done = this->Gatherer->Gather(renderer, places, nullptr, light);
+    this->Gatherer->SetSamples(samples);
+    this->Gatherer->SetFirstSample(firstSample);
+    this->Gatherer->SetBounces(settings.Bounces);
+    this->Gatherer->SetSeed(settings.Seed);
+    const auto places = Vectors(points);
+    const auto directions = Vectors(normals);
+    vtkNew<vtkFloatArray> light;
+    vtkNew<vtkFloatArray> around;
+    const bool done = this->Gatherer->Gather(renderer, places,
+      normals.empty() ? nullptr : directions.Get(), light, surroundings ? around.Get() : nullptr);
     if (!done && this->Gatherer->GetLastError()[0] != '\0')
     {
       throw std::runtime_error(this->Gatherer->GetLastError());
     }
-    return done;
+    renderer->GetRenderWindow()->MakeCurrent();
+    if (surroundings)
+    {
+      *surroundings = Numbers(around);
+    }
+    return done ? Numbers(light) : std::vector<float>();
   }
 
   template <typename Work>
@@ -87,6 +115,7 @@ struct vtkGIProbeBaker::Internals
 vtkGIProbeBaker::vtkGIProbeBaker()
   : Impl(new Internals)
 {
+  this->Impl->Gatherer->AddObserver(vtkCommand::ProgressEvent, this, &vtkGIProbeBaker::Forward);
 }
 
 vtkGIProbeBaker::~vtkGIProbeBaker() = default;
@@ -97,6 +126,7 @@ void vtkGIProbeBaker::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Probes: " << this->Probes << "\n";
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Adaptive: " << this->Adaptive << "\n";
+  os << indent << "Relocate: " << this->Relocate << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
@@ -121,44 +151,38 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
       throw std::runtime_error(image ? "there is nothing visible to put probes around."
                                      : "there is no image to put the probes into.");
     }
-    const ProbeGrid grid = this->Spacing > 0.0
-      ? ProbeGrid::Spaced(bounds, this->Spacing, MostProbes)
-      : ProbeGrid::Around(bounds, this->Probes);
-    if (grid.IsEmpty())
+    const AdaptivePlacement placement{ stage,
+      [&](const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals, int first,
+        int samples, std::vector<float>* surroundings) {
+        return this->Impl->Gather(renderer, *this, points, normals, first, samples, surroundings);
+      },
+      [this](double done) {
+        this->Impl->From = this->Impl->To = done;
+        return this->Tell(done);
+      },
+      this->Relocate };
+    std::optional<ProbeField> field;
+    if (this->Adaptive && this->Spacing <= 0.0)
     {
-      throw std::runtime_error("a spacing that small would take over a million probes.");
+      field = placement.PlaceBest(bounds, this->Probes);
     }
-    ProbeField field(grid);
-    field.Scene = SceneText(renderer);
-    const auto brightness = [&](const std::vector<glm::dvec3>& points) {
-      vtkGILightGatherer* gatherer = this->Impl->Gatherer;
-      gatherer->SetSamples(BrightnessSamples);
-      gatherer->SetFirstSample(0);
-      gatherer->SetBounces(this->Bounces);
-      gatherer->SetSeed(this->Seed);
-      vtkNew<vtkFloatArray> light;
-      std::vector<double> sums;
-      const bool done = this->Impl->Gather(renderer, points, light);
-      for (std::size_t i = 0; done && i < points.size(); ++i)
+    else
+    {
+      const ProbeGrid grid = this->Spacing > 0.0
+        ? ProbeGrid::Spaced(bounds, this->Spacing, MostProbes)
+        : ProbeGrid::Around(bounds, this->Probes);
+      if (grid.IsEmpty())
       {
-        const double* first = light->GetTuple(static_cast<vtkIdType>(i));
-        sums.push_back(first[0] + first[1] + first[2]);
+        throw std::runtime_error("a spacing that small would take over a million probes.");
       }
-      renderer->GetRenderWindow()->MakeCurrent();
-      return sums;
-    };
-    constexpr double placing = 0.5; // of the work, roughly
-    bool done = !this->Adaptive || PlaceProbes(stage, field, brightness, [&](double part) {
-      return this->Tell(placing * part);
-    });
-    done = done && LookAround(stage, field, [&](double part) {
-      return this->Tell(placing + (1.0 - placing) * part);
-    });
-    if (done)
-    {
-      field.ToImage(image, false);
+      field = placement.Place(grid);
     }
-    return done;
+    if (field)
+    {
+      field->Scene = SceneText(renderer);
+      field->ToImage(image, false);
+    }
+    return field.has_value();
   });
 }
 
@@ -167,33 +191,22 @@ bool vtkGIProbeBaker::AddSamples(vtkRenderer* renderer, vtkImageData* image, int
   this->Abort = false;
   return this->Impl->Try([&] {
     ProbeField field = ProbeField::FromImage(image);
-    vtkGILightGatherer* gatherer = this->Impl->Gatherer;
-    gatherer->SetSamples(samples);
-    gatherer->SetFirstSample(field.Samples);
-    gatherer->SetBounces(this->Bounces);
-    gatherer->SetSeed(this->Seed);
     if (!renderer)
     {
       throw std::runtime_error("there is no renderer to gather light in.");
     }
     RequireSameScene(field, renderer);
-    std::vector<glm::dvec3> points;
-    for (int probe = 0; probe < field.Grid.Size(); ++probe)
-    {
-      points.push_back(field.Position(probe));
-    }
-    const unsigned long watch =
-      gatherer->AddObserver(vtkCommand::ProgressEvent, this, &vtkGIProbeBaker::Forward);
-    vtkNew<vtkFloatArray> light;
-    const bool done = this->Impl->Gather(renderer, points, light);
-    gatherer->RemoveObserver(watch);
-    if (!done)
+    vtkGILightGatherer* gatherer = this->Impl->Gatherer;
+    this->Impl->From = 0.0;
+    this->Impl->To = 1.0;
+    const std::vector<float> found = this->Impl->Gather(
+      renderer, *this, field.Positions(0, field.Grids.Size()), {}, field.Samples, samples, nullptr);
+    if (found.empty())
     {
       return false;
     }
     const double share = static_cast<double>(gatherer->GetSamples()) /
       (static_cast<double>(field.Samples) + gatherer->GetSamples());
-    const float* found = light->GetPointer(0);
     for (std::size_t i = 0; i < field.Light.size(); ++i)
     {
       field.Light[i] = static_cast<float>((1.0 - share) * field.Light[i] + share * found[i]);
@@ -206,7 +219,8 @@ bool vtkGIProbeBaker::AddSamples(vtkRenderer* renderer, vtkImageData* image, int
 
 void vtkGIProbeBaker::Forward(vtkObject*, unsigned long, void* progress)
 {
-  if (!this->Tell(*static_cast<double*>(progress)))
+  const double part = *static_cast<double*>(progress);
+  if (!this->Tell(this->Impl->From + (this->Impl->To - this->Impl->From) * part))
   {
     this->Impl->Gatherer->AbortOn();
   }
@@ -228,6 +242,49 @@ bool vtkGIProbeBaker::Compact(vtkImageData* field, vtkImageData* compact)
 {
   return this->Impl->Try([&] {
     ProbeField::FromImage(field).ToImage(compact, true);
+    return true;
+  });
+}
+
+bool vtkGIProbeBaker::Fits(vtkRenderer* renderer, vtkImageData* field)
+{
+  return this->Impl->Try([&] {
+    if (!renderer)
+    {
+      throw std::runtime_error("there is no renderer to gather light in.");
+    }
+    RequireSameScene(ProbeField::FromImage(field), renderer);
+    return true;
+  });
+}
+
+int vtkGIProbeBaker::CountGrids(vtkImageData* field)
+{
+  int grids = 0;
+  this->Impl->Try([&] {
+    grids = ProbeField::FromImage(field).Grids.Count();
+    return true;
+  });
+  return grids;
+}
+
+bool vtkGIProbeBaker::GetGrid(vtkImageData* field, int number, int counts[3], double bounds[6])
+{
+  return this->Impl->Try([&] {
+    const ProbeGrids grids = ProbeField::FromImage(field).Grids;
+    if (number < 0 || number >= grids.Count())
+    {
+      throw std::invalid_argument(
+        "the field has no grid of number " + std::to_string(number) + ".");
+    }
+    const ProbeGrid& grid = grids.Get(number);
+    const glm::dvec3 last = grid.Last();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      counts[axis] = grid.Counts[axis];
+      bounds[2 * axis] = grid.First[axis];
+      bounds[2 * axis + 1] = last[axis];
+    }
     return true;
   });
 }

@@ -4,12 +4,13 @@
  * @class   vtkGIProbeBaker
  * @brief   puts probes into a renderer's scene and gathers the light that arrives there
  *
- * What it makes is for vtkGISHProbes: an image whose points are the places of a grid of probes, with these arrays
- * at points: "light" (27 components: vtkGILightGatherer's harmonics of radiance), "distance" (512: the mean and
+ * What it makes is for vtkGISHProbes: an image whose points are the places of a grid of probes, or where there are
+ * several grids all of their probes in a row, grid by grid, x first; with these arrays at points: "light" (27 components: vtkGILightGatherer's harmonics of radiance), "distance" (512: the mean and
  * standard deviation of how far surfaces are, in an octahedral map of 16 x 16 directions, rows first, in units of
  * 1.5 diagonals of a cell, at most 1), "offset" (3: how far the probe stands off its place, in cells), "sight" (a
  * bit for each of 13 neighbours that it sees) and "backs" (0 to 255: the share of directions in which it sees
- * backs of surfaces); and field arrays "format", "scene" (what the bake depends on), "samples" and "light scale".
+ * backs of surfaces); and field arrays "format", "scene" (what the bake depends on), "samples", "light scale" and, of
+ * several grids, "grids" (9: the first place, the spacing and the counts of each).
  * Compact() stores light and distance as half floats, light over "light scale".
  *
  * ProgressEvent is invoked with the share of the work that is done, a double from 0 to 1; an observer may call
@@ -36,8 +37,8 @@ public:
 
   ///@{
   /**
-   * How many probes at most fill the bounds of the visible props, in a grid of nearly cubic cells that reaches
-   * half a cell beyond; 1024 by default.
+   * How many probes at most fill the bounds of the visible props, in grids of nearly cubic cells, the first of which
+   * reaches half a cell beyond; 1024 by default.
    */
   vtkSetClampMacro(Probes, int, 27, 1 << 20);
   vtkGetMacro(Probes, int);
@@ -45,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Largest distance between neighbours, world units; 0, the default, leaves it to Probes.
+   * Largest distance between neighbours, world units, in one grid; 0, the default, leaves it to Probes.
    */
   vtkSetClampMacro(Spacing, double, 0.0, 1e300);
   vtkGetMacro(Spacing, double);
@@ -53,11 +54,22 @@ public:
 
   ///@{
   /**
-   * Move probes off surfaces that are close, and out of what is solid. On by default.
+   * Share the probes among a grid around all and finer ones, up to five, where the light of one grid errs most. That
+   * is found out with some paths at points of the surfaces; where several grids err hardly less, there is one. Off by
+   * default. Nothing where Spacing is set.
    */
   vtkSetMacro(Adaptive, bool);
   vtkGetMacro(Adaptive, bool);
   vtkBooleanMacro(Adaptive, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Move probes off surfaces that are close, and out of what is solid. On by default.
+   */
+  vtkSetMacro(Relocate, bool);
+  vtkGetMacro(Relocate, bool);
+  vtkBooleanMacro(Relocate, bool);
   ///@}
 
   ///@{
@@ -100,6 +112,21 @@ public:
   bool Compact(vtkImageData* field, vtkImageData* compact);
 
   /**
+   * Whether a field was placed in the scene as it is shown now. If not, GetLastError() says what differs.
+   */
+  bool Fits(vtkRenderer* renderer, vtkImageData* field);
+
+  ///@{
+  /**
+   * The grids of a field, 0 where it is none; and of one of them, the first being around all, how many probes it has
+   * along each axis and from where to where they stand (as VTK's bounds). Returns false, with a sentence in
+   * GetLastError(), where there is no such grid.
+   */
+  int CountGrids(vtkImageData* field);
+  bool GetGrid(vtkImageData* field, int number, int counts[3], double bounds[6]);
+  ///@}
+
+  /**
    * The samples that a field is the mean of, or -1 with a sentence in GetLastError() where it is none.
    */
   int CountSamples(vtkImageData* field);
@@ -127,7 +154,8 @@ protected:
 
   int Probes = 1024;
   double Spacing = 0.0;
-  bool Adaptive = true;
+  bool Adaptive = false;
+  bool Relocate = true;
   int Samples = 1024;
   int Bounces = 64;
   int Seed = 0;

@@ -40,7 +40,9 @@ struct vtkGISHProbes::Internals
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
     const OpenDirection open(context);
-    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag", open.Variant);
+    Defines variant = textures.Variant();
+    variant.insert(open.Variant.begin(), open.Variant.end());
+    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag", variant);
     context.Use(program,
       { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
         context.Input(resource::Normal), open.Map, textures.Light(), textures.Distance(),
@@ -56,6 +58,7 @@ struct vtkGISHProbes::Internals
   {
     ForwardPart part;
     part.Source = "sh_probes/forward.glsl";
+    part.OnSurfaces = part.InVolumes = ProbeUniforms{ this->Field.Grids }.Variant();
     part.Textures = 3;
     part.Bind = [this, &settings, toWorld = view.ViewToWorld](ForwardProgram& program) {
       const ProbeTextures& textures = this->Ready(settings.Window);
@@ -145,7 +148,7 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
     frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
   if (mismatch.empty())
   {
-    frame.AddIndirectLight({ IndirectKind::BakedProbes, this->Impl->Field.Grid.Detail(),
+    frame.AddIndirectLight({ IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail(),
       { resource::WindowDepth, resource::Albedo, resource::Normal },
       [this](FrameContext& context) { this->Impl->Gather(context, *this); },
       this->Impl->Forward(*this, view) });

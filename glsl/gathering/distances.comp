@@ -13,6 +13,7 @@
 layout(local_size_x = GI_GATHER_GROUP) in;
 
 uniform int pointCount;
+uniform int firstPoint; // of all that are asked for
 uniform int texels;     // across a map
 uniform int samples;    // rays of a texel
 uniform float farthest; // distances beyond it count as this
@@ -29,7 +30,7 @@ void main()
   int texel = index % (texels * texels);
   mat3 basis = giBasis(giDecodeOctahedral(
     (vec2(texel % texels, texel / texels) + 0.5) / float(texels)));
-  uint seed = giHash(uint(index));
+  uint seed = giHash(uint(index + firstPoint * texels * texels));
   uint state = giHash(seed);
   vec3 sums = vec3(0.0);
   for (int i = 0; i < samples; ++i)

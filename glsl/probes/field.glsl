@@ -4,7 +4,8 @@
 // it is known how far surfaces are in every direction, mean and mean square in an octahedral map with a border of
 // one texel, and which of its neighbours it sees. What the probes hold is up to the includer. After Majercik et
 // al. 2019, Dynamic Diffuse Global Illumination with Ray-Traced Irradiance Fields. The first grid is around
-// everything; each later one is a part of those before, of smaller cells, and counts where it reaches. Grids that move keep their probes where they are: one is stored by its place modulo the grid's size
+// everything; each later one is a part of it, of smaller cells than those before, and counts where it reaches. Grids that
+// move keep their probes where they are: one is stored by its place modulo the grid's size
 // (Majercik et al. 2021, Scaling Probe-Based Real-Time Dynamic Global Illumination for Production). Needs
 // lib/octahedral.glsl. Coordinates are those of the rays' scene.
 #define GI_FIELD_DISTANCE 16 // texels across a map of distances, without its border

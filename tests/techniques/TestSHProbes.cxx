@@ -3,15 +3,10 @@
 /**
  * Probes baked beforehand: energy, leaks, what moves among them, and when they no longer fit.
  */
-#include "RoomStage.h"
-
-#include "vtkGIPathTracing.h"
-#include "vtkGIProbeBaker.h"
-#include "vtkGISHProbes.h"
+#include "BakedStage.h"
 
 #include <vtkFieldData.h>
 #include <vtkReverseSense.h>
-#include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
@@ -22,54 +17,8 @@ using namespace penumbra_test;
 
 namespace
 {
-class SHProbes : public RoomStage
+class SHProbes : public BakedStage
 {
-protected:
-  void SetUp() override
-  {
-    this->Prepare("sh-probes", 48, 36);
-    this->Probes = vtkGISHProbes::SafeDownCast(this->Pass->GetTechnique("sh-probes"));
-    ASSERT_NE(this->Probes, nullptr);
-  }
-
-  vtkActor* AddBall(double x, double y, double z, double radius)
-  {
-    vtkNew<vtkSphereSource> ball;
-    ball->SetRadius(radius);
-    ball->SetPhiResolution(48);
-    ball->SetThetaResolution(96);
-    vtkActor* actor = Paint(this->Scene.Add(ball), 0.8);
-    actor->SetPosition(x, y, z);
-    return actor;
-  }
-
-  void Bake(int probes, int samples)
-  {
-    vtkNew<vtkGIProbeBaker> baker;
-    baker->SetProbes(probes);
-    baker->SetSamples(samples);
-    ASSERT_TRUE(baker->Bake(this->Scene.Renderer, this->Field)) << baker->GetLastError();
-    ASSERT_TRUE(this->Probes->SetBake(this->Field)) << this->Probes->GetBakeError();
-  }
-
-  Values Traced(int bounces, int samples)
-  {
-    auto* tracer = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
-    tracer->EnabledOn();
-    tracer->SetBounces(bounces);
-    tracer->SetSamples(samples);
-    const Values values = this->After(samples);
-    tracer->EnabledOff();
-    return values;
-  }
-
-  bool Notes(const std::string& words) const
-  {
-    return std::string(this->Pass->GetNotes()).find(words) != std::string::npos;
-  }
-
-  vtkNew<vtkImageData> Field;
-  vtkGISHProbes* Probes = nullptr;
 };
 }
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """penumbra bake probes: its files, its sentences, its life."""
 import json
+import math
 import os
 import pathlib
 import signal
@@ -17,6 +18,14 @@ ROOM = {"size": [32, 24],
                     {"name": "ball", "sphere": {"radius": 0.2}, "transform": {"translate": [0.4, 0, 0]}, "material": WALL}],
         "lights": [{"type": "point", "position": [0.3, -0.2, 0.6]}],
         "camera": {"position": [-0.9, -0.8, 0.5], "focal": [0.6, 0.5, -0.4], "up": [0, 0, 1], "angle": 70}}
+# Balls close together over a large plane.
+HEAP = {"size": [32, 24],
+        "objects": [{"name": "plane", "box": {"size": [60, 60, 0.1], "center": [0, 0, -0.05]}, "material": WALL}] +
+                   [{"name": f"ball {i}", "sphere": {"radius": 0.5}, "material": WALL, "transform":
+                     {"translate": [6 + 1.2 * math.cos(0.6 * i), -4 + 1.2 * math.sin(0.6 * i), 0.6 + 0.15 * i]}}
+                    for i in range(18)],
+        "lights": [{"type": "point", "position": [2, -10, 9]}],
+        "camera": {"position": [4.5, -9.5, 2.5], "focal": [6, -4, 1.6], "up": [0, 0, 1], "angle": 70}}
 BAKE = ("--probes", 64, "--samples", 64)
 
 
@@ -48,11 +57,42 @@ class Probes(command.CommandTest):
         dark = self.brightness(self.scene(moved, "dark.json"), "--bake", "room.vti", notes=("no longer fit: light",))
         self.assertAlmostEqual(dark, 0.0, places=6)
 
+    def test_finer_grids_where_light_needs_them(self):
+        scene = self.scene(HEAP, "heap.json")
+        bake = ("bake", "probes", scene, "--stats", "--probes", 900, "--samples", 16, "-o")
+        one = self.report(*bake, "one.vti")
+        self.assertEqual(one["finer-grids"], [])
+        several = self.report(*bake, "several.vti", "--adaptive")
+        self.assertLessEqual(several["probes"], 900)
+        self.assertGreater(len(several["finer-grids"]), 0)
+        finest = several["finer-grids"][-1]
+        self.assertLess(max(finest["spacing"]), 0.7 * min(one["spacing"]))
+        for axis, place in enumerate((6, -4)):
+            self.assertLess(finest["bounds"][2 * axis], place)
+            self.assertGreater(finest["bounds"][2 * axis + 1], place)
+        self.assertGreater(self.brightness(scene, "--bake", "several.vti"), 0.01)
+        content = (self.folder / "several.vti").read_bytes()
+        at = content.index(b'Name="grids"')
+        at = content.index(b">", at) + 40
+        changed = content[:at] + (b"B" if content[at:at + 1] != b"B" else b"C") + content[at + 1:]
+        (self.folder / "changed.vti").write_bytes(changed)
+        self.refused("render", scene, "--bake", "changed.vti", "-o", "x.png", says="damaged", status=1)
+        self.refused("bake", "probes", scene, "-o", "x.vti", "--adaptive", "--uniform", says="--uniform", status=2)
+        self.refused("bake", "probes", scene, "-o", "x.vti", "--adaptive", "--probe-spacing", 1, says="--probe-spacing",
+                     status=2)
+
     def test_a_killed_bake_is_gone_on_with(self):
-        scene = self.scene(ROOM, "killed.json")
-        whole = self.succeeds("bake", "probes", scene, "-o", "whole.vti", "--probes", 64, "--samples", 4096, "--stats")
+        self.bake_killed(ROOM, "64", "4096")
+
+    def test_a_killed_bake_of_several_grids_is_gone_on_with(self):
+        self.bake_killed(HEAP, "900", "1024", "--adaptive")
+
+    def bake_killed(self, described, probes, samples, *more):
+        scene = self.scene(described, "killed.json")
+        settings = ["--probes", probes, "--samples", samples, *more]
+        whole = self.succeeds("bake", "probes", scene, "-o", "whole.vti", *settings, "--stats")
         self.assertEqual(json.loads(whole.stdout)["resumed-samples"], 0)
-        arguments = ["bake", "probes", scene, "-o", "killed.vti", "--probes", "64", "--samples", "4096"]
+        arguments = ["bake", "probes", scene, "-o", "killed.vti", *settings]
         part = self.folder / "killed.vti.part"
         running = subprocess.Popen([command.COMMAND, *map(str, arguments)], cwd=self.folder,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)

@@ -29,6 +29,11 @@ ForwardLight Light(bool shadows, const std::vector<const char*>& indirect)
   {
     light.Indirect.push_back(Part(source));
   }
+  if (indirect.size() > 1) // the last of several parts has several grids
+  {
+    light.Indirect.back().OnSurfaces["GI_FIELD_NESTED"] = "1";
+    light.Indirect.back().InVolumes = light.Indirect.back().OnSurfaces;
+  }
   return light;
 }
 

@@ -20,7 +20,7 @@ const ProbeGrid Around = ProbeGrid::Around({ { -4.0, 4.0, -2.0, 2.0, 0.0, 3.0 } 
 // As glsl/probes/field.glsl has it.
 glm::ivec3 Stored(const NestedGrids& grids, int number, const glm::ivec3& cell)
 {
-  return (cell + grids.Wrap(number)) % grids.Get(number).Counts;
+  return (cell + grids.Get(number).Wrap) % grids.Get(number).Counts;
 }
 
 template <typename Visit>
@@ -40,13 +40,14 @@ TEST(NestedGrids, FinerOnesStayWithinTheFirst)
   {
     NestedGrids grids(Around, 4, 280);
     grids.Refine(refinement);
-    EXPECT_LE(grids.Size(), Around.Size() + 3 * 280);
-    EXPECT_GT(grids.Size(), Around.Size() + 3 * 200);
+    EXPECT_LE(grids.List().Size(), Around.Size() + 3 * 280);
+    EXPECT_GT(grids.List().Size(), Around.Size() + 3 * 200);
     int begin = 0;
     double scale = 1.0;
     for (int number = 0; number < 4; ++number, scale *= refinement)
     {
-      EXPECT_EQ(grids.Begin(number), begin);
+      EXPECT_EQ(grids.List().Begin(number), begin);
+      EXPECT_EQ(grids.List().Of(begin), number);
       begin += grids.Get(number).Size();
       for (const double at : { -100.0, 0.3, 100.0 })
       {

@@ -19,6 +19,7 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -76,21 +77,25 @@ public:
     command->add_option("-o,--output", this->Options.Output, "the probes (.vti)")->required();
     DeclareSceneOptions(*command, this->Options, "the scene's", false);
     const char* group = "Probes";
-    command->add_option("--probes", this->Probes, "at most, in a grid around the scene")
+    command->add_option("--probes", this->Probes, "at most, around the scene")
       ->capture_default_str()
       ->group(group);
-    command
-      ->add_option("--probe-spacing", this->Spacing,
-        "between neighbours at most, world units, in place of --probes")
-      ->group(group);
+    CLI::Option* spacing = command
+                             ->add_option("--probe-spacing", this->Spacing,
+                               "between neighbours at most, world units, in place of --probes")
+                             ->group(group);
     command->add_option("--samples", this->Samples, "paths from each probe")
       ->capture_default_str()
       ->group(group);
     command->add_option("--bounces", this->Bounces, "reflections after which a path ends")
       ->capture_default_str()
       ->group(group);
-    command->add_flag("--uniform", this->Uniform, "leave probes where the grid puts them")
-      ->group(group);
+    CLI::Option* adaptive = command->add_flag("--adaptive", this->Adaptive,
+      "share the probes among a grid around the scene and finer ones where light needs them");
+    CLI::Option* uniform =
+      command->add_flag("--uniform", this->Uniform, "leave probes where the grid puts them");
+    adaptive->group(group)->excludes(uniform)->excludes(spacing);
+    uniform->group(group);
     command
       ->add_option("--without", this->Without,
         "an object of the scene file that moves, by its name; may be repeated")
@@ -104,6 +109,7 @@ public:
     command->footer(
       "Examples:\n"
       "  penumbra bake probes examples/cornell_lamp.json -o room.vti\n"
+      "  penumbra bake probes building.json --adaptive -o building.vti\n"
       "  penumbra bake probes room.json --without robot --probe-spacing 0.5 -o room.vti\n"
       "  penumbra render room.json --bake room.vti -o room.png");
     return command;
@@ -123,7 +129,8 @@ public:
     vtkNew<vtkGIProbeBaker> baker;
     baker->SetProbes(this->Probes);
     baker->SetSpacing(this->Spacing);
-    baker->SetAdaptive(!this->Uniform);
+    baker->SetAdaptive(this->Adaptive);
+    baker->SetRelocate(!this->Uniform);
     baker->SetBounces(this->Bounces);
     vtkNew<vtkImageData> field;
     const int resumed = this->Begin(baker, built.Renderer, field, console);
@@ -134,7 +141,7 @@ public:
     WriteProbes(this->Options.Output, compact);
     std::error_code ignored;
     fs::remove(this->Partial(), ignored);
-    this->Report(field, resumed, SecondsSince(start));
+    this->Report(baker, field, resumed, SecondsSince(start));
     baker->ReleaseGraphicsResources(window);
     window->Finalize();
     return 0;
@@ -163,20 +170,29 @@ private:
   /// What a bake that was broken off must have been made with to be gone on with; its scene is kept beside.
   std::string Settings() const
   {
-    return fmt::format("probes {} spacing {:.17g} bounces {} uniform {}", this->Probes,
-      this->Spacing, this->Bounces, this->Uniform);
+    return fmt::format("probes {} spacing {:.17g} bounces {} uniform {} adaptive {}", this->Probes,
+      this->Spacing, this->Bounces, this->Uniform, this->Adaptive);
   }
 
   /// Places the probes, or takes them from a bake that was broken off. Returns the samples that these have.
   int Begin(
     vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
   {
+    if (const int samples = this->Resume(baker, renderer, field, console))
     {
-      Step step(console, "placing probes");
-      Progress progress(baker, step, 0.0, 1.0);
-      Require(baker->Place(renderer, field), baker);
+      return samples;
     }
+    Step step(console, "placing probes");
+    Progress progress(baker, step, 0.0, 1.0);
+    Require(baker->Place(renderer, field), baker);
     SetProbeText(field, "settings", this->Settings());
+    return 0;
+  }
+
+  /// Returns 0 where there is nothing to go on with.
+  int Resume(
+    vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
+  {
     if (this->Anew || !fs::exists(this->Partial()))
     {
       return 0;
@@ -186,7 +202,7 @@ private:
       const vtkSmartPointer<vtkImageData> partial = ReadProbes(this->Partial());
       const int samples = baker->CountSamples(partial);
       const bool same = ProbeText(partial, "settings") == this->Settings() &&
-        ProbeText(partial, "scene") == ProbeText(field, "scene") && samples <= this->Samples;
+        samples <= this->Samples && baker->Fits(renderer, partial);
       if (same && samples > 0)
       {
         field->ShallowCopy(partial);
@@ -243,7 +259,34 @@ private:
     }
   }
 
-  void Report(vtkImageData* field, int resumed, double seconds) const
+  struct Grid
+  {
+    std::array<int, 3> Counts;
+    std::array<double, 6> Bounds;
+
+    std::array<double, 3> Spacing() const
+    {
+      std::array<double, 3> spacing;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        spacing[axis] =
+          (this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]) / (this->Counts[axis] - 1);
+      }
+      return spacing;
+    }
+  };
+
+  static std::vector<Grid> GridsOf(vtkGIProbeBaker* baker, vtkImageData* field)
+  {
+    std::vector<Grid> grids(baker->CountGrids(field));
+    for (std::size_t i = 0; i < grids.size(); ++i)
+    {
+      baker->GetGrid(field, static_cast<int>(i), grids[i].Counts.data(), grids[i].Bounds.data());
+    }
+    return grids;
+  }
+
+  void Report(vtkGIProbeBaker* baker, vtkImageData* field, int resumed, double seconds) const
   {
     constexpr double moved = 0.01; // of a cell
     const auto* offsets =
@@ -258,18 +301,28 @@ private:
       away += std::hypot(o[0], o[1], o[2]) > moved;
       behind += backs[i] > 64;
     }
-    const int* counts = field->GetDimensions();
-    const double* spacing = field->GetSpacing();
+    const std::vector<Grid> grids = GridsOf(baker, field);
     if (!this->Options.Statistics)
     {
-      std::cout << fmt::format("{} x {} x {} probes, {} of them moved; {} samples each; {:.1f} s\n",
-                     counts[0], counts[1], counts[2], away, this->Samples, seconds)
+      std::string sizes;
+      for (const Grid& grid : grids)
+      {
+        sizes += fmt::format("{}{} x {} x {}", sizes.empty() ? "" : " + ", grid.Counts[0],
+          grid.Counts[1], grid.Counts[2]);
+      }
+      std::cout << fmt::format("{} probes, {} of them moved; {} samples each; {:.1f} s\n", sizes,
+                     away, this->Samples, seconds)
                 << std::flush;
       return;
     }
+    nlohmann::ordered_json finer = nlohmann::ordered_json::array();
+    for (std::size_t i = 1; i < grids.size(); ++i)
+    {
+      finer.push_back({ { "grid", grids[i].Counts }, { "spacing", grids[i].Spacing() },
+        { "bounds", grids[i].Bounds } });
+    }
     const nlohmann::ordered_json report = { { "output", this->Options.Output },
-      { "grid", { counts[0], counts[1], counts[2] } },
-      { "spacing", { spacing[0], spacing[1], spacing[2] } },
+      { "grid", grids[0].Counts }, { "spacing", grids[0].Spacing() }, { "finer-grids", finer },
       { "probes", field->GetNumberOfPoints() }, { "moved", away }, { "behind-surfaces", behind },
       { "samples", this->Samples }, { "resumed-samples", resumed },
       { "bytes", fs::file_size(this->Options.Output) }, { "seconds", seconds } };
@@ -281,6 +334,7 @@ private:
   double Spacing = 0.0;
   int Samples = 1024;
   int Bounces = 64;
+  bool Adaptive = false;
   bool Uniform = false;
   bool Anew = false;
   std::vector<std::string> Without;

@@ -104,13 +104,13 @@ void LiveField::Prepare(const View& view, const Settings& settings, vtkMTimeType
 void LiveField::MakeGrids(const View& view)
 {
   const int probes = this->Now.Probes / this->Now.Grids;
-  this->Update.Uniforms.Grids =
-    NestedGrids(ProbeGrid::Around(view.Bounds, probes), this->Now.Grids, probes);
+  this->Nested = NestedGrids(ProbeGrid::Around(view.Bounds, probes), this->Now.Grids, probes);
+  this->Update.Uniforms.Grids = this->Nested.List();
 }
 
 void LiveField::Follow(FrameContext& context)
 {
-  NestedGrids& grids = this->Update.Uniforms.Grids;
+  NestedGrids& grids = this->Nested;
   const View& view = context.GetView();
   vtkCamera* camera = context.Renderer()->GetActiveCamera();
   const bool fixed = this->Now.Refinement > 0.0;
@@ -122,12 +122,13 @@ void LiveField::Follow(FrameContext& context)
   {
     const ProbeGrid grid = grids.Get(number);
     const glm::ivec3 moved = grids.Follow(number, looked, this->Unknown || others);
+    this->Update.Uniforms.Grids = grids.List();
     if (!this->Unknown && (others || moved != glm::ivec3(0)))
     {
       this->Update.Scroll(context, this->Textures, number, others ? grid.Counts : moved);
       this->Done = 0;
       this->Looked = std::min(this->Looked, AllDistances);
-      this->Unconnected = grids.Size();
+      this->Unconnected = this->Grids().Size();
     }
   }
 }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "private/LiveProbes.h"
+#include "private/NestedGrids.h"
 
 #include "vtkType.h"
 
@@ -43,7 +44,7 @@ public:
   void Trace(FrameContext& context, RayProps& rays, LightTable& lights);
   void Blend(FrameContext& context);
 
-  const NestedGrids& Grids() const { return this->Update.Uniforms.Grids; }
+  const ProbeGrids& Grids() const { return this->Update.Uniforms.Grids; }
   const ProbeUniforms& Uniforms() const { return this->Update.Uniforms; }
   const LiveProbeMaps& Maps() const { return this->Textures; }
   int UpdatesDone() const { return this->Done; }
@@ -55,6 +56,7 @@ private:
   void Advance();
 
   Settings Now;
+  NestedGrids Nested;
   std::array<int, 2> Asked{}; ///< of the settings, that the grids were made for
   vtkMTimeType Parameters = 0;
   LiveProbeMaps Textures;

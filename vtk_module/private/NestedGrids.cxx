@@ -33,22 +33,11 @@ glm::ivec3 FinerCounts(const ProbeGrid& first, int probes)
 }
 }
 
-NestedGrids::NestedGrids(const ProbeGrid& first)
-  : First(first)
-{
-}
-
 NestedGrids::NestedGrids(const ProbeGrid& first, int count, int probes)
   : First(first)
   , Counts(FinerCounts(first, probes))
   , Number(count)
 {
-}
-
-int NestedGrids::Begin(int number) const
-{
-  const int size = this->Counts.x * this->Counts.y * this->Counts.z;
-  return number == 0 ? 0 : this->First.Size() + (number - 1) * size;
 }
 
 ProbeGrid NestedGrids::Get(int number) const
@@ -61,14 +50,19 @@ ProbeGrid NestedGrids::Get(int number) const
     grid.Counts = this->Counts;
     grid.Spacing /= std::pow(this->Finer, number);
     grid.First += grid.Spacing * (0.5 + glm::dvec3(this->Bases[number]));
+    grid.Wrap = (this->Bases[number] % grid.Counts + grid.Counts) % grid.Counts;
   }
   return grid;
 }
 
-glm::ivec3 NestedGrids::Wrap(int number) const
+ProbeGrids NestedGrids::List() const
 {
-  const glm::ivec3 counts = this->Get(number).Counts;
-  return (this->Bases[number] % counts + counts) % counts;
+  std::vector<ProbeGrid> grids;
+  for (int number = 0; number < this->Number; ++number)
+  {
+    grids.push_back(this->Get(number));
+  }
+  return ProbeGrids(std::move(grids));
 }
 
 bool NestedGrids::Refine(double refinement)

@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "private/ProbeGrid.h"
+#include "private/ProbeGrids.h"
 
 #include <array>
 
@@ -16,24 +16,17 @@ namespace penumbra
 class NestedGrids
 {
 public:
-  static constexpr int Most = 6; ///< as GI_FIELD_GRIDS in glsl/probes/field.glsl
   static constexpr double LeastRefinement = 2.0;
   static constexpr double MostRefinement = 8.0;
 
   NestedGrids() = default;
-  explicit NestedGrids(const ProbeGrid& first);
   /// The finer ones have at most so many probes each, about as many along each axis.
   NestedGrids(const ProbeGrid& first, int count, int probes);
 
   int Count() const { return this->Number; }
-  int Size() const { return this->Begin(this->Number); }
-  /// Number of a grid's first probe.
-  int Begin(int number) const;
   ProbeGrid Get(int number) const;
-  /// Place of a grid's first probe in storage, where probes lie by their places modulo the grid's counts.
-  glm::ivec3 Wrap(int number) const;
-  /// The finest grid's ProbeGrid::Detail().
-  double Detail() const { return this->Get(this->Number - 1).Detail(); }
+  /// As they stand now.
+  ProbeGrids List() const;
 
   /// By how much the cells of each grid are smaller than those of the one before.
   double Refinement() const { return this->Finer; }
@@ -53,6 +46,6 @@ private:
   int Number = 1;
   double Finer = LeastRefinement;
   /// Of their first probes, in their own cells: zero is half a cell within the bounds that the first grid is around.
-  std::array<glm::ivec3, Most> Bases{};
+  std::array<glm::ivec3, ProbeGrids::Most> Bases{};
 };
 }

@@ -25,6 +25,8 @@ namespace penumbra
 namespace
 {
 constexpr const char* Format = "penumbra probes 1";
+constexpr const char* FormatOfSeveral = "penumbra probes 2"; // grids
+constexpr int GridNumbers = 9;                               // first place, spacing, counts
 constexpr int MostProbes = 1 << 20;
 
 // Halves of numbers over their largest, so that no unit of light overflows them.
@@ -123,11 +125,87 @@ std::string ReadText(vtkFieldData* data, const char* name)
   auto* array = Find<vtkStringArray>(data, name, 1, 1);
   return array ? std::string(array->GetValue(0)) : std::string();
 }
+
+void RequireValid(const ProbeGrid& grid)
+{
+  const double points = static_cast<double>(grid.Counts.x) * grid.Counts.y * grid.Counts.z;
+  if (glm::any(glm::lessThan(grid.Counts, glm::ivec3(2))) || points > MostProbes)
+  {
+    throw std::invalid_argument("its grid must have from 2 probes along each axis to " +
+      std::to_string(MostProbes) + " in all");
+  }
+  const bool wide = grid.Spacing.x > 0.0 && grid.Spacing.y > 0.0 && grid.Spacing.z > 0.0;
+  if (!wide || !std::isfinite(glm::length(grid.Spacing) + glm::length(grid.First)))
+  {
+    throw std::invalid_argument("its spacing must be positive and finite");
+  }
 }
 
-ProbeField::ProbeField(const ProbeGrid& grid)
-  : Grid(grid)
-  , Offsets(static_cast<std::size_t>(grid.Size()), glm::vec3(0.0f))
+ProbeGrid ReadGrid(vtkImageData* image)
+{
+  ProbeGrid grid;
+  image->GetDimensions(&grid.Counts[0]);
+  image->GetOrigin(&grid.First[0]);
+  image->GetSpacing(&grid.Spacing[0]);
+  RequireValid(grid);
+  return grid;
+}
+
+void AddGrids(vtkFieldData* data, const ProbeGrids& grids)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("grids");
+  array->SetNumberOfComponents(GridNumbers);
+  for (int i = 0; i < grids.Count(); ++i)
+  {
+    const ProbeGrid& grid = grids.Get(i);
+    const glm::dvec3 counts(grid.Counts);
+    double numbers[GridNumbers];
+    std::copy_n(&grid.First[0], 3, numbers);
+    std::copy_n(&grid.Spacing[0], 3, numbers + 3);
+    std::copy_n(&counts[0], 3, numbers + 6);
+    array->InsertNextTuple(numbers);
+  }
+  data->AddArray(array);
+}
+
+ProbeGrids ReadGrids(vtkImageData* image)
+{
+  auto* array = vtkDoubleArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("grids"));
+  const vtkIdType count = array ? array->GetNumberOfTuples() : 0;
+  if (!array || array->GetNumberOfComponents() != GridNumbers || count < 1 ||
+    count > ProbeGrids::Most)
+  {
+    Lacks("grids");
+  }
+  std::vector<ProbeGrid> grids;
+  double points = 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double* numbers = array->GetPointer(GridNumbers * i);
+    ProbeGrid grid;
+    std::copy_n(numbers, 3, &grid.First[0]);
+    std::copy_n(numbers + 3, 3, &grid.Spacing[0]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double probes = numbers[6 + axis];
+      grid.Counts[axis] = probes >= 0.0 && probes <= MostProbes ? static_cast<int>(probes) : 0;
+    }
+    RequireValid(grid);
+    points += grid.Size();
+    grids.push_back(grid);
+  }
+  if (points > MostProbes || points != static_cast<double>(image->GetNumberOfPoints()))
+  {
+    throw std::invalid_argument("its grids have other numbers of probes than it");
+  }
+  return ProbeGrids(std::move(grids));
+}
+}
+
+ProbeField::ProbeField(const ProbeGrids& grids)
+  : Grids(grids)
+  , Offsets(static_cast<std::size_t>(grids.Size()), glm::vec3(0.0f))
   , Light(Offsets.size() * Harmonics, 0.0f)
   , Distance(Offsets.size() * Distances, 0.0f)
   , Sight(Offsets.size(), 0)
@@ -135,21 +213,27 @@ ProbeField::ProbeField(const ProbeGrid& grid)
 {
 }
 
-glm::ivec3 ProbeField::Cell(int probe) const
-{
-  const glm::ivec3& n = this->Grid.Counts;
-  return { probe % n.x, probe / n.x % n.y, probe / n.x / n.y };
-}
-
 glm::dvec3 ProbeField::Position(int probe) const
 {
-  return this->Grid.First +
-    this->Grid.Spacing * (glm::dvec3(this->Cell(probe)) + glm::dvec3(this->Offsets[probe]));
+  const int number = this->Grids.Of(probe);
+  const ProbeGrid& grid = this->Grids.Get(number);
+  const glm::dvec3 cell(grid.Cell(probe - this->Grids.Begin(number)));
+  return grid.First + grid.Spacing * (cell + glm::dvec3(this->Offsets[probe]));
 }
 
-double ProbeField::Reach() const
+std::vector<glm::dvec3> ProbeField::Positions(int first, int last) const
 {
-  return 1.5 * glm::length(this->Grid.Spacing);
+  std::vector<glm::dvec3> points;
+  for (int probe = first; probe < last; ++probe)
+  {
+    points.push_back(this->Position(probe));
+  }
+  return points;
+}
+
+double ProbeField::Reach(int grid) const
+{
+  return 1.5 * glm::length(this->Grids.Get(grid).Spacing);
 }
 
 std::array<glm::ivec3, 13> ProbeNeighbours()
@@ -166,8 +250,10 @@ std::array<glm::ivec3, 13> ProbeNeighbours()
 void ProbeField::ToImage(vtkImageData* image, bool compact) const
 {
   image->Initialize();
-  const ProbeGrid& grid = this->Grid;
-  image->SetDimensions(grid.Counts.x, grid.Counts.y, grid.Counts.z);
+  const bool several = this->Grids.Count() > 1;
+  const ProbeGrid& grid = this->Grids.Get(0);
+  const glm::ivec3 counts = several ? glm::ivec3(this->Grids.Size(), 1, 1) : grid.Counts;
+  image->SetDimensions(counts.x, counts.y, counts.z);
   image->SetOrigin(grid.First.x, grid.First.y, grid.First.z);
   image->SetSpacing(grid.Spacing.x, grid.Spacing.y, grid.Spacing.z);
   const double scale = LargestOf(this->Light);
@@ -194,7 +280,11 @@ void ProbeField::ToImage(vtkImageData* image, bool compact) const
   image->GetPointData()->AddArray(sight);
   image->GetPointData()->AddArray(backs);
   vtkFieldData* fields = image->GetFieldData();
-  AddText(fields, "format", Format);
+  AddText(fields, "format", several ? FormatOfSeveral : Format);
+  if (several)
+  {
+    AddGrids(fields, this->Grids);
+  }
   AddText(fields, "scene", this->Scene);
   vtkNew<vtkIntArray> samples;
   samples->SetName("samples");
@@ -209,28 +299,14 @@ void ProbeField::ToImage(vtkImageData* image, bool compact) const
 ProbeField ProbeField::FromImage(vtkImageData* image)
 {
   const std::string format = image ? ReadText(image->GetFieldData(), "format") : "";
-  if (format != Format)
+  if (format != Format && format != FormatOfSeveral)
   {
     throw std::invalid_argument(format.empty()
         ? std::string("it is no field of probes: it lacks the text 'format'")
-        : "it is of the format '" + format + "', and this version reads '" + Format + "'");
+        : "it is of the format '" + format + "', and this version reads '" + Format + "' and '" +
+          FormatOfSeveral + "'");
   }
-  ProbeGrid grid;
-  image->GetDimensions(&grid.Counts[0]);
-  image->GetOrigin(&grid.First[0]);
-  image->GetSpacing(&grid.Spacing[0]);
-  const double points = static_cast<double>(grid.Counts.x) * grid.Counts.y * grid.Counts.z;
-  if (glm::any(glm::lessThan(grid.Counts, glm::ivec3(2))) || points > MostProbes)
-  {
-    throw std::invalid_argument("its grid must have from 2 probes along each axis to " +
-      std::to_string(MostProbes) + " in all");
-  }
-  const bool wide = grid.Spacing.x > 0.0 && grid.Spacing.y > 0.0 && grid.Spacing.z > 0.0;
-  if (!wide || !std::isfinite(glm::length(grid.Spacing) + glm::length(grid.First)))
-  {
-    throw std::invalid_argument("its spacing must be positive and finite");
-  }
-  ProbeField field(grid);
+  ProbeField field(format == Format ? ProbeGrids(ReadGrid(image)) : ReadGrids(image));
   vtkFieldData* fields = image->GetFieldData();
   auto* scale = Find<vtkDoubleArray>(fields, "light scale", 1, 1);
   auto* samples = Find<vtkIntArray>(fields, "samples", 1, 1);

@@ -16,6 +16,8 @@ struct ProbeGrid
   glm::dvec3 First{ 0.0 };   ///< place of the first probe, world
   glm::dvec3 Spacing{ 1.0 }; ///< between neighbours
   glm::ivec3 Counts{ 0 };
+  /// Place of the first probe in storage, where probes lie by their places modulo Counts.
+  glm::ivec3 Wrap{ 0 };
 
   int Size() const { return this->Counts.x * this->Counts.y * this->Counts.z; }
   /// Occlusion nearer than this, a quarter of a cell, is not in the light that probes know (measured, see
@@ -23,6 +25,16 @@ struct ProbeGrid
   double Detail() const
   {
     return 0.25 * glm::min(this->Spacing.x, glm::min(this->Spacing.y, this->Spacing.z));
+  }
+  /// The place of a probe among the others, and back. Not for probes that Wrap moves in storage.
+  glm::ivec3 Cell(int probe) const
+  {
+    return { probe % this->Counts.x, probe / this->Counts.x % this->Counts.y,
+      probe / this->Counts.x / this->Counts.y };
+  }
+  int Probe(const glm::ivec3& cell) const
+  {
+    return cell.x + this->Counts.x * (cell.y + this->Counts.y * cell.z);
   }
   bool IsEmpty() const { return this->Size() == 0; }
   glm::dvec3 Last() const { return this->First + this->Spacing * glm::dvec3(this->Counts - 1); }
@@ -33,6 +45,10 @@ struct ProbeGrid
 
   /// Likewise, with at most such distances between neighbours; empty where that takes more probes than most.
   static ProbeGrid Spaced(const std::array<double, 6>& bounds, double spacing, int most);
+
+  /// Finer, with at most so many probes, around a box within the bounds that this one is around. The outermost stand a
+  /// cell outside, over which the light of a part fades, but not farther out of the bounds than half a cell.
+  ProbeGrid Part(const glm::dvec3& low, const glm::dvec3& high, int probes) const;
 
   /// Whether the bounds lie within, and fill enough of it that a grid of their own would not be much finer.
   bool Suits(const std::array<double, 6>& bounds) const;

@@ -66,6 +66,7 @@ bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int ra
     stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
     stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
     glUniform1i(program.Location("pointCount"), static_cast<GLint>(count));
+    glUniform1i(program.Location("firstPoint"), static_cast<GLint>(first));
     glUniform1i(program.Location("texels"), Texels);
     glUniform1i(program.Location("samples"), rays);
     glUniform1f(program.Location("farthest"), static_cast<GLfloat>(reach));
@@ -83,16 +84,6 @@ bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int ra
     }
   }
   return true;
-}
-
-std::vector<glm::dvec3> Positions(const ProbeField& field)
-{
-  std::vector<glm::dvec3> points;
-  for (int probe = 0; probe < field.Grid.Size(); ++probe)
-  {
-    points.push_back(field.Position(probe));
-  }
-  return points;
 }
 
 /// What a probe sees, in short.
@@ -120,26 +111,29 @@ glm::vec3 Kept(const glm::dvec3& offset)
 }
 }
 
-bool PlaceProbes(GatherStage& stage, ProbeField& field,
+bool PlaceProbes(GatherStage& stage, ProbeField& field, int number,
   const std::function<std::vector<double>(const std::vector<glm::dvec3>&)>& brightness,
   const ProbeProgress& progress)
 {
-  const glm::dvec3 spacing = field.Grid.Spacing;
+  const glm::dvec3 spacing = field.Grids.Get(number).Spacing;
+  const double reach = field.Reach(number);
+  const int first = field.Grids.Begin(number);
+  const int last = field.Grids.Begin(number + 1);
   const double cell = std::min({ spacing.x, spacing.y, spacing.z });
   std::vector<glm::vec3> maps;
   for (int move = 0; move < Moves; ++move)
   {
     const auto part = [&](double done) { return progress((move + done) / Moves); };
-    if (!TraceMaps(stage, Positions(field), FewRays, field.Reach(), maps, part))
+    if (!TraceMaps(stage, field.Positions(first, last), FewRays, reach, maps, part))
     {
       return false;
     }
     std::vector<int> leaving; // something solid, perhaps
     std::vector<glm::dvec3> places;
     std::vector<glm::vec3> before = field.Offsets;
-    for (int probe = 0; probe < field.Grid.Size(); ++probe)
+    for (int probe = first; probe < last; ++probe)
     {
-      const glm::vec3* map = &maps[static_cast<std::size_t>(probe) * MapTexels];
+      const glm::vec3* map = &maps[static_cast<std::size_t>(probe - first) * MapTexels];
       const Outlook outlook = LookFrom(map);
       const glm::dvec3 toward(TexelDirection(outlook.Nearest));
       const double distance = map[outlook.Nearest].x;
@@ -152,7 +146,7 @@ bool PlaceProbes(GatherStage& stage, ProbeField& field,
       else if (distance < Margin * cell)
       {
         // Not farther than half way to what is behind.
-        double behind = field.Reach();
+        double behind = reach;
         for (int texel = 0; texel < MapTexels; ++texel)
         {
           const bool opposite = glm::dot(glm::dvec3(TexelDirection(texel)), toward) < -0.7;
@@ -188,43 +182,46 @@ bool PlaceProbes(GatherStage& stage, ProbeField& field,
   return true;
 }
 
-bool LookAround(GatherStage& stage, ProbeField& field, const ProbeProgress& progress)
+bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbeProgress& progress)
 {
+  const ProbeGrid& grid = field.Grids.Get(number);
+  const double reach = field.Reach(number);
+  const int first = field.Grids.Begin(number);
+  const int count = grid.Size();
   std::vector<glm::vec3> maps;
-  const std::vector<glm::dvec3> points = Positions(field);
-  if (!TraceMaps(stage, points, ManyRays, field.Reach(), maps, progress))
+  const std::vector<glm::dvec3> points = field.Positions(first, first + count);
+  if (!TraceMaps(stage, points, ManyRays, reach, maps, progress))
   {
     return false;
   }
-  const double reach = field.Reach();
+  float* distances = &field.Distance[static_cast<std::size_t>(first) * ProbeField::Distances];
   for (std::size_t i = 0; i < maps.size(); ++i)
   {
     const double mean = maps[i].x / reach;
     const double square = maps[i].y / (reach * reach);
-    field.Distance[2 * i] = static_cast<float>(mean);
-    field.Distance[2 * i + 1] = static_cast<float>(std::sqrt(std::max(square - mean * mean, 0.0)));
+    distances[2 * i] = static_cast<float>(mean);
+    distances[2 * i + 1] = static_cast<float>(std::sqrt(std::max(square - mean * mean, 0.0)));
   }
   std::vector<shared::GatherPoint> pairs;
   std::vector<std::pair<int, int>> bits;
   const auto neighbours = ProbeNeighbours();
-  for (int probe = 0; probe < field.Grid.Size(); ++probe)
+  for (int probe = 0; probe < count; ++probe)
   {
-    field.Backs[probe] =
+    field.Backs[first + probe] =
       static_cast<float>(LookFrom(&maps[static_cast<std::size_t>(probe) * MapTexels]).Backs);
     for (int bit = 0; bit < 13; ++bit)
     {
-      const glm::ivec3 other = field.Cell(probe) + neighbours[bit];
+      const glm::ivec3 other = grid.Cell(probe) + neighbours[bit];
       if (glm::all(glm::greaterThanEqual(other, glm::ivec3(0))) &&
-        glm::all(glm::lessThan(other, field.Grid.Counts)))
+        glm::all(glm::lessThan(other, grid.Counts)))
       {
-        const int index = other.x + field.Grid.Counts.x * (other.y + field.Grid.Counts.y * other.z);
         pairs.push_back({ glm::vec4(glm::vec3(points[probe] - stage.Origin()), 0.0f),
-          glm::vec4(glm::vec3(points[index] - stage.Origin()), 0.0f) });
-        bits.emplace_back(probe, bit);
+          glm::vec4(glm::vec3(points[grid.Probe(other)] - stage.Origin()), 0.0f) });
+        bits.emplace_back(first + probe, bit);
       }
     }
   }
-  std::fill(field.Sight.begin(), field.Sight.end(), 0);
+  std::fill_n(field.Sight.begin() + first, count, 0);
   std::vector<float> seen(pairs.size(), 0.0f);
   stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, pairs.data(), pairs.size() * sizeof(pairs[0]));
   stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, seen.data(), seen.size() * sizeof(seen[0]));

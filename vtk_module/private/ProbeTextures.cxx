@@ -3,8 +3,6 @@
 #include "private/ProbeTextures.h"
 
 #include "private/Harmonics.h"
-#include "private/ProbeUniforms.h"
-#include "private/ShaderLibrary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,13 +42,13 @@ glm::ivec2 Source(glm::ivec2 texel)
 }
 
 ProbeTextures::ProbeTextures(const ProbeField& field, bool window)
-  : Grid(field.Grid)
-  , Columns(ProbeUniforms::Columns(field.Grid.Size()))
+  : Grids(field.Grids)
+  , Columns(ProbeUniforms::Columns(field.Grids.Size()))
   , LightTexture(
-      { GL_RGBA16F, this->Columns * LightTexels, ProbeUniforms::Rows(field.Grid.Size()), 0 })
+      { GL_RGBA16F, this->Columns * LightTexels, ProbeUniforms::Rows(field.Grids.Size()), 0 })
   , DistanceTexture(
-      { GL_RG32F, this->Columns * Outer, ProbeUniforms::Rows(field.Grid.Size()) * Outer, 0 })
-  , ProbeTexture({ GL_RGBA32F, this->Columns, ProbeUniforms::Rows(field.Grid.Size()), 0 })
+      { GL_RG32F, this->Columns * Outer, ProbeUniforms::Rows(field.Grids.Size()) * Outer, 0 })
+  , ProbeTexture({ GL_RGBA32F, this->Columns, ProbeUniforms::Rows(field.Grids.Size()), 0 })
 {
   this->FillLight(field, window);
   this->FillDistance(field);
@@ -61,10 +59,10 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
 {
   constexpr int n = ProbeField::Harmonics;
   const std::size_t width = static_cast<std::size_t>(this->Columns) * LightTexels * 4;
-  std::vector<float> texels(width * ProbeUniforms::Rows(this->Grid.Size()), 0.0f);
+  std::vector<float> texels(width * ProbeUniforms::Rows(this->Grids.Size()), 0.0f);
   std::vector<float> all = field.Light;
   double most = 0.0;
-  for (int probe = 0; probe < this->Grid.Size(); ++probe)
+  for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
     float* colors = &all[static_cast<std::size_t>(probe) * n];
     ToIrradiance(colors);
@@ -78,7 +76,7 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
     }
   }
   this->Scale = most > 0.0 ? most : 1.0;
-  for (int probe = 0; probe < this->Grid.Size(); ++probe)
+  for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
     float* target = &texels[static_cast<std::size_t>(probe / this->Columns) * width +
       static_cast<std::size_t>(probe % this->Columns) * LightTexels * 4];
@@ -92,11 +90,11 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
 
 void ProbeTextures::FillDistance(const ProbeField& field)
 {
-  const auto reach = static_cast<float>(field.Reach());
   const std::size_t width = static_cast<std::size_t>(this->Columns) * Outer;
-  std::vector<float> texels(2 * width * ProbeUniforms::Rows(this->Grid.Size()) * Outer, 0.0f);
-  for (int probe = 0; probe < this->Grid.Size(); ++probe)
+  std::vector<float> texels(2 * width * ProbeUniforms::Rows(this->Grids.Size()) * Outer, 0.0f);
+  for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
+    const auto reach = static_cast<float>(field.Reach(this->Grids.Of(probe)));
     const float* map = &field.Distance[static_cast<std::size_t>(probe) * ProbeField::Distances];
     const glm::ivec2 corner(probe % this->Columns * Outer, probe / this->Columns * Outer);
     for (int i = 0; i < Outer * Outer; ++i)
@@ -120,10 +118,11 @@ void ProbeTextures::FillDistance(const ProbeField& field)
 void ProbeTextures::FillProbes(const ProbeField& field)
 {
   std::vector<float> texels(
-    static_cast<std::size_t>(this->Columns) * ProbeUniforms::Rows(this->Grid.Size()) * 4, 0.0f);
-  for (int probe = 0; probe < this->Grid.Size(); ++probe)
+    static_cast<std::size_t>(this->Columns) * ProbeUniforms::Rows(this->Grids.Size()) * 4, 0.0f);
+  for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
-    const glm::vec3 offset(glm::dvec3(field.Offsets[probe]) * this->Grid.Spacing);
+    const glm::dvec3& spacing = this->Grids.Get(this->Grids.Of(probe)).Spacing;
+    const glm::vec3 offset(glm::dvec3(field.Offsets[probe]) * spacing);
     float* texel = &texels[static_cast<std::size_t>(probe) * 4];
     std::copy_n(&offset[0], 3, texel);
     texel[3] = static_cast<float>(field.Sight[probe]);
@@ -131,9 +130,22 @@ void ProbeTextures::FillProbes(const ProbeField& field)
   Fill(this->ProbeTexture, GL_RGBA, texels);
 }
 
-void ProbeTextures::Set(const Program& program, double bias) const
+void ProbeTextures::Bind() const
 {
-  ProbeUniforms{ NestedGrids(this->Grid), this->Origin(), bias }.Set(program);
+  GLint active = 0; // VTK remembers it
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  GLenum unit = GL_TEXTURE4;
+  for (const Texture* texture : { this->Light(), this->Distance(), this->Probes() })
+  {
+    glActiveTexture(unit++);
+    glBindTexture(texture->Target(), texture->Get());
+  }
+  glActiveTexture(static_cast<GLenum>(active));
+}
+
+void ProbeTextures::Set(const Program& program, double bias, const glm::dvec3& origin) const
+{
+  ProbeUniforms{ this->Grids, origin, bias }.Set(program);
   glUniform1f(program.Location("lightScale"), static_cast<GLfloat>(this->Scale));
 }
 }

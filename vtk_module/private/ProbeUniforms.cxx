@@ -29,19 +29,19 @@ Defines ProbeUniforms::Variant() const
 
 void ProbeUniforms::Set(const Program& program) const
 {
-  std::array<glm::vec3, NestedGrids::Most> origins;
-  std::array<glm::vec3, NestedGrids::Most> spacings;
-  std::array<glm::ivec3, NestedGrids::Most> counts;
-  std::array<glm::ivec3, NestedGrids::Most> wraps;
-  std::array<GLint, NestedGrids::Most + 1> begins;
+  std::array<glm::vec3, ProbeGrids::Most> origins;
+  std::array<glm::vec3, ProbeGrids::Most> spacings;
+  std::array<glm::ivec3, ProbeGrids::Most> counts;
+  std::array<glm::ivec3, ProbeGrids::Most> wraps;
+  std::array<GLint, ProbeGrids::Most + 1> begins;
   const int count = this->Grids.Count();
   for (int i = 0; i < count; ++i)
   {
-    const ProbeGrid grid = this->Grids.Get(i);
+    const ProbeGrid& grid = this->Grids.Get(i);
     origins[i] = glm::vec3(grid.First - this->Origin);
     spacings[i] = glm::vec3(grid.Spacing);
     counts[i] = grid.Counts;
-    wraps[i] = this->Grids.Wrap(i);
+    wraps[i] = grid.Wrap;
     begins[i] = this->Grids.Begin(i);
   }
   begins[count] = this->Grids.Size();

@@ -5,14 +5,14 @@
  */
 #pragma once
 
-#include "private/NestedGrids.h"
+#include "private/ProbeGrids.h"
 #include "private/ShaderLibrary.h"
 
 namespace penumbra
 {
 struct ProbeUniforms
 {
-  NestedGrids Grids;
+  ProbeGrids Grids;
   glm::dvec3 Origin{ 0.0 }; ///< of the shaders' coordinates, world
   double Bias = 0.0;        ///< in cells
 

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Rooms lit by baked probes.
+ */
+#pragma once
+
+#include "RoomStage.h"
+
+#include "vtkGIPathTracing.h"
+#include "vtkGIProbeBaker.h"
+#include "vtkGISHProbes.h"
+
+#include <vtkSphereSource.h>
+
+#include <string>
+
+namespace penumbra_test
+{
+class BakedStage : public RoomStage
+{
+protected:
+  void SetUp() override
+  {
+    this->Prepare("sh-probes", 48, 36);
+    this->Probes = vtkGISHProbes::SafeDownCast(this->Pass->GetTechnique("sh-probes"));
+    ASSERT_NE(this->Probes, nullptr);
+  }
+
+  vtkActor* AddBall(double x, double y, double z, double radius)
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(radius);
+    ball->SetPhiResolution(48);
+    ball->SetThetaResolution(96);
+    vtkActor* actor = Paint(this->Scene.Add(ball), 0.8);
+    actor->SetPosition(x, y, z);
+    return actor;
+  }
+
+  void Bake(int probes, int samples, bool adaptive = false)
+  {
+    this->Baker->SetProbes(probes);
+    this->Baker->SetSamples(samples);
+    this->Baker->SetAdaptive(adaptive);
+    ASSERT_TRUE(this->Baker->Bake(this->Scene.Renderer, this->Field))
+      << this->Baker->GetLastError();
+    ASSERT_TRUE(this->Probes->SetBake(this->Field)) << this->Probes->GetBakeError();
+  }
+
+  Values Traced(int bounces, int samples)
+  {
+    auto* tracer = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
+    tracer->EnabledOn();
+    tracer->SetBounces(bounces);
+    tracer->SetSamples(samples);
+    const Values values = this->After(samples);
+    tracer->EnabledOff();
+    return values;
+  }
+
+  bool Notes(const std::string& words) const
+  {
+    return std::string(this->Pass->GetNotes()).find(words) != std::string::npos;
+  }
+
+  vtkNew<vtkGIProbeBaker> Baker;
+  vtkNew<vtkImageData> Field;
+  vtkGISHProbes* Probes = nullptr;
+};
+}
