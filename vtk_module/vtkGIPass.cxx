@@ -152,13 +152,25 @@ bool vtkGIPass::GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData*
 void vtkGIPass::Render(const vtkRenderState* state)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(state->GetRenderer());
-  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
   if (!window)
   {
     vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
     return;
   }
   window->MakeCurrent();
+  const bool shown = this->JoinTiles &&
+    this->Impl->ShowTile(
+      state, [this](const vtkRenderState* whole) { this->RenderPicture(whole); });
+  if (!shown)
+  {
+    this->RenderPicture(state);
+  }
+}
+
+void vtkGIPass::RenderPicture(const vtkRenderState* state)
+{
   penumbra::StockStages stages(state);
   stages.UpdateCameraAndLights();
   if (stages.RenderSelection())
