@@ -163,7 +163,7 @@ def extension(techniques):
         names = list(PROBE_PROPERTIES) if stem == PROBES else []
         names += [name for name, owner, parameter, _, _ in table if owner == technique["name"] and parameter]
         if names:
-            groups += group(f"Global illumination: {technique['title']}", names)
+            groups += group(f"GI: {technique['title']}", names)
     return ('    <Extension name="RenderView">\n      <SubProxy command="AddRepresentation">\n'
             '        <Proxy name="GlobalIllumination" proxygroup="global_illumination" proxyname="Settings"/>\n'
             f'        <ExposedProperties>\n{groups}        </ExposedProperties>\n'

@@ -5,6 +5,7 @@
 #include "private/DirectLight.h"
 #include "private/FrameExecutor.h"
 #include "private/PassInternals.h"
+#include "private/ScopedState.h"
 #include "private/StockStages.h"
 
 #include "vtkImageData.h"
@@ -160,6 +161,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
     return;
   }
   window->MakeCurrent();
+  penumbra::RefreshState(window->GetState());
   const bool shown = this->JoinTiles &&
     this->Impl->ShowTile(
       state, [this](const vtkRenderState* whole) { this->RenderPicture(whole); });

@@ -19,7 +19,7 @@ from paraview import simple, smtrace
 from penumbra.paraview import disable, enable  # loads nothing: the plugin is there
 from PyQt5.QtCore import QPoint, Qt, QTimer
 from PyQt5.QtTest import QTest
-from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QLabel, QLineEdit, QMainWindow, QPlainTextEdit, QScrollArea,
+from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow, QPlainTextEdit, QScrollArea,
                              QTextEdit, QToolButton, QWidget)
 
 FOLDER = pathlib.Path(os.environ["PENUMBRA_WINDOW_OUTPUT"])
@@ -85,7 +85,7 @@ class Panel:
 
     def titles(self):
         return {label.text() for label in self.panel.findChildren(QLabel)
-                if "lobal illumination" in label.text() and label.isVisibleTo(self.area.widget())}
+                if ("lobal illumination" in label.text() or "GI: " in label.text()) and label.isVisibleTo(self.area.widget())}
 
     def overhang(self):
         """Pixels that the panel is too narrow for."""
@@ -105,17 +105,19 @@ def scene(view):
     view.Background, view.Background2 = [0.93, 0.94, 0.95], [0.60, 0.72, 0.86]
     view.OrientationAxesVisibility = 0
     display.SetScalarBarVisibility(view, False)
-    simple.GetColorTransferFunction("elevation").ApplyPreset("erdc_gold_BW", True)
+    colors = simple.GetColorTransferFunction("elevation")
+    colors.RGBPoints = [236, 0.36, 0.47, 0.30, 330, 0.50, 0.58, 0.37, 480, 0.72, 0.69, 0.48, 700, 0.66, 0.54, 0.42,
+                        900, 0.72, 0.66, 0.60, 1076, 0.93, 0.92, 0.90]
     bounds = surface.GetDataInformation().GetBounds()
     middle = [(bounds[i] + bounds[i + 1]) / 2 for i in (0, 2, 4)]
     size = bounds[1] - bounds[0]
-    view.UseLight = 0
+    view.KeyLightIntensity = 0.15
     lamp = simple.AddLight(view=view)
     lamp.Type, lamp.Intensity = "Directional", 1.1
     lamp.FocalPoint = middle
     lamp.Position = [middle[0] - 0.9 * size, middle[1] + 0.35 * size, middle[2] + 0.58 * size]
-    view.CameraFocalPoint = [middle[0] - 0.02 * size, middle[1] - 0.02 * size, middle[2]]
-    view.CameraPosition = [middle[0] + 0.18 * size, middle[1] - 0.95 * size, middle[2] + 0.62 * size]
+    view.CameraFocalPoint = [middle[0] - 0.03 * size, middle[1] - 0.10 * size, middle[2]]
+    view.CameraPosition = [middle[0] + 0.18 * size, middle[1] - 0.95 * size, middle[2] + 0.55 * size]
     view.CameraViewUp = [0, 0, 1]
     simple.Render(view)
 
@@ -124,6 +126,9 @@ def steps():
     window = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow))
     window.resize(window.screen().size())
     window.move(0, 0)
+    browser = window.findChild(QDockWidget, "pipelineBrowserDock")
+    window.resizeDocks([browser], [360], Qt.Horizontal)
+    window.resizeDocks([browser], [110], Qt.Vertical)
     view = simple.GetActiveView()
     RESULT["has properties"] = bool(view.SMProxy.GetProperty("GlobalIllumination"))
     scene(view)
@@ -186,7 +191,7 @@ def steps():
     (FOLDER / "recorded.py").write_text(trace)
     RESULT["recorded"] = [line.strip() for line in trace.splitlines() if ".GI" in line]
     RESULT["tooltip"] = panel.widget("GIShadowMapsSlopeBias", QWidget).toolTip()
-    RESULT["too narrow by"] = panel.overhang() - narrow
+    RESULT["too narrow by"] = [narrow, panel.overhang()]
     panel.area.ensureWidgetVisible(panel.widget("GIShadowMapsFilterRadius", QWidget))
     yield from photograph(window, "advanced")
     yield from panel.show_advanced()

@@ -11,6 +11,16 @@
 
 namespace penumbra
 {
+/// VTK's cache puts back, with all else, the buffers that were bound when it was last filled, though they may have been
+/// deleted since, by props that are gone: it is filled anew, with none bound.
+inline void RefreshState(vtkOpenGLState* state)
+{
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  state->Reset();
+}
+
 class ScopedState
 {
 public:
