@@ -161,7 +161,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
     return;
   }
   window->MakeCurrent();
-  penumbra::RefreshState(window->GetState());
+  penumbra::RefreshState(window);
   const bool shown = this->JoinTiles &&
     this->Impl->ShowTile(
       state, [this](const vtkRenderState* whole) { this->RenderPicture(whole); });

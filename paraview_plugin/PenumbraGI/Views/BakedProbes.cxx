@@ -50,7 +50,7 @@ std::string Load(const std::string& path, vtkGISHProbes* technique)
   }
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (reader->GetErrorCode())
+  if (reader->GetErrorCode() || reader->GetOutput()->GetNumberOfPoints() == 0)
   {
     return named + "are damaged: bake them again";
   }
@@ -69,7 +69,7 @@ bool Write(const std::string& path, vtkImageData* field)
   writer->SetInputData(field);
   writer
     ->SetDataModeToBinary(); // VTK before 9.3.1 stumbles over appended data with newer versions of Expat
-  return writer->Write() != 0;
+  return writer->Write() != 0 && writer->GetErrorCode() == 0;
 }
 }
 
