@@ -115,7 +115,8 @@ def probe_properties():
              "Paths from each probe: four times as many take four times as long, and leave half of the noise.")):
         yield sm_property(f"GI{PROBES}{name}", title, command, "int", default,
                           f'<IntRangeDomain name="range" min="{low}"/>', f"{doc} Range: {low} to {high}.", shown, True)
-    yield (f'      <Property name="GI{PROBES}Bake" label="Bake probes" command="BakeProbes" panel_visibility="default">\n'
+    yield (f'      <Property name="GI{PROBES}Bake" label="Bake probes" command="BakeProbes" '
+           'panel_widget="command_button" panel_visibility="default">\n'
            '        <Documentation>Gather the light that arrives in the scene as the view shows it now, which takes '
            'seconds to minutes. Lamps that follow the camera are left out.</Documentation>\n' +
            visible_where(shown, "        ") + "      </Property>\n")

@@ -82,9 +82,10 @@ class Window(Base):
     def test_the_panel_switches_and_tunes(self):
         found = self.open_window()
         print(json.dumps(found, indent=1))
-        for complaint in ("ERR|", "WARN|", "Traceback", "enumbra"):
-            self.assertNotIn(complaint, self.messages)
-            self.assertNotIn(complaint, found["messages"])
+        for complaint in ("ERR|", "WARN|", "ERROR", "Traceback"):
+            self.assertNotIn(complaint, self.messages + found["messages"])
+        # Said once, when probes are switched on that are not baked yet; nothing else is.
+        self.assertRegex(found["messages"].strip(), "^Penumbra: the probes are on without a bake[^\\n]*$")
         self.assertTrue(found["has properties"])
         self.assertEqual(found["switch says"], "Global illumination")
         # Off, the panel has the switch alone; on, what there is to switch; parameters are advanced ones.
@@ -102,6 +103,15 @@ class Window(Base):
         self.assertNotIn("GIPathTracingSamples", found["advanced rows"])  # of a technique that is off
         self.assertIn("Unit: texels", found["tooltip"])
         self.assertEqual(found["off again"], 1)
+        self.assertEqual(max(found["too narrow by"]), 0)
+        self.assertFalse(found["problem with probes"])
+        # What the panel did is recorded, and played by another process.
+        self.assertIn("renderView1.GIShadowMapsResolution = 512", found["recorded"])
+        played = self.folder / "played.py"
+        played.write_text("import penumbra.paraview\n" + (self.folder / "recorded.py").read_text() +
+                          "print('plays', renderView1.GIShadowMapsResolution, renderView1.GIAmbientOcclusionSamples,"
+                          " renderView1.GIAmbientOcclusionMethod)\n")
+        self.assertIn("plays 512 64 hemisphere", self.run_script("pvpython", played))
 
 
 if __name__ == "__main__":

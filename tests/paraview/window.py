@@ -19,8 +19,8 @@ from paraview import simple, smtrace
 from penumbra.paraview import disable, enable  # loads nothing: the plugin is there
 from PyQt5.QtCore import QPoint, Qt, QTimer
 from PyQt5.QtTest import QTest
-from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow, QPlainTextEdit, QScrollArea,
-                             QTextEdit, QToolButton, QWidget)
+from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow,
+                             QPlainTextEdit, QPushButton, QScrollArea, QTextEdit, QToolButton, QWidget)
 
 FOLDER = pathlib.Path(os.environ["PENUMBRA_WINDOW_OUTPUT"])
 PATIENCE = 30  # seconds for what takes a fraction of one
@@ -194,6 +194,19 @@ def steps():
     RESULT["too narrow by"] = [narrow, panel.overhang()]
     panel.area.ensureWidgetVisible(panel.widget("GIShadowMapsFilterRadius", QWidget))
     yield from photograph(window, "advanced")
+
+    yield from panel.click(panel.widget("GISHProbes", QCheckBox))
+    yield from panel.write("GISHProbesCount", "60")
+    yield from panel.write("GISHProbesSamples", "16")
+    yield 0.5
+    before = scenes.capture(view)
+    yield from panel.click(panel.widget("GISHProbesBake", QPushButton))
+    yield from wait("baked probes change the picture", lambda: scenes.within(scenes.capture(view), before) < 0.95)
+    view.UpdatePropertyInformation()
+    RESULT["problem with probes"] = view.GetProperty("GISHProbesProblem").GetData()
+    panel.area.ensureWidgetVisible(panel.widget("GISHProbesIntensity", QWidget))
+    yield from photograph(window, "baked")
+    view.GISHProbes = 0
     yield from panel.show_advanced()
     disable(view)
     simple.Render(view)

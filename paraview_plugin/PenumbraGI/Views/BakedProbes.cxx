@@ -78,7 +78,8 @@ void BakedProbes::Tell(const std::string& problem)
   this->Problem = problem;
   if (!problem.empty())
   {
-    vtkOutputWindow::GetInstance()->DisplayErrorText(("Penumbra: " + problem + ".\n").c_str());
+    const char* end = problem.back() == '.' ? "\n" : ".\n";
+    vtkOutputWindow::GetInstance()->DisplayErrorText(("Penumbra: " + problem + end).c_str());
   }
 }
 
