@@ -109,9 +109,9 @@ class Window(Base):
         self.assertIn("renderView1.GIShadowMapsResolution = 512", found["recorded"])
         played = self.folder / "played.py"
         played.write_text("import penumbra.paraview\n" + (self.folder / "recorded.py").read_text() +
-                          "print('plays', renderView1.GIShadowMapsResolution, renderView1.GIAmbientOcclusionSamples,"
+                          "\nprint('plays', renderView1.GIShadowMapsResolution, renderView1.GIAmbientOcclusionSamples,"
                           " renderView1.GIAmbientOcclusionMethod)\n")
-        self.assertIn("plays 512 64 hemisphere", self.run_script("pvpython", played))
+        self.assertIn("plays 512 64 'hemisphere'", self.run_script("pvpython", played))
 
 
 if __name__ == "__main__":

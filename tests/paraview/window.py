@@ -116,8 +116,9 @@ def scene(view):
     lamp.Type, lamp.Intensity = "Directional", 1.1
     lamp.FocalPoint = middle
     lamp.Position = [middle[0] - 0.9 * size, middle[1] + 0.35 * size, middle[2] + 0.58 * size]
-    view.CameraFocalPoint = [middle[0] - 0.03 * size, middle[1] - 0.10 * size, middle[2]]
-    view.CameraPosition = [middle[0] + 0.18 * size, middle[1] - 0.95 * size, middle[2] + 0.55 * size]
+    view.CameraFocalPoint = [middle[0] - 0.02 * size, middle[1] - 0.05 * size, middle[2]]
+    view.CameraPosition = [middle[0] + 0.22 * size, middle[1] - 1.0 * size, middle[2] + 0.6 * size]
+    view.CameraViewAngle = 26
     view.CameraViewUp = [0, 0, 1]
     simple.Render(view)
 
@@ -149,7 +150,7 @@ def steps():
     lit = scenes.capture(view)
     RESULT["changed by the switch"] = 1 - scenes.within(lit, plain)
     RESULT["rows when on"] = sorted(panel.visible())
-    panel.area.ensureWidgetVisible(panel.widget("GITemporalAccumulation", QWidget))
+    panel.area.ensureWidgetVisible(panel.widget("GIAntiAliasing", QWidget))
     yield from photograph(window, "on")
 
     yield from panel.click(switch)
