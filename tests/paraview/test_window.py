@@ -98,7 +98,7 @@ class Window(Base):
         self.assertTrue(found["switch follows enable()"])
         self.assertEqual(found["preset high"], {"resolution": [2048, 4096], "samples": 64, "reflections": [1, True],
                                                 "box goes back": "choose"})
-        self.assertGreaterEqual(found["as enable() draws high"], 0.995)
+        self.assertGreaterEqual(found["as enable() draws high"], 0.999)
         self.assertIn("GIShadowMapsSlopeBias", found["advanced rows"])
         self.assertNotIn("GIPathTracingSamples", found["advanced rows"])  # of a technique that is off
         self.assertIn("Unit: texels", found["tooltip"])
