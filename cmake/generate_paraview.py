@@ -17,6 +17,8 @@ from generate_parameters import NOTICE, arguments, kebab, number, quote, write
 
 START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
+PROBES = "SHProbes"  # the technique whose light a view bakes and keeps
+LONGEST_UNIT = 12  # characters that leave the panel narrow; the tooltip tells every unit
 
 
 def words(camel):
@@ -25,13 +27,17 @@ def words(camel):
     return text[0].upper() + text[1:]
 
 
-def capital(text):
-    return text[0].upper() + text[1:]
+def label(parameter):
+    """The name in the panel, with its unit where that is short and says more than the name does."""
+    text, unit = words(parameter["name"]), parameter.get("unit", "")
+    return f"{text} ({unit})" if 0 < len(unit) <= LONGEST_UNIT and unit not in text.lower() else text
 
 
-def visible_where(prop, indent):
-    return (f'{indent}<Hints><PropertyWidgetDecorator type="GenericDecorator" mode="visibility" '
-            f'property="{prop}" value="1"/></Hints>\n')
+def visible_where(switches, indent, more=""):
+    """Hints: shown in the panel where all of these properties are on; and more."""
+    return f"{indent}<Hints>\n" + "".join(
+        f'{indent}  <PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="{prop}" value="1"/>\n'
+        for prop in switches) + f"{indent}{more}</Hints>\n"
 
 
 def domain(parameter):
@@ -57,11 +63,11 @@ def tooltip(parameter):
     return text
 
 
-def sm_property(name, label, command, kind, default, inner, doc, shown_with=None, advanced=False):
+def sm_property(name, title, command, kind, default, inner, doc, shown_with=(), advanced=False):
     tag = "DoubleVectorProperty" if kind == "double" else "IntVectorProperty"
     visibility = "advanced" if advanced else "default"
     call = f' command="{command}"' if command else ""
-    return (f'      <{tag} name="{name}" label={quoteattr(label)}{call} number_of_elements="1" '
+    return (f'      <{tag} name="{name}" label={quoteattr(title)}{call} number_of_elements="1" '
             f'default_values="{default}" panel_visibility="{visibility}">\n        {inner}\n'
             f'        <Documentation>{escape(doc)}</Documentation>\n' +
             (visible_where(shown_with, "        ") if shown_with else "") + f'      </{tag}>\n')
@@ -85,12 +91,41 @@ def general_properties(presets):
     yield sm_property("GIPreset", "Apply preset", None, "int", -1,
                       f'<EnumerationDomain name="enum"><Entry text="choose" value="-1"/>{names}</EnumerationDomain>',
                       "Sets all techniques and parameters below to the values of a preset. What they are afterwards "
-                      "is what counts and what is saved; this goes back to where it was.", SWITCH)
+                      "is what counts and what is saved; this goes back to where it was.", [SWITCH])
     yield sm_property("GIStillFrames", "Frames of a still picture", "SetStillFrames", "int", 1,
                       '<IntRangeDomain name="range" min="1"/>',
                       "How many frames are drawn for one still picture, a screenshot for instance: techniques that "
                       "collect light or smooth edges from frame to frame need several. While the camera is moved, one.",
-                      SWITCH)
+                      [SWITCH])
+
+
+def probe_properties():
+    """What a view needs to bake probes and to keep them."""
+    shown = [SWITCH, f"GI{PROBES}"]
+    yield (f'      <StringVectorProperty name="GI{PROBES}File" label="File" command="SetProbesFile" animateable="0" '
+           'number_of_elements="1" default_values="" panel_visibility="default">\n        <FileListDomain name="files"/>\n'
+           '        <Documentation>Probes that were baked, for the scene as it was then. Baking writes this file, '
+           'if one is named; without, the probes are gone with the view.</Documentation>\n' +
+           visible_where(shown, "        ", '<FileChooser extensions="vti" file_description="Baked probes"/>'
+                         '<AcceptAnyFile/>') + "      </StringVectorProperty>\n")
+    for name, title, command, low, high, default, doc in (
+            ("Count", "Probes to bake", "SetProbesToBake", 27, 1 << 20, 1024,
+             "How many probes at most fill the bounds of what is visible."),
+            ("Samples", "Samples to bake", "SetSamplesToBake", 1, 1 << 24, 256,
+             "Paths from each probe: four times as many take four times as long, and leave half of the noise.")):
+        yield sm_property(f"GI{PROBES}{name}", title, command, "int", default,
+                          f'<IntRangeDomain name="range" min="{low}"/>', f"{doc} Range: {low} to {high}.", shown, True)
+    yield (f'      <Property name="GI{PROBES}Bake" label="Bake probes" command="BakeProbes" '
+           'panel_widget="command_button" panel_visibility="default">\n'
+           '        <Documentation>Gather the light that arrives in the scene as the view shows it now, which takes '
+           'seconds to minutes. Lamps that follow the camera are left out.</Documentation>\n' +
+           visible_where(shown, "        ") + "      </Property>\n")
+    yield (f'      <StringVectorProperty name="GI{PROBES}Problem" command="GetProbesProblem" information_only="1" '
+           'panel_visibility="never">\n        <Documentation>Why probes could not be baked, read or written, or nothing.'
+           '</Documentation>\n      </StringVectorProperty>\n')
+
+
+PROBE_PROPERTIES = [f"GI{PROBES}{name}" for name in ("File", "Bake", "Count", "Samples", "Problem")]
 
 
 def settings_proxy(techniques):
@@ -103,11 +138,12 @@ def settings_proxy(techniques):
             out.append(sm_property(
                 name, declaration["title"], f"Set{name}", "int", default, '<BooleanDomain name="bool"/>',
                 f"It buys: {declaration['term']}. Verb: {declaration['verb']}. Follows a moving scene: "
-                f"{declaration['dynamic']}.", SWITCH))
+                f"{declaration['dynamic']}.", [SWITCH]))
             switch = name
         else:
-            out.append(sm_property(name, words(declaration["name"]), f"Set{name}", declaration["type"], default,
-                                   domain(declaration), tooltip(declaration), switch, advanced=True))
+            out.append(sm_property(name, label(declaration), f"Set{name}", declaration["type"], default,
+                                   domain(declaration), tooltip(declaration), [SWITCH, switch], advanced=True))
+    out += probe_properties()
     out.append('      <ProxyProperty name="GIView" command="SetView" panel_visibility="never">\n'
                '        <ProxyGroupDomain name="groups"><Group name="views"/></ProxyGroupDomain>\n'
                '        <Documentation>The render view that these are the settings of, where they are no part of '
@@ -115,9 +151,9 @@ def settings_proxy(techniques):
     return "".join(out)
 
 
-def group(label, names):
+def group(title, names):
     listed = "".join(f'            <Property name="{name}"/>\n' for name in names)
-    return f'          <PropertyGroup label={quoteattr(label)}>\n{listed}          </PropertyGroup>\n'
+    return f'          <PropertyGroup label={quoteattr(title)}>\n{listed}          </PropertyGroup>\n'
 
 
 def extension(techniques):
@@ -125,9 +161,10 @@ def extension(techniques):
     switches = [SWITCH, "GIPreset", "GIStillFrames"] + [name for name, _, parameter, _, _ in table if parameter is None]
     groups = group("Global illumination", switches)
     for stem, technique in techniques:
-        names = [name for name, owner, parameter, _, _ in table if owner == technique["name"] and parameter]
+        names = list(PROBE_PROPERTIES) if stem == PROBES else []
+        names += [name for name, owner, parameter, _, _ in table if owner == technique["name"] and parameter]
         if names:
-            groups += group(f"Global illumination: {technique['title']}", names)
+            groups += group(f"GI: {technique['title']}", names)
     return ('    <Extension name="RenderView">\n      <SubProxy command="AddRepresentation">\n'
             '        <Proxy name="GlobalIllumination" proxygroup="global_illumination" proxyname="Settings"/>\n'
             f'        <ExposedProperties>\n{groups}        </ExposedProperties>\n'

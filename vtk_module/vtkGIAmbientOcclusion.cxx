@@ -7,6 +7,8 @@
 
 #include "occlusion.h"
 
+#include <cstring>
+
 vtkStandardNewMacro(vtkGIAmbientOcclusion);
 
 using namespace penumbra;
@@ -87,6 +89,7 @@ struct Work
       scope.Set(GL_DEPTH_TEST, true);
       scope.DepthFunc(GL_GREATER);
       context.BindTarget({ output }, resource::Depth);
+      this->Clear(output);
       return;
     }
     scope.Set(GL_DEPTH_TEST, false);
@@ -95,6 +98,21 @@ struct Work
     const glm::ivec2 low = glm::ivec2(area) / stride;
     const glm::ivec2 high = (glm::ivec2(area.x + area.z, area.y + area.w) - 1) / stride;
     scope.Viewport(low.x, low.y, high.x - low.x + 1, high.y - low.y + 1);
+  }
+
+  // What is not drawn is on no surface: neighbours would else take for one what another frame left there.
+  static void Clear(const char* output)
+  {
+    if (output == resource::AmbientVisibility)
+    {
+      constexpr GLfloat open[4] = { 1.0f, 0.5f, 0.5f, 0.5f };
+      glClearBufferfv(GL_COLOR, 0, open);
+      return;
+    }
+    constexpr float beyond = 1e30f; // a depth that is near no surface's plane
+    GLuint nowhere[4] = {};
+    std::memcpy(nowhere, &beyond, sizeof(beyond));
+    glClearBufferuiv(GL_COLOR, 0, nowhere);
   }
 
   Defines Variant() const

@@ -5,6 +5,7 @@
 #include "private/DirectLight.h"
 #include "private/FrameExecutor.h"
 #include "private/PassInternals.h"
+#include "private/ScopedState.h"
 #include "private/StockStages.h"
 
 #include "vtkImageData.h"
@@ -152,13 +153,26 @@ bool vtkGIPass::GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData*
 void vtkGIPass::Render(const vtkRenderState* state)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(state->GetRenderer());
-  auto* window = renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
   if (!window)
   {
     vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
     return;
   }
   window->MakeCurrent();
+  penumbra::RefreshState(window);
+  const bool shown = this->JoinTiles &&
+    this->Impl->ShowTile(
+      state, [this](const vtkRenderState* whole) { this->RenderPicture(whole); });
+  if (!shown)
+  {
+    this->RenderPicture(state);
+  }
+}
+
+void vtkGIPass::RenderPicture(const vtkRenderState* state)
+{
   penumbra::StockStages stages(state);
   stages.UpdateCameraAndLights();
   if (stages.RenderSelection())

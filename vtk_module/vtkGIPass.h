@@ -95,6 +95,19 @@ public:
    */
   void Restart();
 
+  ///@{
+  /**
+   * Draw a picture that is larger than its window, as vtkWindowToImageFilter::SetScale() makes it in tiles, as a
+   * whole with its first tile, so that what is found on the screen, occlusion for instance, does not end at the
+   * tiles' edges. Off by default: a window that shows a tile for ever, one of a wall of displays, is no such
+   * picture. Windows without multisampling, and up to 7680 x 4320 pixels, as far as the GPU's textures reach;
+   * others are drawn tile by tile.
+   */
+  vtkSetMacro(JoinTiles, bool);
+  vtkGetMacro(JoinTiles, bool);
+  vtkBooleanMacro(JoinTiles, bool);
+  ///@}
+
   /**
    * Number of still frames averaged in the last picture of a renderer: 1 for a first frame.
    */
@@ -138,10 +151,13 @@ protected:
   char* Preset = nullptr;
   bool KeepRadiance = false;
   bool CollectStatistics = false;
+  bool JoinTiles = false;
 
 private:
   vtkGIPass(const vtkGIPass&) = delete;
   void operator=(const vtkGIPass&) = delete;
+
+  void RenderPicture(const vtkRenderState* state);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

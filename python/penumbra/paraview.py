@@ -17,7 +17,7 @@ from paraview import servermanager, simple
 from .passes import _apply, _names, presets
 from .vtkRenderingGI import vtkGIPass
 
-__all__ = ["enable", "disable", "load", "settings"]
+__all__ = ["enable", "disable", "bake_probes", "load", "settings"]
 
 _GROUP = "global_illumination"
 
@@ -120,6 +120,26 @@ def disable(view=None):
     """Give a render view, the active one by default, back to ParaView."""
     proxy = settings(view)
     _set(proxy, "GlobalIllumination", 0)
+    proxy.SMProxy.UpdateVTKObjects()
+
+
+def bake_probes(view=None, file="", probes=1024, samples=256):
+    """Bake probes of the light in a render view's scene as it is now, and light the view by them (sh-probes).
+
+    file: where they are written (.vti), so that a later session or a state file has them; without, they are gone with
+    the view. probes, samples: how many at most, and paths from each. Lamps that follow the camera, as ParaView's light
+    kit does, are left out. Raises RuntimeError, with a sentence, where it cannot be done.
+    """
+    proxy = settings(view)
+    for name, value in (("File", str(file)), ("Count", probes), ("Samples", samples)):
+        _set(proxy, f"GISHProbes{name}", value)
+    proxy.SMProxy.UpdateVTKObjects()
+    proxy.SMProxy.InvokeCommand("GISHProbesBake")
+    proxy.SMProxy.UpdatePropertyInformation()
+    problem = proxy.SMProxy.GetProperty("GISHProbesProblem").GetElement(0)
+    if problem:
+        raise RuntimeError(problem)
+    _set(proxy, "GISHProbes", 1)
     proxy.SMProxy.UpdateVTKObjects()
 
 

@@ -56,12 +56,17 @@ def make_view(**properties):
 def picture(view):
     """What a view shows: an array of bytes, top row first."""
     simple.Render(view)
-    capture = vtkWindowToImageFilter()
-    capture.SetInput(view.GetRenderWindow())
-    capture.ReadFrontBufferOff()
-    capture.ShouldRerenderOff()
-    capture.Update()
-    image = capture.GetOutput()
+    return capture(view)
+
+
+def capture(view):
+    """The same, of what was drawn last."""
+    reader = vtkWindowToImageFilter()
+    reader.SetInput(view.GetRenderWindow())
+    reader.ReadFrontBufferOff()
+    reader.ShouldRerenderOff()
+    reader.Update()
+    image = reader.GetOutput()
     width, height, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
 

@@ -21,8 +21,8 @@ small, large = [width, height], [3 * width, 3 * height]
 simple.SaveScreenshot(f"{folder}/same.png", view, ImageResolution=small)
 simple.SaveScreenshot(f"{folder}/transparent.png", view, ImageResolution=small, TransparentBackground=1)
 simple.SaveScreenshot(f"{folder}/again.png", view, ImageResolution=small)
-# ParaView draws what is larger than the view in tiles; occlusion on the screen ends at their edges.
-enable(view, off="ambient-occlusion")
+# ParaView takes what is larger than the view in tiles. Each thing on the screen that knows its neighbours is on.
+enable(view, "high", frames=2)
 simple.SaveScreenshot(f"{folder}/tiled.png", view, ImageResolution=large)
 view.ViewSize = large
 simple.SaveScreenshot(f"{folder}/whole.png", view, ImageResolution=large)

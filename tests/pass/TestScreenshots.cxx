@@ -91,19 +91,37 @@ TEST(Screenshots, ThreeTimesTheSizeWithAlpha)
   ExpectEqual({ 3, true, false }, false);
 }
 
+vtkGIPass* Prepare(Scene& scene, const char* preset)
+{
+  vtkGIPass* pass = scene.SetPass();
+  pass->SetPreset(preset);
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(-2.0, 4.0, 3.0);
+  scene.Renderer->AddLight(light);
+  return pass;
+}
+
+double ShareWithin(vtkImageData* one, vtkImageData* other, int limit)
+{
+  const auto* a = static_cast<unsigned char*>(one->GetScalarPointer());
+  const auto* b = static_cast<unsigned char*>(other->GetScalarPointer());
+  const vtkIdType count = one->GetPointData()->GetScalars()->GetNumberOfValues();
+  vtkIdType within = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    within += std::abs(a[i] - b[i]) <= limit;
+  }
+  return static_cast<double>(within) / count;
+}
+
 // Tiles with shadows and occlusion on fit together: as a window of that size.
 TEST(Screenshots, TilesFitTogether)
 {
   const auto prepare = [](Scene& scene) {
-    vtkGIPass* pass = scene.SetPass();
-    pass->SetPreset("balanced");
     // The scene's size in the picture decides the default.
-    pass->GetTechnique("ambient-occlusion")->SetParameter("radius", 0.3);
+    Prepare(scene, "balanced")->GetTechnique("ambient-occlusion")->SetParameter("radius", 0.3);
     scene.Glass->VisibilityOff();
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(-2.0, 4.0, 3.0);
-    scene.Renderer->AddLight(light);
   };
   Scene small(false);
   prepare(small);
@@ -112,15 +130,44 @@ TEST(Screenshots, TilesFitTogether)
   large.Window->SetSize(640, 480);
   prepare(large);
   const auto whole = Capture(large, { 1, false, false });
-  const auto* a = static_cast<unsigned char*>(tiled->GetScalarPointer());
-  const auto* b = static_cast<unsigned char*>(whole->GetScalarPointer());
-  const vtkIdType count = 3 * 640 * 480;
-  vtkIdType within = 0;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    within += std::abs(a[i] - b[i]) <= 8;
-  }
-  EXPECT_GE(static_cast<double>(within) / count, 0.98);
+  EXPECT_GE(ShareWithin(tiled, whole, 8), 0.98);
+}
+
+// Joined ones are the picture of a window of that size, whatever techniques find on the screen; glass and alpha too.
+void ExpectJoined(const Options& options, bool parallel)
+{
+  const auto prepare = [&](Scene& scene) {
+    scene.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
+    return Prepare(scene, "high");
+  };
+  Scene small(false);
+  vtkGIPass* pass = prepare(small);
+  pass->JoinTilesOn();
+  const auto tiled = Capture(small, options);
+  // What is kept for the tiles is gone with the next frame, and does not show in it.
+  pass->Restart();
+  const auto after = Capture(small, { 1, options.Alpha, false });
+  Scene large(false);
+  large.Window->SetSize(320 * options.Scale, 240 * options.Scale);
+  prepare(large);
+  const auto whole = Capture(large, { 1, options.Alpha, false });
+  ASSERT_EQ(tiled->GetDimensions()[0], whole->GetDimensions()[0]);
+  ASSERT_EQ(tiled->GetNumberOfScalarComponents(), whole->GetNumberOfScalarComponents());
+  EXPECT_GE(ShareWithin(tiled, whole, 2), 0.999);
+  Scene plain(false);
+  prepare(plain);
+  EXPECT_GE(ShareWithin(after, Capture(plain, { 1, options.Alpha, false }), 2), 0.999);
+  EXPECT_STREQ(pass->GetLastError(), "");
+}
+
+TEST(Screenshots, JoinedTilesAreTheWholePicture)
+{
+  ExpectJoined({ 3, false, false }, false);
+}
+
+TEST(Screenshots, JoinedTilesWithAlphaInParallelProjection)
+{
+  ExpectJoined({ 2, true, false }, true);
 }
 }
 }

@@ -35,6 +35,12 @@ bool TextureDesc::IsDepth() const
     this->Format == GL_DEPTH24_STENCIL8 || this->Format == GL_DEPTH32F_STENCIL8;
 }
 
+GLenum TextureDesc::DepthAttachment() const
+{
+  const bool stencil = this->Format == GL_DEPTH24_STENCIL8 || this->Format == GL_DEPTH32F_STENCIL8;
+  return stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
+}
+
 std::size_t TextureDesc::Bytes() const
 {
   std::size_t texel = 4;

@@ -75,6 +75,7 @@ struct TextureDesc
       this->Layers == o.Layers;
   }
   bool IsDepth() const;
+  GLenum DepthAttachment() const; ///< of a framebuffer, for a format of depth
   std::size_t Bytes() const;
 };
 

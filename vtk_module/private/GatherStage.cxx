@@ -56,7 +56,8 @@ void GatherStage::Prepare(vtkRenderer* renderer)
     this->Window = window;
     this->Renderer = renderer;
   }
-  if (!window->SupportsOpenGL())
+  // A window of another program's context, as Qt's widgets have, does not know whether it supports OpenGL.
+  if (window->GetNeverRendered() && !window->SupportsOpenGL())
   {
     throw std::runtime_error("light is gathered on the GPU, and no OpenGL context can be made.");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/PassInternals.h"
 
+#include "private/BoundFramebuffer.h"
 #include "private/CameraOverride.h"
 #include "private/DirectLight.h"
 #include "private/Matrices.h"
@@ -47,7 +48,20 @@ void vtkGIPass::Internals::Restart()
   }
 }
 
-std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
+bool vtkGIPass::Internals::ShowTile(const vtkRenderState* state, const WholePicture::Draw& draw)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  const ViewKey key(renderer, renderer->GetActiveCamera()->GetLeftEye());
+  if (renderer->GetSelector() || !WholePicture::IsTile(renderer))
+  {
+    this->Pictures.erase(key);
+    return false;
+  }
+  this->TakeWindow(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  return this->Pictures[key].Show(state, draw);
+}
+
+void vtkGIPass::Internals::TakeWindow(vtkOpenGLRenderWindow* window)
 {
   if (this->Window != window)
   {
@@ -55,6 +69,11 @@ std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
     this->Window = window;
     window->MakeCurrent();
   }
+}
+
+std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
+{
+  this->TakeWindow(window);
   GLint major = 0;
   GLint minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
@@ -70,53 +89,10 @@ std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
 
 namespace
 {
-GLenum TextureFormat(vtkTextureObject* texture)
-{
-  GLint format = 0;
-  glBindTexture(texture->GetTarget(), texture->GetHandle());
-  glGetTexLevelParameteriv(texture->GetTarget(), 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-  glBindTexture(texture->GetTarget(), 0);
-  return static_cast<GLenum>(format);
-}
-
-// The format of the depth that is drawn to now: the window's, or that of a pass around this one, as tone
-// mapping is. 0 where it cannot be told.
+// So that depth can be copied; 0 where it cannot.
 GLenum BoundDepthFormat()
 {
-  GLint bound = 0;
-  GLint samples = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  glGetIntegerv(GL_SAMPLES, &samples);
-  if (bound == 0)
-  {
-    return 0;
-  }
-  const auto ask = [](GLenum what) {
-    GLint value = 0;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, what, &value);
-    return value;
-  };
-  const GLint type = ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
-  if (type == GL_NONE)
-  {
-    return 0;
-  }
-  const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-  const GLenum target = samples > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-  GLint format = 0;
-  if (type == GL_RENDERBUFFER)
-  {
-    glBindRenderbuffer(GL_RENDERBUFFER, name);
-    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &format);
-    glBindRenderbuffer(GL_RENDERBUFFER, 0);
-  }
-  else if (type == GL_TEXTURE)
-  {
-    glBindTexture(target, name);
-    glGetTexLevelParameteriv(target, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
-    glBindTexture(target, 0);
-  }
-  const TextureDesc desc = { static_cast<GLenum>(format), 0, 0, 0 };
+  const TextureDesc desc = { BoundFormat(GL_DEPTH_ATTACHMENT), 0, 0, 0 };
   return desc.IsDepth() ? desc.Format : 0;
 }
 }
@@ -125,9 +101,11 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
 {
   View view;
   const int* size = renderer->GetRenderWindow()->GetActualSize();
-  view.WindowSize = { size[0], size[1] };
   renderer->GetTiledSizeAndOrigin(
     &view.Viewport.z, &view.Viewport.w, &view.Viewport.x, &view.Viewport.y);
+  // A picture larger than the window is drawn to a framebuffer of its size.
+  view.WindowSize = { std::max(size[0], view.Viewport.x + view.Viewport.z),
+    std::max(size[1], view.Viewport.y + view.Viewport.w) };
   view.WorldToView = CameraOverride::WorldToView(renderer);
   view.ViewToWorld = glm::inverse(view.WorldToView);
   view.ViewToClip = CameraOverride::ViewToClip(renderer);
@@ -234,8 +212,8 @@ std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound
   }
   const int width = static_cast<int>(depth->GetWidth());
   const int height = static_cast<int>(depth->GetHeight());
-  return std::make_unique<Texture>(
-    Texture::Borrow(depth->GetHandle(), { TextureFormat(depth), width, height, 0 }));
+  return std::make_unique<Texture>(Texture::Borrow(depth->GetHandle(),
+    { TextureFormat(depth->GetTarget(), depth->GetHandle()), width, height, 0 }));
 }
 }
 
@@ -275,11 +253,9 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   }
   graph.Compile();
 
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  const std::unique_ptr<Texture> depth = WindowDepth(window, static_cast<GLuint>(bound));
   WindowTarget target;
-  target.Framebuffer = static_cast<GLuint>(bound);
+  target.Framebuffer = BoundFramebuffer();
+  const std::unique_ptr<Texture> depth = WindowDepth(window, target.Framebuffer);
   target.Direct = depth != nullptr;
   target.Depth = depth.get();
   GpuTimer timer;
@@ -387,6 +363,7 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   this->Lights.ReleaseGraphicsResources();
   this->Capture.Materials().ReleaseGraphicsResources();
   this->ViewBlock = Buffer();
+  this->Pictures.clear();
   this->Views.clear();
   this->DrawnByRays = nullptr;
   this->Worlds.clear();

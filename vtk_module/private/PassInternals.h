@@ -14,6 +14,7 @@
 #include "private/SceneCapture.h"
 #include "private/SceneSignature.h"
 #include "private/TechniqueRegistry.h"
+#include "private/WholePicture.h"
 #include "private/rays/RayProps.h"
 
 #include "vtkOpenGLFXAAFilter.h"
@@ -28,12 +29,17 @@ public:
   /// Draw the opaque props of a frame. Returns the reason where that could not be done, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
+  /// Show a frame that is a tile of a larger picture, which draw draws. Returns false where that could not be
+  /// done.
+  bool ShowTile(const vtkRenderState* state, const penumbra::WholePicture::Draw& draw);
+
   void ReleaseGraphicsResources(vtkWindow* window);
   void Restart();
   bool ReadHistory(vtkRenderer* renderer, const std::string& name, vtkImageData* image);
   bool ReadRadiance(vtkRenderer* renderer, vtkImageData* image);
 
   /// One view is one renderer seen by one eye.
+  using ViewKey = std::pair<vtkRenderer*, int>;
   struct Memory
   {
     vtkWeakPointer<vtkRenderer> Renderer;
@@ -60,6 +66,7 @@ public:
   const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
 
 private:
+  void TakeWindow(vtkOpenGLRenderWindow* window);
   std::string CheckContext(vtkOpenGLRenderWindow* window);
   penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
   penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
@@ -72,7 +79,9 @@ private:
   penumbra::ResourcePool Pool;
   penumbra::SceneCapture Capture{ Shaders };
   penumbra::LightTable Lights;
-  std::map<std::pair<vtkRenderer*, int>, Memory> Views;
+  std::map<ViewKey, Memory> Views;
+  std::map<ViewKey, penumbra::WholePicture>
+    Pictures; ///< larger than the window, while tiles are shown
   std::map<vtkRenderer*, penumbra::RayProps> Worlds; ///< of renderers in Views
   penumbra::Buffer ViewBlock;
   int ViewsMade = 0;

@@ -68,8 +68,7 @@ const Texture* ResourcePool::FindHistory(const std::string& view, const std::str
   return found == histories->second.end() ? nullptr : &found->second.Storage;
 }
 
-GLuint ResourcePool::Framebuffer(
-  const std::vector<Attachment>& colors, const Attachment& depth)
+GLuint ResourcePool::Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth)
 {
   std::vector<GLuint> key;
   for (const auto& color : colors)
@@ -116,9 +115,7 @@ GLuint ResourcePool::Framebuffer(
   }
   if (depth.Target)
   {
-    const GLenum format = depth.Target->Desc().Format;
-    const bool stencil = format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8;
-    attach(stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth);
+    attach(depth.Target->Desc().DepthAttachment(), depth);
   }
   if (buffers.empty())
   {

@@ -7,10 +7,24 @@
 
 #include "private/GL.h"
 
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 
 namespace penumbra
 {
+/// VTK's cache puts back, with all else, the buffers and the program that were bound when it was last filled, though
+/// they may have been deleted since, with props that are gone: it is filled anew, with none bound.
+inline void RefreshState(vtkOpenGLRenderWindow* window)
+{
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  window->GetShaderCache()->ReleaseCurrentShader();
+  glUseProgram(0);
+  window->GetState()->Reset();
+}
+
 class ScopedState
 {
 public:

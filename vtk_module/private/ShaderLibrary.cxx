@@ -12,6 +12,13 @@ Program::~Program()
 {
   if (this->Own)
   {
+    // One that is in use stays for VTK to find, and put back when it is gone.
+    GLint used = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &used);
+    if (used == static_cast<GLint>(this->Name))
+    {
+      glUseProgram(0);
+    }
     glDeleteProgram(this->Name);
   }
 }

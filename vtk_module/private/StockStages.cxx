@@ -19,7 +19,10 @@ namespace
 // The list that a pick is limited to has no accessor; a derived class may name the member.
 struct PickList : public vtkViewport
 {
-  static vtkPropCollection* Of(vtkViewport* viewport) { return viewport->*(&PickList::PickFromProps); }
+  static vtkPropCollection* Of(vtkViewport* viewport)
+  {
+    return viewport->*(&PickList::PickFromProps);
+  }
 };
 
 // Volume mappers on the CPU look for surfaces in the depth buffer only where the renderer counts
@@ -72,8 +75,7 @@ bool StockStages::RenderSelection()
         props.push_back(prop);
       }
     }
-    this->Rendered =
-      selector->Render(this->Renderer, props.data(), static_cast<int>(props.size()));
+    this->Rendered = selector->Render(this->Renderer, props.data(), static_cast<int>(props.size()));
   }
   else
   {
@@ -92,10 +94,13 @@ bool StockStages::NeedsStockOpaque() const
 
 void StockStages::RenderOpaque()
 {
-  this->Renderer->DeviceRenderOpaqueGeometry();
+  vtkProp** props = this->State->GetPropArray();
+  this->WithProps({ props, props + this->State->GetPropArrayCount() },
+    [this] { this->Renderer->DeviceRenderOpaqueGeometry(); });
 }
 
-void StockStages::RenderTranslucent(std::vector<vtkProp*> props)
+template <typename Draw>
+void StockStages::WithProps(std::vector<vtkProp*> props, const Draw& draw)
 {
   vtkProp**& items = PropList::Items(this->Renderer);
   int& count = PropList::Count(this->Renderer);
@@ -103,7 +108,7 @@ void StockStages::RenderTranslucent(std::vector<vtkProp*> props)
   const int all = count;
   items = props.data();
   count = static_cast<int>(props.size());
-  this->Renderer->DeviceRenderTranslucentPolygonalGeometry();
+  draw();
   items = allItems;
   count = all;
 }
@@ -122,7 +127,7 @@ void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
   if (translucent)
   {
-    this->RenderTranslucent(layers);
+    this->WithProps(layers, [this] { this->Renderer->DeviceRenderTranslucentPolygonalGeometry(); });
   }
   if (this->Renderer->GetRenderWindow()->GetAbortRender())
   {
@@ -138,8 +143,8 @@ void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
     }
     fxaa->Execute(this->Renderer);
   }
-  const bool peeledVolumes =
-    translucent && this->Renderer->GetUseDepthPeeling() && this->Renderer->GetUseDepthPeelingForVolumes();
+  const bool peeledVolumes = translucent && this->Renderer->GetUseDepthPeeling() &&
+    this->Renderer->GetUseDepthPeelingForVolumes();
   if (!peeledVolumes)
   {
     for (int i = 0; i < count; ++i)

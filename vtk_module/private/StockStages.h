@@ -35,7 +35,10 @@ public:
   void RenderOpaque();
 
   /// Do not draw these among the translucent props.
-  void LeaveOutTranslucent(std::function<bool(vtkProp*)> which) { this->LeftOut = std::move(which); }
+  void LeaveOutTranslucent(std::function<bool(vtkProp*)> which)
+  {
+    this->LeftOut = std::move(which);
+  }
 
   /// Everything that follows the opaque props. opaque: how many of those were drawn elsewhere.
   /// fxaa filters the picture where the renderer asks for it.
@@ -46,7 +49,8 @@ public:
 private:
   const vtkRenderState* State;
   vtkOpenGLRenderer* Renderer;
-  void RenderTranslucent(std::vector<vtkProp*> props);
+  template <typename Draw>
+  void WithProps(std::vector<vtkProp*> props, const Draw& draw);
   std::function<bool(vtkProp*)> LeftOut;
   int Rendered = 0;
 };

@@ -7,6 +7,7 @@
 #include "vtkGIPass.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPVView.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
@@ -29,16 +30,26 @@ void StillFramesPass::Render(const vtkRenderState* state)
   // ParaView asks for 5 frames a second while it interacts, and for 0.002 of a still picture.
   const bool still =
     renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1.0 && !renderer->GetSelector();
-  if (still && this->View && IsCaptured(this->View))
+  const bool captured = still && this->View && IsCaptured(this->View);
+  if (captured)
   {
     this->Pass->Restart();
   }
+  this->Pass->SetJoinTiles(captured && this->Alone);
   const int frames = still ? std::max(this->Frames, 1) : 1;
   for (int i = 0; i < frames; ++i)
   {
     this->Pass->Render(state);
   }
   this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
+  if (still && this->Alone && this->Told != this->Pass->GetNotes())
+  {
+    this->Told = this->Pass->GetNotes();
+    if (!this->Told.empty())
+    {
+      vtkOutputWindow::GetInstance()->DisplayText(("Penumbra: " + this->Told + "\n").c_str());
+    }
+  }
 }
 
 void StillFramesPass::ReleaseGraphicsResources(vtkWindow* window)

@@ -11,6 +11,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
+#include <string>
+
 class vtkGIPass;
 class vtkPVView;
 
@@ -25,6 +27,8 @@ public:
   void SetPass(vtkGIPass* pass);
   void SetFrames(int frames) { this->Frames = frames; }
   void SetView(vtkPVView* view) { this->View = view; }
+  /// Whether this process draws all of the picture, as it does by default.
+  void SetAlone(bool alone) { this->Alone = alone; }
 
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -33,5 +37,7 @@ private:
   vtkSmartPointer<vtkGIPass> Pass;
   vtkWeakPointer<vtkPVView> View;
   int Frames = 1;
+  bool Alone = true;
+  std::string Told; ///< of the pass's notes, each once until they change
 };
 }

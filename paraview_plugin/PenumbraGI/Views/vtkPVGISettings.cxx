@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVGISettings.h"
 
+#include "BakedProbes.h"
 #include "StillFramesPass.h"
 #include "ViewAccess.h"
 
 #include "vtkGIPass.h"
+#include "vtkGISHProbes.h"
 #include "vtkGITechnique.h"
 
 #include "vtkCommand.h"
@@ -28,24 +30,35 @@ class vtkPVGISettings::Internals
 public:
   vtkNew<vtkGIPass> Pass;
   vtkNew<penumbra::StillFramesPass> Frames;
+  penumbra::BakedProbes Probes;
   vtkWeakPointer<vtkPVRenderView> View;
   unsigned long StartOfFrame = 0;
   bool Enabled = false;
+
+  vtkGISHProbes* ProbeTechnique() const
+  {
+    return vtkGISHProbes::SafeDownCast(this->Pass->GetTechnique("sh-probes"));
+  }
 };
 
 namespace
 {
+bool IsAlone()
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetNumberOfProcesses() < 2;
+}
+
 // Each process of several draws its own part of the data and knows nothing of the others'.
 void SayWhatRanksDoNotShare()
 {
   static bool said = false;
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (said || !controller || controller->GetNumberOfProcesses() < 2)
+  if (said || IsAlone())
   {
     return;
   }
   said = true;
-  if (controller->GetLocalProcessId() == 0)
+  if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
   {
     vtkOutputWindow::GetInstance()->DisplayText(
       "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect "
@@ -95,6 +108,34 @@ void vtkPVGISettings::SetStillFrames(int frames)
   this->Impl->Frames->SetFrames(frames);
 }
 
+void vtkPVGISettings::SetProbesFile(const char* path)
+{
+  this->Impl->Probes.SetFile(path ? path : "");
+}
+
+void vtkPVGISettings::SetProbesToBake(int probes)
+{
+  this->Impl->Probes.SetProbes(probes);
+}
+
+void vtkPVGISettings::SetSamplesToBake(int samples)
+{
+  this->Impl->Probes.SetSamples(samples);
+}
+
+void vtkPVGISettings::BakeProbes()
+{
+  if (this->Impl->View)
+  {
+    this->Impl->Probes.Bake(this->Impl->ProbeTechnique(), this->Impl->View->GetRenderer());
+  }
+}
+
+const char* vtkPVGISettings::GetProbesProblem()
+{
+  return this->Impl->Probes.GetProblem().c_str();
+}
+
 bool vtkPVGISettings::AddToView(vtkView* view)
 {
   this->SetView(vtkPVRenderView::SafeDownCast(view));
@@ -134,9 +175,15 @@ void vtkPVGISettings::Place()
   }
   vtkPVSynchronizedRenderer* passes = penumbra::PassesOf(view);
   vtkRenderPass* present = passes->GetRenderPass();
+  vtkGISHProbes* probes = this->Impl->ProbeTechnique();
+  if (this->Impl->Enabled && probes->GetEnabled())
+  {
+    this->Impl->Probes.Update(probes);
+  }
   if (this->Impl->Enabled && !present)
   {
     SayWhatRanksDoNotShare();
+    this->Impl->Frames->SetAlone(IsAlone());
     passes->SetRenderPass(this->Impl->Frames);
   }
   else if (!this->Impl->Enabled && present == this->Impl->Frames)

@@ -46,6 +46,31 @@ public:
   void SetStillFrames(int frames);
 
   /**
+   * The file of the baked probes; "" where they are kept in memory alone. It is read at the next frame that they
+   * light, and written by BakeProbes().
+   */
+  void SetProbesFile(const char* path);
+
+  ///@{
+  /**
+   * What BakeProbes() takes: probes at most (27 to 1048576, by default 1024), and paths from each (1 to 16777216,
+   * by default 256).
+   */
+  void SetProbesToBake(int probes);
+  void SetSamplesToBake(int samples);
+  ///@}
+
+  /**
+   * Bake probes from what the view shows now, as vtkGIProbeBaker does.
+   */
+  void BakeProbes();
+
+  /**
+   * Why probes could not be baked, read or written, in one sentence, or "".
+   */
+  const char* GetProbesProblem();
+
+  /**
    * The view to light; nullptr to leave the one it had.
    */
   void SetView(vtkPVRenderView* view);

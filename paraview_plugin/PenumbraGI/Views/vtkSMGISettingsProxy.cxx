@@ -11,8 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPropertyHelper.h"
 
-#include <cstring>
-
 vtkStandardNewMacro(vtkSMGISettingsProxy);
 
 namespace
@@ -25,11 +23,10 @@ void vtkSMGISettingsProxy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
-void vtkSMGISettingsProxy::SetPropertyModifiedFlag(const char* name, int flag)
+// Not as soon as the property is set: a widget that sets it does not listen to it meanwhile.
+void vtkSMGISettingsProxy::UpdateVTKObjects()
 {
-  this->Superclass::SetPropertyModifiedFlag(name, flag);
-  // While the proxy is made, the property has no value yet, and others are missing.
-  if (flag && this->GetObjectsCreated() && std::strcmp(name, PresetProperty) == 0)
+  if (this->GetObjectsCreated())
   {
     vtkSMPropertyHelper preset(this, PresetProperty);
     const int index = preset.GetAsInt();
@@ -39,6 +36,7 @@ void vtkSMGISettingsProxy::SetPropertyModifiedFlag(const char* name, int flag)
       this->ApplyPreset(index);
     }
   }
+  this->Superclass::UpdateVTKObjects();
 }
 
 void vtkSMGISettingsProxy::ApplyPreset(int index)

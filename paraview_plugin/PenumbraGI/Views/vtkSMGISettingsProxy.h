@@ -22,11 +22,11 @@ public:
   vtkTypeMacro(vtkSMGISettingsProxy, vtkSMProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  void UpdateVTKObjects() override;
+
 protected:
   vtkSMGISettingsProxy() = default;
   ~vtkSMGISettingsProxy() override = default;
-
-  void SetPropertyModifiedFlag(const char* name, int flag) override;
 
 private:
   vtkSMGISettingsProxy(const vtkSMGISettingsProxy&) = delete;

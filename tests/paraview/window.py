@@ -1,0 +1,240 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Run by ParaView's own window (paraview --script): global illumination by the panel, with mouse and keyboard.
+
+environment: PENUMBRA_WINDOW_DATA, a file with polygons; PENUMBRA_WINDOW_OUTPUT, a folder for pictures and for
+result.json, what was found or what went wrong.
+
+Each step is a generator that yields seconds for which the window works by itself: ParaView records traces by Python
+from its own event loop, which must not be run from here.
+"""
+import json
+import os
+import pathlib
+import time
+import traceback
+
+import numpy
+import scenes
+from paraview import simple, smtrace
+from PIL import Image
+from penumbra.paraview import disable, enable  # loads nothing: the plugin is there
+from PyQt5.QtCore import QPoint, Qt, QTimer
+from PyQt5.QtTest import QTest
+from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow,
+                             QPlainTextEdit, QPushButton, QScrollArea, QTextEdit, QToolButton, QWidget)
+
+FOLDER = pathlib.Path(os.environ["PENUMBRA_WINDOW_OUTPUT"])
+PATIENCE = 30  # seconds for what takes a fraction of one
+RESULT = {}
+
+
+def wait(what, condition):
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        if time.monotonic() > end:
+            raise AssertionError(f"in {PATIENCE} s it did not happen: {what}")
+        yield 0.1
+
+
+class Panel:
+    """The properties of the active view, as one sees and touches them."""
+
+    def __init__(self, window):
+        self.panel = window.findChild(QWidget, "propertiesPanel")
+        self.area = self.panel.findChild(QScrollArea, "scrollArea")
+
+    def widget(self, name, kind):
+        """The part of a property's row that is of a kind: a box to check, one to choose from, a line to write in."""
+        row = self.panel.findChild(QWidget, name)
+        if row is None:
+            raise AssertionError(f"the panel has no row '{name}'")
+        return row if kind is QWidget else row.findChild(kind)
+
+    def click(self, widget):
+        self.area.ensureWidgetVisible(widget)
+        yield 0.2
+        QTest.mouseClick(widget, Qt.LeftButton, Qt.NoModifier, QPoint(10, widget.height() // 2))
+        yield 0.2
+
+    def choose(self, name, text):
+        """Open a box of choices and click one."""
+        box = self.widget(name, QComboBox)
+        self.area.ensureWidgetVisible(box)
+        box.showPopup()
+        yield 0.3
+        choices = box.view()
+        index = box.model().index(box.findText(text), 0)
+        QTest.mouseClick(choices.viewport(), Qt.LeftButton, Qt.NoModifier, choices.visualRect(index).center())
+        yield 0.2
+
+    def write(self, name, text):
+        line = self.widget(name, QLineEdit)
+        self.area.ensureWidgetVisible(line)
+        line.setFocus()
+        line.selectAll()
+        QTest.keyClicks(line, text)
+        QTest.keyClick(line, Qt.Key_Return)
+        yield 0.2
+
+    def show_advanced(self):
+        return self.click(self.panel.findChild(QToolButton, "AdvancedButton"))
+
+    def visible(self):
+        """Names of our rows that one sees, wherever the panel is scrolled to."""
+        return {row.objectName() for row in self.panel.findChildren(QWidget)
+                if row.objectName().startswith(("GI", "GlobalIllumination")) and row.isVisibleTo(self.area.widget())}
+
+    def titles(self):
+        return {label.text() for label in self.panel.findChildren(QLabel)
+                if ("lobal illumination" in label.text() or "GI: " in label.text()) and label.isVisibleTo(self.area.widget())}
+
+    def overhang(self):
+        """Pixels that the panel is too narrow for."""
+        return self.area.horizontalScrollBar().maximum()
+
+
+def photograph(window, name):
+    yield 0.5
+    window.screen().grabWindow(0).save(str(FOLDER / f"{name}.png"))
+
+
+def screenshot(view):
+    """What the view draws anew, whatever its averages hold."""
+    path = str(FOLDER / "screenshot.png")
+    simple.SaveScreenshot(path, view, ImageResolution=list(view.ViewSize))
+    return numpy.asarray(Image.open(path))[..., :3]
+
+
+def scene(view):
+    """A landscape under a lamp that stands, seen from the south."""
+    simple._DisableFirstRenderCameraReset()
+    surface = simple.OpenDataFile(os.environ["PENUMBRA_WINDOW_DATA"])
+    display = simple.Show(surface, view)
+    view.UseColorPaletteForBackground, view.BackgroundColorMode = 0, "Gradient"
+    view.Background, view.Background2 = [0.93, 0.94, 0.95], [0.60, 0.72, 0.86]
+    view.OrientationAxesVisibility = 0
+    display.SetScalarBarVisibility(view, False)
+    colors = simple.GetColorTransferFunction("elevation")
+    colors.RGBPoints = [236, 0.36, 0.47, 0.30, 330, 0.50, 0.58, 0.37, 480, 0.72, 0.69, 0.48, 700, 0.66, 0.54, 0.42,
+                        900, 0.72, 0.66, 0.60, 1076, 0.93, 0.92, 0.90]
+    bounds = surface.GetDataInformation().GetBounds()
+    middle = [(bounds[i] + bounds[i + 1]) / 2 for i in (0, 2, 4)]
+    size = bounds[1] - bounds[0]
+    view.KeyLightIntensity = 0.15
+    lamp = simple.AddLight(view=view)
+    lamp.Type, lamp.Intensity = "Directional", 1.1
+    lamp.FocalPoint = middle
+    lamp.Position = [middle[0] - 0.9 * size, middle[1] + 0.35 * size, middle[2] + 0.45 * size]
+    view.CameraFocalPoint = [middle[0] - 0.02 * size, middle[1] - 0.04 * size, middle[2]]
+    view.CameraPosition = [middle[0] + 0.22 * size, middle[1] - 1.2 * size, middle[2] + 0.7 * size]
+    view.CameraViewUp = [0, 0, 1]
+    simple.Render(view)
+
+
+def steps():
+    window = next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow))
+    window.resize(window.screen().size())
+    window.move(0, 0)
+    browser = window.findChild(QDockWidget, "pipelineBrowserDock")
+    window.resizeDocks([browser], [360], Qt.Horizontal)
+    window.resizeDocks([browser], [110], Qt.Vertical)
+    view = simple.GetActiveView()
+    RESULT["has properties"] = bool(view.SMProxy.GetProperty("GlobalIllumination"))
+    scene(view)
+    panel = Panel(window)
+    for section in ("PropertiesButton", "DisplayButton"):
+        yield from panel.click(panel.panel.findChild(QWidget, section))
+    yield 1
+    plain = scenes.capture(view)
+    RESULT["rows when off"] = sorted(panel.visible())
+    narrow = panel.overhang()
+    yield from photograph(window, "off")
+
+    switch = panel.widget("GlobalIllumination", QCheckBox)
+    RESULT["switch says"] = switch.text()
+    yield from panel.click(switch)
+    yield from wait("the picture changes as the switch is clicked", lambda: scenes.within(scenes.capture(view), plain) < 0.9)
+    yield 1
+    lit = scenes.capture(view)
+    RESULT["changed by the switch"] = 1 - scenes.within(lit, plain)
+    RESULT["rows when on"] = sorted(panel.visible())
+    panel.area.ensureWidgetVisible(panel.widget("GIAntiAliasing", QWidget))
+    yield from photograph(window, "on")
+
+    yield from panel.click(switch)
+    yield from wait("the picture is as before as the switch is clicked again",
+                    lambda: scenes.within(scenes.capture(view), plain, 0) == 1)
+    enable(view, "balanced")
+    simple.Render(view)
+    yield 0.5
+    RESULT["switch follows enable()"] = switch.isChecked()
+    RESULT["as enable() draws"] = scenes.within(scenes.capture(view), lit)
+
+    def resolution():
+        return view.GIShadowMapsResolution
+
+    before = resolution()
+    smtrace.start_trace()
+    yield from panel.choose("GIPreset", "high")
+    yield from wait("the preset sets the resolution of shadow maps", lambda: resolution() != before)
+    yield 1
+    RESULT["preset high"] = {
+        "resolution": [before, resolution()], "samples": view.GIAmbientOcclusionSamples,
+        "reflections": [view.GIScreenSpaceReflections, panel.widget("GIScreenSpaceReflections", QCheckBox).isChecked()],
+        "box goes back": panel.widget("GIPreset", QComboBox).currentText()}
+    high = screenshot(view)
+    enable(view, "high")
+    RESULT["as enable() draws high"] = scenes.within(screenshot(view), high)
+
+    switched = panel.visible()
+    yield from panel.show_advanced()
+    yield from wait("advanced rows appear", lambda: len(panel.visible()) > len(switched))
+    RESULT["advanced rows"] = sorted(panel.visible() - switched)
+    RESULT["titles"] = sorted(panel.titles())
+    yield from panel.write("GIShadowMapsResolution", "512")
+    yield from wait("a number that is written is taken", lambda: resolution() == 512)
+    yield from panel.choose("GIAmbientOcclusionMethod", "hemisphere")
+    yield from wait("a choice is taken", lambda: view.GIAmbientOcclusionMethod == "hemisphere")
+    trace = smtrace.stop_trace()
+    (FOLDER / "recorded.py").write_text(trace)
+    RESULT["recorded"] = [line.strip() for line in trace.splitlines() if ".GI" in line]
+    RESULT["tooltip"] = panel.widget("GIShadowMapsSlopeBias", QWidget).toolTip()
+    RESULT["too narrow by"] = [narrow, panel.overhang()]
+    panel.area.ensureWidgetVisible(panel.widget("GIShadowMapsFilterRadius", QWidget))
+    yield from photograph(window, "advanced")
+
+    yield from panel.click(panel.widget("GISHProbes", QCheckBox))
+    yield from panel.write("GISHProbesCount", "60")
+    yield from panel.write("GISHProbesSamples", "16")
+    yield 0.5
+    before = scenes.capture(view)
+    yield from panel.click(panel.widget("GISHProbesBake", QPushButton))
+    yield from wait("baked probes change the picture", lambda: scenes.within(scenes.capture(view), before) < 0.95)
+    view.UpdatePropertyInformation()
+    RESULT["problem with probes"] = view.GetProperty("GISHProbesProblem").GetData()
+    panel.area.ensureWidgetVisible(panel.widget("GISHProbesIntensity", QWidget))
+    yield from photograph(window, "baked")
+    view.GISHProbes = 0
+    yield from panel.show_advanced()
+    disable(view)
+    simple.Render(view)
+    RESULT["off again"] = scenes.within(scenes.capture(view), plain, 0)
+    said = window.findChild(QWidget, "outputWidgetDock")
+    RESULT["messages"] = "".join(text.toPlainText() for kind in (QPlainTextEdit, QTextEdit) for text in said.findChildren(kind))
+
+
+def run(todo):
+    """The next step, and the one after it when the window has worked; the window closes after the last."""
+    try:
+        QTimer.singleShot(int(1000 * next(todo)), lambda: run(todo))
+        return
+    except StopIteration:
+        pass
+    except BaseException:
+        RESULT["failed"] = traceback.format_exc()
+    (FOLDER / "result.json").write_text(json.dumps(RESULT, indent=1))
+    QApplication.exit(0)
+
+
+run(steps())
