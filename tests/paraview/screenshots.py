@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython or pvbatch: SaveScreenshot at the view's size, larger, and with a transparent background.
+"""Run by pvpython or pvbatch: SaveScreenshot at the view's size, larger, with a transparent background, and of a chart.
 
 usage: screenshots.py FOLDER
 """
@@ -22,7 +22,14 @@ simple.SaveScreenshot(f"{folder}/same.png", view, ImageResolution=small)
 simple.SaveScreenshot(f"{folder}/transparent.png", view, ImageResolution=small, TransparentBackground=1)
 simple.SaveScreenshot(f"{folder}/again.png", view, ImageResolution=small)
 # ParaView takes what is larger than the view in tiles. Each thing on the screen that knows its neighbours is on.
-enable(view, "high", frames=2)
+enable(view, "high", frames=2, ddgi__probes=64, ddgi__updates=8)
+for _ in range(4):
+    simple.Render(view)  # then the probes rest
 simple.SaveScreenshot(f"{folder}/tiled.png", view, ImageResolution=large)
 view.ViewSize = large
 simple.SaveScreenshot(f"{folder}/whole.png", view, ImageResolution=large)
+
+chart = simple.CreateView("XYChartView")
+chart.ViewSize = small
+simple.Show(simple.PlotOverLine(Input=simple.Wavelet()), chart)
+simple.SaveScreenshot(f"{folder}/chart.png", chart, ImageResolution=small)

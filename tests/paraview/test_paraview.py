@@ -108,6 +108,8 @@ class Screenshots(Base):
         self.assertLess(1 - opaque.mean() - open_.mean(), 0.03)  # smoothed edges
         difference = numpy.abs(clear[..., :3] - same[..., :3]).max(axis=2)
         self.assertGreaterEqual((difference[opaque] <= 2).mean(), 0.98)
+        red, green, blue = numpy.moveaxis(picture(self.folder / "chart.png")[..., :3], 2, 0)
+        self.assertGreater(((red > 150) & (green < 100) & (blue < 100)).sum(), 100)  # its curve
 
     def test_screenshots(self):
         self.check_screenshots("pvpython")

@@ -183,8 +183,11 @@ def steps():
         "resolution": [before, resolution()], "samples": view.GIAmbientOcclusionSamples,
         "reflections": [view.GIScreenSpaceReflections, panel.widget("GIScreenSpaceReflections", QCheckBox).isChecked()],
         "box goes back": panel.widget("GIPreset", QComboBox).currentText()}
+    view.GIDDGIProbes, view.GIDDGIUpdates = 64, 4
+    for _ in range(5):
+        simple.Render(view)  # then the probes rest
     high = screenshot(view)
-    enable(view, "high")
+    enable(view, "high", ddgi__probes=64, ddgi__updates=4)
     RESULT["as enable() draws high"] = scenes.within(screenshot(view), high)
 
     switched = panel.visible()
@@ -204,6 +207,7 @@ def steps():
     panel.area.ensureWidgetVisible(panel.widget("GIShadowMapsFilterRadius", QWidget))
     yield from photograph(window, "advanced")
 
+    yield from panel.click(panel.widget("GIDDGI", QCheckBox))  # it would go before baked probes
     yield from panel.click(panel.widget("GISHProbes", QCheckBox))
     yield from panel.write("GISHProbesCount", "60")
     yield from panel.write("GISHProbesSamples", "16")

@@ -13,6 +13,8 @@
 
 #include <vtkSphereSource.h>
 
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 namespace penumbra_test
@@ -57,6 +59,21 @@ protected:
     const Values values = this->After(samples);
     tracer->EnabledOff();
     return values;
+  }
+
+  // Chance makes single probes err, by a share of that; their mean has what is systematic.
+  void ExpectEverywhere(double radiosity, double single)
+  {
+    const Values values = this->After(1);
+    double most = 0.0;
+    for (const double value : values)
+    {
+      most = std::max(most, std::abs(value / radiosity - 1.0));
+    }
+    std::printf(
+      "radiosity %.5f of %.5f, largest error %.2f %%\n", Mean(values), radiosity, 100.0 * most);
+    EXPECT_LT(std::abs(Mean(values) / radiosity - 1.0), 0.005);
+    EXPECT_LT(most, single);
   }
 
   bool Notes(const std::string& words) const

@@ -10,6 +10,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkPVProcessWindow.h"
 #include "vtkPVRenderView.h"
+#include "vtkSMProxy.h"
+#include "vtkSMProxyManager.h"
 #include "vtkViewLayout.h"
 
 #if __has_include("vtk_glew.h")
@@ -98,5 +100,27 @@ void PrepareWindow(vtkRenderWindow* window)
 #else
   (void)window;
 #endif
+}
+
+namespace
+{
+void Registered(vtkObject*, unsigned long, void*, void* data)
+{
+  using Information = vtkSMProxyManager::RegisteredProxyInformation;
+  const auto* registered = static_cast<const Information*>(data);
+  const bool proxy = registered->Type == Information::PROXY && registered->Proxy;
+  auto* view = proxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
+  if (view)
+  {
+    PrepareWindow(view->GetRenderWindow());
+  }
+}
+}
+
+void PrepareNewWindows()
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Registered);
+  vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, command);
 }
 }

@@ -21,4 +21,7 @@ bool IsCaptured(vtkPVView* view);
 /// Makes a view's window ready to draw in the context of a process that has no X display, which GLEW
 /// refuses; does nothing where the window needs no help.
 void PrepareWindow(vtkRenderWindow* window);
+
+/// The same for the window of every view that is made from now on, charts for instance.
+void PrepareNewWindows();
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WithoutDisplay.h"
 
+#include "ViewAccess.h"
+
 #include "vtkHeadlessRenderWindow.h"
 
 #include "vtkRemotingCoreConfiguration.h"
@@ -33,6 +35,7 @@ void AllowDrawingWithoutDisplay()
   if (vtkHeadlessRenderWindow::SafeDownCast(window) && window->SupportsOpenGL())
   {
     SkipsDisplayTests(vtkRemotingCoreConfiguration::GetInstance()) = true;
+    PrepareNewWindows();
   }
 }
 }

@@ -10,6 +10,7 @@
 namespace penumbra
 {
 /// ParaView takes a process without an X display for one that cannot draw, and ranks of it then wait for
-/// each other for ever. Where vtkHeadlessRenderWindow draws, the question is answered for ParaView.
+/// each other for ever. Where vtkHeadlessRenderWindow draws, the question is answered for ParaView, and windows of
+/// views to come are prepared.
 VTKPENUMBRAPARAVIEW_EXPORT void AllowDrawingWithoutDisplay();
 }
