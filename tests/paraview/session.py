@@ -52,12 +52,19 @@ def animation(view, things):
     simple.RemoveLight(lamp)
 
 
+def rest(view):
+    """The preset high, with probes that know all that they will."""
+    enable(view, "high", frames=2, ddgi__probes=64, ddgi__updates=8)
+    for _ in range(4):
+        simple.Render(view)
+
+
 def layout(view, things):
     """Two views with settings of their own, in one picture and each by itself."""
     other = scenes.make_view()
     scenes.show(other, things)
     enable(view, "fast", frames=2)
-    enable(other, "high", frames=2)
+    rest(other)
     shared = simple.CreateLayout("both")
     shared.SplitHorizontal(0, 0.5)
     shared.AssignView(1, view)
@@ -163,7 +170,7 @@ def toggles(view):
 def parallel(view):
     """Parallel projection, as tiles and at once."""
     view.CameraParallelProjection, view.CameraParallelScale = 1, 18
-    enable(view, "high", frames=2)
+    rest(view)
     large = (2 * width, 2 * height)
     tiles = saved(view, "parallel_tiles", large)
     view.ViewSize = large
