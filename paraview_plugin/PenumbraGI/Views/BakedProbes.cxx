@@ -15,7 +15,10 @@
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
+
+#include <cstdio>
 
 namespace penumbra
 {
@@ -61,15 +64,29 @@ std::string Load(const std::string& path, vtkGISHProbes* technique)
   return "";
 }
 
+// By another name first, so that an earlier file is there until the new one is complete.
 bool Write(const std::string& path, vtkImageData* field)
 {
   const Quiet quiet;
   vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetFileName(path.c_str());
   writer->SetInputData(field);
-  writer
-    ->SetDataModeToBinary(); // VTK before 9.3.1 stumbles over appended data with newer versions of Expat
-  return writer->Write() != 0 && writer->GetErrorCode() == 0;
+  writer->WriteToOutputStringOn();
+  // VTK before 9.3.1 stumbles over appended data with newer versions of Expat.
+  writer->SetDataModeToBinary();
+  if (!writer->Write())
+  {
+    return false;
+  }
+  const std::string part = path + ".part";
+  vtksys::ofstream file(part.c_str(), std::ios::binary);
+  file << writer->GetOutputString();
+  file.close();
+  const bool written = file && std::rename(part.c_str(), path.c_str()) == 0;
+  if (!written)
+  {
+    vtksys::SystemTools::RemoveFile(part);
+  }
+  return written;
 }
 }
 
