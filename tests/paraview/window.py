@@ -228,10 +228,10 @@ def steps():
     RESULT["messages"] = "".join(text.toPlainText() for kind in (QPlainTextEdit, QTextEdit) for text in said.findChildren(kind))
 
 
-def run(todo):
+def run(remaining):
     """The next step, and the one after it when the window has worked; the window closes after the last."""
     try:
-        QTimer.singleShot(int(1000 * next(todo)), lambda: run(todo))
+        QTimer.singleShot(int(1000 * next(remaining)), lambda: run(remaining))
         return
     except StopIteration:
         pass
