@@ -103,6 +103,7 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   }
   frame.AddIndirectLight(
     { IndirectKind::BakedOnSurfaces, 0.0, { resource::WindowDepth, resource::Normal },
-      [this](FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity); }, {},
-      this->Impl->Map.HasLamps() });
+      [this, solid = this->Impl->Watch.IsSolid(frame.GetRenderer())](
+        FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity, solid); },
+      {}, this->Impl->Map.HasLamps() });
 }

@@ -1,7 +1,10 @@
 #version 430 core
 // Baked light on the pixels that show its surface. Variants: GI_LIGHTMAP_DIRECTIONAL (the map holds first moments
-// too, for normals that pictures bend), GI_LIGHTMAP_LAMPS (and light straight from lamps).
+// too, for normals that pictures bend), GI_LIGHTMAP_LAMPS (and light straight from lamps), GI_LIGHTMAP_HOLES (some
+// surface may be seen through; else a depth test has left only pixels that show the map's).
+#ifdef GI_LIGHTMAP_HOLES
 layout(binding = 0) uniform sampler2D depthTexture;
+#endif
 layout(binding = 1) uniform sampler2DArray lightTexture;
 #ifdef GI_LIGHTMAP_DIRECTIONAL
 #include "lib/octahedral.glsl"
@@ -22,10 +25,12 @@ layout(location = 0) out vec4 irradiance;
 layout(location = 1) out vec4 lampLight;
 #endif
 
+#ifdef GI_LIGHTMAP_HOLES
 // Of a depth buffer of 24 bits, which another program fills: four of its last digits, and what rounding of corners
 // to a fraction of a pixel comes to on a slope.
 const float DIGITS = 2.4e-7;
 const float PIXELS = 0.02;
+#endif
 
 vec3 layer(int number)
 {
@@ -43,13 +48,14 @@ vec3 turned(vec3 bent, int first)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  // What hides the surface, be it by a hair, is lit by another technique. This takes the place of the depth test, which
-  // would have to be less strict, and cost as much again.
+#ifdef GI_LIGHTMAP_HOLES
+  // What hides the surface, be it by a hair, is lit by another technique, and so is what is seen through it.
   float apart = abs(texelFetch(depthTexture, pixel, 0).r - gl_FragCoord.z);
   if (apart > DIGITS + PIXELS * fwidth(gl_FragCoord.z))
   {
     discard;
   }
+#endif
   vec3 light = layer(0);
 #ifdef GI_LIGHTMAP_LAMPS
   vec3 lamps = layer(LAYERS);

@@ -6,6 +6,7 @@
 #include "LightmapStage.h"
 
 #include <vtkAppendPolyData.h>
+#include <vtkPlane.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
@@ -74,12 +75,10 @@ protected:
     return double(std::clock() - start) / CLOCKS_PER_SEC;
   }
 
-  static constexpr double limit = 1.1; // the goal is 1.05
-
   // The least of what several runs measure, until one is within the limit.
-  double LeastCost()
+  double LeastCost(double limit)
   {
-    constexpr int tries = 5, pairs = 12;
+    constexpr int tries = 8, pairs = 12;
     double least = 1e30;
     for (int i = 0; i < tries && least > limit; ++i)
     {
@@ -169,6 +168,32 @@ TEST_F(LightmapTechnique, WhatStandsBeforeAWallIsNotLitAsTheWall)
   mover->SetPosition(1.2, 0.0, 0.0);
   EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002);
   EXPECT_LT(this->At(0.8, 0.5, false), 0.01);
+}
+
+// A baked wall through which another is seen, one that the map does not know.
+TEST_F(LightmapTechnique, WhatIsSeenThroughAWallIsNotLitAsTheWall)
+{
+  this->AddWall(-1.0, 20.0);
+  const auto expectNoMap = [this](const char* why) {
+    this->Bake();
+    EXPECT_LT(this->At(0.2, 0.5), 0.01) << why;
+    EXPECT_EQ(this->Notes(), "") << why;
+  };
+  this->Wall->GetProperty()->BackfaceCullingOn();
+  this->Bake();
+  this->ExpectFits();
+  this->Wall->GetProperty()->BackfaceCullingOff();
+  this->Wall->GetProperty()->FrontfaceCullingOn();
+  expectNoMap("culled");
+  this->Wall->GetProperty()->FrontfaceCullingOff();
+  vtkNew<vtkPlane> right;
+  right->SetNormal(1.0, 0.0, 0.0);
+  this->Wall->GetMapper()->AddClippingPlane(right);
+  expectNoMap("clipped");
+  EXPECT_NEAR(this->At(0.8, 0.5), 0.1, 0.002);
+  this->Wall->GetMapper()->RemoveAllClippingPlanes();
+  this->Wall->GetProperty()->SetOpacity(0.001);
+  expectNoMap("translucent");
 }
 
 TEST_F(LightmapTechnique, AMovedWallIsReportedAtOnce)
@@ -278,21 +303,20 @@ TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
 
 // By processor time, all threads together, of frames that take turns, each beside its neighbours. What other programs do
 // to the caches meanwhile makes the map's part larger, never smaller: the best of some tries is nearest to the truth.
-// The goal is a ratio of 1.05, which is not held yet (docs/techniques/lightmap.md); the limit keeps what was reached.
-// The least that a frame can be: one matte wall and a lamp.
+// The least that a frame can be, one matte wall and a lamp: any other pays less for the map in comparison.
 TEST_F(LightmapCost, AFetchIsBoundedOnASingleWall)
 {
   this->AddWall(0.5, 1.0);
   this->Lamp->SetPosition(0.5, 0.5, 1.5);
   this->Bake();
   this->Scene.Renderer->GetActiveCamera()->SetViewAngle(35.0);
-  EXPECT_LE(this->LeastCost(), limit);
+  EXPECT_LE(this->LeastCost(1.07), 1.07);
 }
 
 TEST_F(LightmapCost, AFetchIsBoundedInARoom)
 {
   this->MoveIntoARoom();
-  EXPECT_LE(this->LeastCost(), limit);
+  EXPECT_LE(this->LeastCost(1.05), 1.05);
 }
 
 TEST_F(LightmapTechnique, WhatIsNoMapIsRefused)

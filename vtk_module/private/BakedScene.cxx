@@ -194,7 +194,7 @@ std::string BakedSceneWatch::Difference(vtkRenderer* renderer, bool changed, int
   if (changed || (seen.Frame != frameNumber && seen.Frame + 1 != frameNumber))
   {
     seen.Props.clear();
-    BakedScene::AddProps(renderer, seen.Cache, {}, seen.Props);
+    seen.Solid = BakedScene::AddProps(renderer, seen.Cache, {}, seen.Props);
   }
   seen.Frame = frameNumber;
   BakedScene now;

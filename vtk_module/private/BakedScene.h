@@ -69,7 +69,8 @@ private:
     std::string Name;
     std::array<std::vector<double>, Traits> Values;
   };
-  static void AddProps(
+  /// Whether nothing is seen through any of the props: none is translucent, clipped or culled.
+  static bool AddProps(
     vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name, std::vector<Thing>& things);
   static void AddLamps(vtkRenderer* renderer, std::vector<Thing>& things);
   static void AddSurroundings(
@@ -93,12 +94,16 @@ public:
   /// was missed, lamps every time. changed: any prop moved, came, went or looks different since the last frame.
   std::string Difference(vtkRenderer* renderer, bool changed, int frameNumber);
 
+  /// Of the last Difference(): whether nothing is seen through any prop, be it translucent, clipped or culled.
+  bool IsSolid(vtkRenderer* renderer) { return this->Views[renderer].Solid; }
+
   void Forget() { this->Views.clear(); }
 
 private:
   struct Seen
   {
     std::vector<BakedScene::Thing> Props;
+    bool Solid = false;
     BakedSceneCache Cache;
     int Frame = -2;
   };

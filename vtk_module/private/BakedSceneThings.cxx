@@ -146,18 +146,20 @@ std::uint64_t LookOf(const RayPart& part, BakedSceneCache& cache)
 }
 }
 
-void BakedScene::AddProps(
+bool BakedScene::AddProps(
   vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name, std::vector<Thing>& things)
 {
   std::vector<vtkProp*> left;
   vtkProp* last = nullptr;
   int number = 0;
+  bool solid = true;
   for (const RayPart& part : GatherRayParts(renderer, left, cache.Parts))
   {
     if (part.Prop != last)
     {
       last = part.Prop;
       ++number;
+      solid = solid && !last->HasTranslucentPolygonalGeometry();
       const std::string given = name ? name(last) : "";
       things.push_back({ Prop, given.empty() ? "object " + std::to_string(number) : given, {} });
     }
@@ -171,7 +173,9 @@ void BakedScene::AddProps(
     }
     Append(thing.Values[1], ShapeOf(part, cache));
     Append(thing.Values[2], LookOf(part, cache));
+    solid = solid && part.Clip.empty() && (part.Surface.Where.z & GI_SURFACE_PARTLY) == 0;
   }
+  return solid;
 }
 
 void BakedScene::AddLamps(vtkRenderer* renderer, std::vector<Thing>& things)

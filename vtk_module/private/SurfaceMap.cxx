@@ -24,6 +24,11 @@ namespace
 {
 constexpr int LargestSide = 16384; // of a texture that every OpenGL 4.3 has
 
+// How far behind the depth that VTK left a surface may be, which another program rounds otherwise: fractions of a pixel
+// on a slope, steps of the depth buffer. As in lightmap/surface.frag.
+constexpr GLfloat Pixels = 0.03f;
+constexpr GLfloat Digits = 4.0f;
+
 [[noreturn]] void Refuse(const char* reason)
 {
   throw std::invalid_argument(reason);
@@ -136,8 +141,10 @@ void SurfaceMap::Upload()
   }
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
+  // Light alone is never negative, as its moments are.
+  const GLenum format = this->Layers == 1 ? GL_RGB9_E5 : GL_RGBA16F;
   card.Light =
-    std::make_unique<Texture>(TextureDesc{ GL_RGBA16F, this->Width, this->Height, this->Layers });
+    std::make_unique<Texture>(TextureDesc{ format, this->Width, this->Height, this->Layers });
   glBindTexture(card.Light->Target(), card.Light->Get());
   glTexSubImage3D(card.Light->Target(), 0, 0, 0, 0, this->Width, this->Height, this->Layers,
     GL_RGBA, GL_FLOAT, this->Values.data());
@@ -146,7 +153,7 @@ void SurfaceMap::Upload()
   card.Light->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-void SurfaceMap::Draw(FrameContext& context, double intensity)
+void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
 {
   this->Old.clear();
   if (!this->OnCard)
@@ -163,6 +170,10 @@ void SurfaceMap::Draw(FrameContext& context, double intensity)
   {
     variant["GI_LIGHTMAP_LAMPS"] = "1";
   }
+  if (!solid)
+  {
+    variant["GI_LIGHTMAP_HOLES"] = "1";
+  }
   const Program& program =
     context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag", variant);
   context.Use(program,
@@ -178,10 +189,22 @@ void SurfaceMap::Draw(FrameContext& context, double intensity)
   ScopedState scope(context.State());
   scope.Set(GL_CULL_FACE, true);
   context.State()->vtkglCullFace(GL_BACK);
+  if (solid)
+  {
+    scope.Set(GL_DEPTH_TEST, true);
+    scope.DepthFunc(GL_LEQUAL);
+    glEnable(GL_POLYGON_OFFSET_FILL); // which VTK's cache does not know
+    glPolygonOffset(-Pixels, -Digits);
+  }
   glBindVertexArray(this->OnCard->Layout.Get());
   glDrawElements(
     GL_TRIANGLES, static_cast<GLsizei>(this->Corners.size()), GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
+  if (solid)
+  {
+    glPolygonOffset(0.0f, 0.0f);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+  }
 }
 
 void SurfaceMap::Release()

@@ -30,8 +30,9 @@ public:
   /// Whether it holds what arrives straight from lamps.
   bool HasLamps() const { return this->Lamps; }
 
-  /// Draw as IndirectLight::Draw does, with the light multiplied by intensity.
-  void Draw(FrameContext& context, double intensity);
+  /// Draw as IndirectLight::Draw does, with the light multiplied by intensity. solid: nothing is seen through any of
+  /// its surfaces, so that none of them can be before what the picture shows.
+  void Draw(FrameContext& context, double intensity, bool solid);
 
   void Release();
   /// Free another map's graphics resources at the next Draw(), when their context is current.
