@@ -169,6 +169,11 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   }
 }
 
+bool vtkGIDDGI::StandsIn(const FrameBuilder& frame)
+{
+  return frame.NeedsLiveLight();
+}
+
 int vtkGIDDGI::GetRequiredFrames()
 {
   const int probes = SettingsOf(*this).ProbesPerFrame(this->Probes);

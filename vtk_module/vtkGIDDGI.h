@@ -29,6 +29,8 @@ public:
   void Contribute(penumbra::FrameBuilder& frame) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  /// Where a bake no longer fits, see vtkGILightmap::LiveFallback and vtkGISHProbes::LiveFallback.
+  bool StandsIn(const penumbra::FrameBuilder& frame) override;
   int GetRequiredFrames() override;
   bool IsFinished(vtkRenderer* renderer) override;
 

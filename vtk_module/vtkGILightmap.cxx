@@ -99,6 +99,10 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   if (!mismatch.empty())
   {
     frame.AddNote("the lightmap no longer fits: " + mismatch + " since the bake");
+    if (this->LiveFallback)
+    {
+      frame.RequestLiveLight();
+    }
     return;
   }
   frame.AddIndirectLight(

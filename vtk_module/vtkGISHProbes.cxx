@@ -156,6 +156,10 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
   else
   {
     frame.AddNote("the probes no longer fit: " + mismatch + " since the bake");
+    if (this->LiveFallback)
+    {
+      frame.RequestLiveLight();
+    }
   }
   if (this->Show)
   {

@@ -104,6 +104,21 @@ public:
   ///@}
 
   /**
+   * Whether the technique takes part in a frame though it is not enabled, in place of others that were asked so far
+   * and know less than they should.
+   */
+  virtual bool StandsIn(const penumbra::FrameBuilder&) { return false; }
+
+  ///@{
+  /**
+   * Whether the technique took part in the last frame of its pass, enabled or standing in. Set by the pass; no change
+   * of the technique.
+   */
+  void SetTookPart(bool yes) { this->TookPart = yes; }
+  vtkGetMacro(TookPart, bool);
+  ///@}
+
+  /**
    * Add this technique's work to a frame: declare passes with what they read and write.
    */
   virtual void Contribute(penumbra::FrameBuilder& frame) = 0;
@@ -132,6 +147,7 @@ protected:
   virtual const std::vector<penumbra::PresetValue>& PresetTable() = 0;
 
   bool Enabled = false;
+  bool TookPart = false;
   char* LastError = nullptr;
   vtkSetStringMacro(LastError);
 

@@ -208,7 +208,12 @@ TEST_F(SHProbes, SayWhenTheyNoLongerFit)
   EXPECT_GT(Mean(this->After(1)), 1.15 * direct);
   EXPECT_STREQ(this->Pass->GetNotes(), "");
   ball->VisibilityOff();
-  // What it knows may not, for one frame.
+  // What it knows may not, for one frame. DDGI stands in, unless it is not to.
+  this->Lamp->SetPosition(0.3, -0.2, 0.5);
+  this->After(1);
+  EXPECT_TRUE(this->Pass->GetTechnique("ddgi")->GetTookPart());
+  this->Lamp->SetPosition(0.3, -0.2, 0.4);
+  this->Probes->LiveFallbackOff();
   const auto stale = [&](const char* words) {
     const double now = Mean(this->After(1));
     EXPECT_TRUE(this->Notes(words)) << this->Pass->GetNotes();

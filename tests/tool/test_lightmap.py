@@ -106,7 +106,8 @@ class Lightmap(command.LightmapTest):
             path = self.scene(other, "other.json")
             self.succeeds("render", path, *SMALL, "-o", "without.exr")
             notes = (f"no longer fits: {says} since the bake",) if says else ()
-            self.succeeds("render", path, "--bake", "map.exr", *SMALL, "-o", "with.exr", notes=notes)
+            self.succeeds("render", path, "--bake", "map.exr", "--set", "lightmap.live-fallback=off", *SMALL, "-o",
+                          "with.exr", notes=notes)
             same = self.compare("with.exr", "without.exr")["maximum"] == 0
             self.assertEqual(same, bool(says), f"stale light in '{says}'")
 
@@ -117,6 +118,19 @@ class Lightmap(command.LightmapTest):
         changed(lambda s: s["lights"][0].update(intensity=0.81), "light 1 changed its colour or strength")
         changed(lambda s: s["objects"].pop(2), "'back wall' is gone or hidden")
         changed(lambda s: s["objects"].append({"name": "visitor", "box": {"size": [0.2, 0.2, 0.2]}}), "")
+
+    def test_probes_light_what_a_stale_bake_does_not(self):
+        """Without being asked to, as where they are on and there is no bake."""
+        scene = lamp_room()
+        self.bake(self.scene(scene), "--texel-size", 0.4, "--samples", 16, "--anew")
+        scene["lights"][0]["intensity"] = 0.5
+        path = self.scene(scene, "other.json")
+        few = ("--set", "ddgi.probes=64", "--set", "ddgi.updates=8", *SMALL)
+        self.succeeds("render", path, "--on", "ddgi", *few, "-o", "live.exr")
+        self.succeeds("render", path, *SMALL, "-o", "without.exr")
+        self.succeeds("render", path, "--bake", "map.exr", *few, "-o", "fallen-back.exr", notes=("no longer fits",))
+        self.assertEqual(self.compare("fallen-back.exr", "live.exr")["maximum"], 0)
+        self.assertGreater(self.compare("without.exr", "live.exr")["maximum"], 0.01)
 
     def test_what_moves_is_left_out(self):
         scene = self.scene(lamp_room())

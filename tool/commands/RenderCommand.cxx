@@ -65,12 +65,13 @@ void RequireDrawableSize(const Scene& scene, vtkRenderWindow* window)
   }
 }
 
+// Those that are on, and those that stand in for them once a frame is drawn.
 template <typename Visit>
-void ForEachEnabled(vtkGIPass* pass, const Visit& visit)
+void ForEachAtWork(vtkGIPass* pass, const Visit& visit)
 {
   for (int i = 0; i < pass->GetNumberOfTechniques(); ++i)
   {
-    if (pass->GetTechnique(i)->GetEnabled())
+    if (pass->GetTechnique(i)->GetEnabled() || pass->GetTechnique(i)->GetTookPart())
     {
       visit(pass->GetTechnique(i));
     }
@@ -80,7 +81,7 @@ void ForEachEnabled(vtkGIPass* pass, const Visit& visit)
 int WantedFrames(const Scene& scene, vtkGIPass* pass)
 {
   int frames = scene.Frames;
-  ForEachEnabled(pass, [&frames](vtkGITechnique* technique) {
+  ForEachAtWork(pass, [&frames](vtkGITechnique* technique) {
     const int required = technique->GetRequiredFrames();
     frames = required > 1 ? required : frames;
   });
@@ -90,7 +91,7 @@ int WantedFrames(const Scene& scene, vtkGIPass* pass)
 bool IsFinished(vtkGIPass* pass, vtkRenderer* renderer)
 {
   bool finished = true;
-  ForEachEnabled(pass,
+  ForEachAtWork(pass,
     [&](vtkGITechnique* technique) { finished = finished && technique->IsFinished(renderer); });
   return finished;
 }
@@ -195,6 +196,8 @@ private:
       if (frame == 0 && !this->Options.Stock)
       {
         this->ReportNotes(pass, console);
+        // Some may stand in that were not asked before.
+        frames = scene.FramesGiven || checkpoint ? frames : WantedFrames(scene, pass);
       }
       if (checkpoint)
       {

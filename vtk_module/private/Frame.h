@@ -197,6 +197,13 @@ public:
   void AddIndirectLight(IndirectLight light);
   /// In the order of their kinds.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
+  /// Baked light no longer fits: another technique is to know light that follows the scene.
+  void RequestLiveLight() { this->LiveLightWanted = true; }
+  /// Whether that is asked for, and nothing else lights the scene so far.
+  bool NeedsLiveLight() const
+  {
+    return this->LiveLightWanted && this->Indirect.empty() && !this->DrawnByRays;
+  }
   /// The coarsest detail of what is known so far; infinity where nothing is.
   double GetIndirectDetail() const;
 
@@ -229,6 +236,7 @@ private:
   bool Averaged = false;
   bool DrawnByRays = false;
   bool LitRadianceWanted = false;
+  bool LiveLightWanted = false;
   double Share = 0.0;
   double Interreflection = 0.0;
   ForwardPart Visibility;

@@ -232,7 +232,9 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, memory.Motion, renderer);
   for (auto& technique : this->Techniques)
   {
-    if (technique->GetEnabled())
+    const bool takesPart = technique->GetEnabled() || technique->StandsIn(builder);
+    technique->SetTookPart(takesPart);
+    if (takesPart)
     {
       technique->Contribute(builder);
     }
