@@ -4,8 +4,11 @@
 import json
 import os
 import pathlib
+import random
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 COMMAND = os.environ.get("PENUMBRA_COMMAND", "penumbra")
@@ -64,6 +67,33 @@ class CommandTest(unittest.TestCase):
         if status is not None:
             self.assertEqual(ended.returncode, status, ended.stderr)
         return ended
+
+    def killed(self, *arguments, when):
+        """Killed as soon as when() is true, with all that it started; whether it had not ended by itself."""
+        process = subprocess.Popen([COMMAND, *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, start_new_session=True)
+        until = time.monotonic() + LONGEST
+        while not when() and process.poll() is None and time.monotonic() < until:
+            time.sleep(0.01)
+        running = process.poll() is None
+        if running:
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return running
+
+    def killed_at_any_moment(self, *arguments, seconds, output, kills=5):
+        """Started and killed again and again, at moments by chance of a run that takes so long; then it ends well."""
+        (self.folder / output).unlink(missing_ok=True)
+        moments = []
+        for i in range(kills):
+            moment = seconds * (i + random.random()) / kills
+            start = time.monotonic()
+            if self.killed(*arguments, when=lambda: time.monotonic() - start > moment):
+                moments.append(f"{moment:.2f}")
+        print(f"\n{output}: killed after {', '.join(moments)} of {seconds:.2f} s")
+        self.succeeds(*arguments)
+        left = [path.name for path in self.folder.glob(output + "?*")]
+        self.assertEqual(left, [], "files of bakes that were killed")
 
     def assert_sentence(self, ended, says):
         self.assertIn(ended.returncode, (1, 2), ended.stderr)

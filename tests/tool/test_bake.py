@@ -131,6 +131,42 @@ class Radiosity(command.CommandTest):
         self.assertEqual((self.folder / "solution.vtp").read_bytes(), before)
         self.assertFalse(list(self.folder.glob("*.part")))
 
+    def test_a_killed_bake_is_gone_on_with(self):
+        """To the solution of one that was not killed, to the last byte; whatever was cut off or damaged is traced again."""
+        ball = {"sphere": {"radius": 0.3}, "material": FLOOR["material"]}
+        bake = ("bake", "radiosity", self.scene({**ROOM, "objects": [FLOOR, ball]}), "--patch-size", 0.2, "--rays", 256)
+        start = time.monotonic()
+        self.succeeds(*bake, "-o", "whole.vtp")
+        seconds = time.monotonic() - start
+        whole = (self.folder / "whole.vtp").read_bytes()
+        broken = self.folder / "broken.vtp"
+        self.killed_at_any_moment(*bake, "-o", "broken.vtp", seconds=seconds, output="broken.vtp")
+        self.assertEqual(broken.read_bytes(), whole)
+        log = self.folder / "broken.vtp.baking"
+        full = 50000  # bytes, of a block or more
+        self.assertTrue(self.killed(*bake, "-o", "broken.vtp", when=lambda: log.exists() and log.stat().st_size > full))
+        kept = log.read_bytes()
+
+        def goes_on(left, *more, notes=()):
+            log.write_bytes(left)
+            broken.unlink(missing_ok=True)
+            told = self.report(*bake, "-o", "broken.vtp", "--stats", *more, notes=notes)
+            self.assertFalse(log.exists())
+            self.assertEqual(broken.read_bytes(), whole)
+            return told["resumed"]
+
+        share = goes_on(kept)
+        print(f"resumed: {100 * share:.0f} % taken over")
+        self.assertGreater(share, 0)
+        self.assertLess(goes_on(kept[:-10]), share, "a block that is cut off is not taken")
+        self.assertEqual(goes_on(kept[:1000] + bytes([kept[1000] ^ 1]) + kept[1001:]), 0)
+        self.assertEqual(goes_on(kept, "--anew"), 0)
+        self.assertEqual(goes_on(b"nothing of use", notes=("begins anew",)), 0)
+        log.write_bytes(kept)
+        other = self.report("bake", "radiosity", self.scene(ROOM, "other.json"), "-o", "broken.vtp", "--stats",
+                            notes=("begins anew",))
+        self.assertEqual(other["resumed"], 0)
+
 
 if __name__ == "__main__":
     unittest.main()

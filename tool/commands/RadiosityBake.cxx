@@ -13,6 +13,8 @@
 #include "../scene/Names.h"
 #include "../scene/SceneBuilder.h"
 
+#include <vtkGILightmap.h>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -103,6 +105,8 @@ public:
     command
       ->add_option("--plot", this->Plot, "chart of the residual over the work: .png, .jpg, .tif")
       ->group(group);
+    command->add_flag("--anew", this->Anew, "keep nothing of a solution that was broken off")
+      ->group(group);
     command->add_flag("--flat", this->Flat, "show patches in one colour each")->group(group);
     command->footer(
       "Examples:\n"
@@ -124,7 +128,13 @@ public:
       console.Note(note);
     }
     const auto start = std::chrono::steady_clock::now();
-    radiosity::Solution solution = this->Solve(std::move(gathered), console);
+    radiosity::FactorLog log(this->Options.Output + ".baking", this->Identity(built), this->Anew);
+    if (!log.Refusal().empty())
+    {
+      console.Note(fmt::format(
+        "'{}.baking' {}: tracing begins anew", this->Options.Output, log.Refusal()));
+    }
+    radiosity::Solution solution = this->Solve(std::move(gathered), log, console);
     const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     this->Comment(solution, console);
@@ -132,6 +142,7 @@ public:
       Step step(console, fmt::format("writing '{}'", this->Options.Output));
       this->Try([&] { radiosity::WriteSolution(this->Options.Output, solution); });
     }
+    log.Remove();
     if (!this->View.empty())
     {
       this->Draw(solution, built, scene, console);
@@ -140,7 +151,7 @@ public:
     {
       this->DrawPlot(solution, console);
     }
-    this->Report(solution, seconds);
+    this->Report(solution, log.ShareTaken(), seconds);
     return 0;
   }
 
@@ -190,11 +201,20 @@ private:
     }
   }
 
-  radiosity::Solution Solve(radiosity::GatheredScene scene, Console& console) const
+  /// What form factors depend on beside where patches are: the rays, and what surrounds the scene.
+  std::string Identity(const BuiltScene& built) const
+  {
+    return fmt::format(
+      "{} rays of {}", this->Settings.Rays, vtkGILightmap::DescribeScene(built.Renderer));
+  }
+
+  radiosity::Solution Solve(
+    radiosity::GatheredScene scene, radiosity::FactorLog& log, Console& console) const
   {
     StageSteps steps(console);
     return this->Try([&] {
-      return radiosity::Solve(std::move(scene.Mesh), scene.Light, this->Settings, steps.Watch());
+      return radiosity::Solve(
+        std::move(scene.Mesh), scene.Light, this->Settings, steps.Watch(), &log);
     });
   }
 
@@ -253,7 +273,7 @@ private:
       DrawConvergence(curves, "form factors used, in matrices' worth", this->Options.Backend));
   }
 
-  void Report(const radiosity::Solution& solution, double seconds) const
+  void Report(const radiosity::Solution& solution, double taken, double seconds) const
   {
     const auto history = [](const radiosity::Reflected& solved) {
       nlohmann::ordered_json steps = nlohmann::json::array();
@@ -281,7 +301,7 @@ private:
       { "patches", solution.Elements.size() / 2 }, { "patch-size", solution.PatchSize },
       { "rays", solution.Matrix.Rays }, { "factors", solution.Matrix.Entries.size() },
       { "form-factor-error", solution.FactorError }, { "irradiance-error", error },
-      { "residual", residual }, { "seconds", seconds } };
+      { "residual", residual }, { "resumed", taken }, { "seconds", seconds } };
     if (!solution.Gathered.Light.empty())
     {
       report["gathering"] = history(solution.Gathered);
@@ -304,6 +324,7 @@ private:
   std::string Plot;
   bool OneWay = false;
   bool Flat = false;
+  bool Anew = false;
 };
 }
 

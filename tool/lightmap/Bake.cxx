@@ -208,6 +208,12 @@ private:
     }
     const auto lines = PlaceSeams(this->Place.Scene, this->Place.Charts, this->Place.Places,
       FindSeams(this->Place.Scene, this->Place.Charts));
+    std::vector<unsigned char> kept(known.size(), 0), shown(known.size(), 0);
+    for (std::size_t i = 0; i < this->Place.Texels.size(); ++i)
+    {
+      kept[this->Place.Texels[i].Index] = this->Sums.Kept[i];
+      shown[this->Place.Texels[i].Index] = 1;
+    }
     for (Light* light : { &map.Baked, &map.Lamps })
     {
       if (light->Channels == 0)
@@ -217,7 +223,10 @@ private:
       this->Result.OpenSeamStep = std::max(this->Result.OpenSeamStep, SeamStep(*light, lines));
       if (this->Options.CloseSeams)
       {
-        CloseSeams(*light, lines);
+        // What lamps send is gathered anew in any case.
+        CloseSeams(*light, lines, light == &map.Baked ? kept : std::vector<unsigned char>());
+        auto filled = shown;
+        Dilate(*light, filled, this->Place.Places);
       }
       this->Result.SeamStep = std::max(this->Result.SeamStep, SeamStep(*light, lines));
     }

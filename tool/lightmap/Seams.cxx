@@ -146,8 +146,10 @@ double Light::Sample(const Vec2& at, int channel) const
   return sum;
 }
 
-void CloseSeams(Light& light, const std::vector<SeamLine>& lines)
+void CloseSeams(
+  Light& light, const std::vector<SeamLine>& lines, const std::vector<unsigned char>& fixed)
 {
+  const auto isFixed = [&fixed](std::uint32_t texel) { return !fixed.empty() && fixed[texel]; };
   std::unordered_map<std::uint32_t, std::uint32_t> unknown;
   std::vector<std::uint32_t> texels;
   std::vector<Equation> equations;
@@ -168,7 +170,11 @@ void CloseSeams(Light& light, const std::vector<SeamLine>& lines)
         equation.Weights[4 * side + k] = (side == 0 ? 1.0 : -1.0) * taps[k].Weight;
       }
     }
-    equations.push_back(equation);
+    if (!std::all_of(equation.Unknowns.begin(), equation.Unknowns.end(),
+          [&](std::uint32_t i) { return isFixed(texels[i]); }))
+    {
+      equations.push_back(equation);
+    }
   });
   constexpr double little = 1e-4; // what remains of a step is about this share of it
   constexpr double fast = 1000.0;
@@ -182,6 +188,10 @@ void CloseSeams(Light& light, const std::vector<SeamLine>& lines)
     }
     const bool irradiance = channel < 3; // is never below 0, its first moments may be
     std::vector<double> keep(texels.size(), little);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+    {
+      keep[i] = isFixed(texels[i]) ? fast : little;
+    }
     for (int round = 0; round < rounds; ++round)
     {
       Solve(equations, x, keep);
@@ -203,7 +213,10 @@ void CloseSeams(Light& light, const std::vector<SeamLine>& lines)
     }
     for (std::size_t i = 0; i < texels.size(); ++i)
     {
-      light.At(texels[i])[channel] = static_cast<float>(irradiance ? std::max(x[i], 0.0) : x[i]);
+      if (!isFixed(texels[i]))
+      {
+        light.At(texels[i])[channel] = static_cast<float>(irradiance ? std::max(x[i], 0.0) : x[i]);
+      }
     }
   }
 }

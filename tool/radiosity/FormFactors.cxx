@@ -14,7 +14,7 @@ namespace
 struct Row
 {
   std::vector<FactorMatrix::Entry> Entries;
-  float Escaped = 0.0f;
+  float Escaped = 1.0f;
   Color Sky{ 0.0 };
 };
 
@@ -62,6 +62,19 @@ Row TraceRow(
   row.Sky *= glm::pi<double>() / count;
   row.Entries = Histogram(met, count);
   return row;
+}
+
+TracedRows Flatten(const std::vector<Row>& rows)
+{
+  TracedRows traced;
+  for (const Row& row : rows)
+  {
+    traced.Lengths.push_back(static_cast<std::uint32_t>(row.Entries.size()));
+    traced.Entries.insert(traced.Entries.end(), row.Entries.begin(), row.Entries.end());
+    traced.Escaped.push_back(row.Escaped);
+    traced.Sky.push_back(row.Sky);
+  }
+  return traced;
 }
 
 FactorMatrix Join(const std::vector<std::vector<FactorMatrix::Entry>>& rows, int rays)
@@ -161,24 +174,48 @@ double FactorMatrix::At(std::size_t row, std::size_t column) const
 }
 
 Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays, int count,
-  const Sky& sky, const Progress& advance)
+  const Sky& sky, const Progress& advance, FactorLog* log)
 {
+  constexpr std::size_t block = 2048; // rows between two writings of what was traced
   const int side = GridSide(count);
-  std::vector<std::vector<FactorMatrix::Entry>> rows(elements.size());
+  const std::string mesh = log ? Fingerprint(elements) : "";
   Factors factors;
-  factors.Escaped.resize(elements.size(), 1.0f);
-  factors.SkyIrradiance.resize(elements.size(), Color(0.0));
-  const auto trace = [&](std::size_t i) {
-    if (elements[i].Present)
+  FactorMatrix& matrix = factors.Matrix;
+  matrix.Rays = side * side;
+  for (std::size_t first = 0; first < elements.size(); first += block)
+  {
+    const std::size_t number = std::min(block, elements.size() - first);
+    TracedRows traced;
+    if (!log || !log->Take(mesh, first, traced))
     {
-      Row row = TraceRow(elements[i], i, rays, side, sky);
-      rows[i] = std::move(row.Entries);
-      factors.Escaped[i] = row.Escaped;
-      factors.SkyIrradiance[i] = row.Sky;
+      std::vector<Row> rows(number);
+      const auto trace = [&](std::size_t i) {
+        if (elements[first + i].Present)
+        {
+          rows[i] = TraceRow(elements[first + i], first + i, rays, side, sky);
+        }
+      };
+      ForEach(number, trace, [&](double share) {
+        if (advance)
+        {
+          advance((double(first) + share * double(number)) / double(elements.size()));
+        }
+      });
+      traced = Flatten(rows);
+      if (log)
+      {
+        log->Put(mesh, first, traced);
+      }
     }
-  };
-  ForEach(elements.size(), trace, advance);
-  factors.Matrix = Join(rows, side * side);
+    for (const std::uint32_t length : traced.Lengths)
+    {
+      matrix.Begin.push_back(matrix.Begin.back() + length);
+    }
+    matrix.Entries.insert(matrix.Entries.end(), traced.Entries.begin(), traced.Entries.end());
+    factors.Escaped.insert(factors.Escaped.end(), traced.Escaped.begin(), traced.Escaped.end());
+    factors.SkyIrradiance.insert(
+      factors.SkyIrradiance.end(), traced.Sky.begin(), traced.Sky.end());
+  }
   return factors;
 }
 

@@ -4,6 +4,7 @@
 #ifndef penumbra_tool_FormFactors_h
 #define penumbra_tool_FormFactors_h
 
+#include "FactorLog.h"
 #include "Parallel.h"
 #include "Patches.h"
 
@@ -12,11 +13,7 @@ namespace penumbra::radiosity
 /// A sparse matrix by rows: F_ij is the share of what leaves i that arrives at j.
 struct FactorMatrix
 {
-  struct Entry
-  {
-    std::uint32_t Column;
-    float Value;
-  };
+  using Entry = TracedRows::Entry;
   std::vector<std::size_t> Begin = { 0 }; ///< of each row, and the end
   std::vector<Entry> Entries;
   int Rays = 0; ///< traced for each row
@@ -47,9 +44,9 @@ struct Factors
 /// Traces so many rays (rounded up to a square number) from every element: cosine-weighted
 /// directions, one in each cell of a grid, from points that are one in each cell of another. The share
 /// of the rays of i that meet j estimates F_ij with a standard error of at most sqrt(F (1 - F) / rays)
-/// (Malley 1988, A Shading Method for Computer Generated Images).
+/// (Malley 1988, A Shading Method for Computer Generated Images). log: takes what it holds of them, and keeps the others.
 Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays, int count,
-  const Sky& sky = {}, const Progress& advance = {});
+  const Sky& sky = {}, const Progress& advance = {}, FactorLog* log = nullptr);
 
 /// Makes A_i F_ij = A_j F_ji: of both estimates the mean, weighted by the rays per area that made them,
 /// which is by the inverse of their variances. Rows are brought back to 1 less what escapes by scaling

@@ -126,13 +126,13 @@ void LightPoints(const PatchMesh& mesh, const PatchRays& rays, const LightSource
 }
 
 void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings& settings,
-  Solution& solution, const Watch& watch)
+  Solution& solution, const Watch& watch, FactorLog* log)
 {
   solution.Elements = MakeElements(mesh);
   const PatchRays rays(solution.Elements);
   watch.Begin("tracing form factors");
   Factors factors =
-    TraceFactors(solution.Elements, rays, settings.Rays, light.Surroundings, watch.Advance);
+    TraceFactors(solution.Elements, rays, settings.Rays, light.Surroundings, watch.Advance, log);
   LightSources sources;
   const std::vector<Color> arriving =
     Arriving(mesh, light, settings, rays, factors, sources, solution, watch);
@@ -275,8 +275,8 @@ double DefaultPatchSize(const PatchMesh& mesh)
   return share * mesh.Diagonal();
 }
 
-Solution Solve(
-  PatchMesh mesh, const Illumination& light, const Settings& settings, const Watch& watch)
+Solution Solve(PatchMesh mesh, const Illumination& light, const Settings& settings,
+  const Watch& watch, FactorLog* log)
 {
   if (mesh.Faces().empty())
   {
@@ -286,7 +286,7 @@ Solution Solve(
   RequireLight(MakeElements(mesh), light);
   watch.Begin("cutting patches");
   Subdivide(mesh, settings, solution);
-  SolveOnce(mesh, light, settings, solution, watch);
+  SolveOnce(mesh, light, settings, solution, watch, log);
   double size = solution.PatchSize;
   for (int pass = 0; pass < settings.Refinements; ++pass)
   {
@@ -307,7 +307,7 @@ Solution Solve(
       break; // nowhere steep
     }
     mesh = std::move(finer);
-    SolveOnce(mesh, light, settings, solution, watch);
+    SolveOnce(mesh, light, settings, solution, watch, log);
   }
   return solution;
 }

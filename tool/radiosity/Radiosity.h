@@ -64,10 +64,10 @@ struct Watch
   Progress Advance = [](double) {};
 };
 
-/// Throws std::runtime_error, with a sentence, where there is nothing to light, no light, or more than
-/// is allowed.
-Solution Solve(
-  PatchMesh mesh, const Illumination& light, const Settings& settings, const Watch& watch = {});
+/// log: form factors that are traced already are taken from it, others are kept in it. Throws std::runtime_error, with a
+/// sentence, where there is nothing to light, no light, or more than is allowed.
+Solution Solve(PatchMesh mesh, const Illumination& light, const Settings& settings,
+  const Watch& watch = {}, FactorLog* log = nullptr);
 
 /// By how much chance moves the irradiance: the root mean square of its standard error, over the mean of
 /// what is lit, by area.
