@@ -108,13 +108,14 @@ def probe_properties():
            'if one is named; without, the probes are gone with the view.</Documentation>\n' +
            visible_where(shown, "        ", '<FileChooser extensions="vti" file_description="Baked probes"/>'
                          '<AcceptAnyFile/>') + "      </StringVectorProperty>\n")
-    for name, title, command, low, high, default, doc in (
-            ("Count", "Probes to bake", "SetProbesToBake", 27, 1 << 20, 1024,
+    for name, title, command, bounds, default, doc in (
+            ("Count", "Probes to bake", "SetProbesToBake", [27, 1 << 20], 1024,
              "How many probes at most fill the bounds of what is visible."),
-            ("Samples", "Samples to bake", "SetSamplesToBake", 1, 1 << 24, 256,
+            ("Samples", "Samples to bake", "SetSamplesToBake", [1, 1 << 24], 256,
              "Paths from each probe: four times as many take four times as long, and leave half of the noise.")):
-        yield sm_property(f"GI{PROBES}{name}", title, command, "int", default,
-                          f'<IntRangeDomain name="range" min="{low}"/>', f"{doc} Range: {low} to {high}.", shown, True)
+        parameter = {"type": "int", "range": bounds, "doc": doc}
+        yield sm_property(f"GI{PROBES}{name}", title, command, "int", default, domain(parameter), tooltip(parameter),
+                          shown, True)
     yield (f'      <Property name="GI{PROBES}Bake" label="Bake probes" command="BakeProbes" '
            'panel_widget="command_button" panel_visibility="default">\n'
            '        <Documentation>Gather the light that arrives in the scene as the view shows it now, which takes '

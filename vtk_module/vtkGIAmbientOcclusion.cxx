@@ -7,8 +7,6 @@
 
 #include "occlusion.h"
 
-#include <cstring>
-
 vtkStandardNewMacro(vtkGIAmbientOcclusion);
 
 using namespace penumbra;
@@ -109,9 +107,8 @@ struct Work
       glClearBufferfv(GL_COLOR, 0, open);
       return;
     }
-    constexpr float beyond = 1e30f; // a depth that is near no surface's plane
-    GLuint nowhere[4] = {};
-    std::memcpy(nowhere, &beyond, sizeof(beyond));
+    const GLuint nowhere[4] = { glm::floatBitsToUint(
+      1e30f) }; // a depth that is near no surface's plane
     glClearBufferuiv(GL_COLOR, 0, nowhere);
   }
 

@@ -162,12 +162,14 @@ void vtkGIPass::Render(const vtkRenderState* state)
   }
   window->MakeCurrent();
   penumbra::RefreshState(window);
-  const bool shown = this->JoinTiles &&
-    this->Impl->ShowTile(
-      state, [this](const vtkRenderState* whole) { this->RenderPicture(whole); });
-  if (!shown)
+  this->CopiedTile = true;
+  const auto draw = [this](const vtkRenderState* picture) {
+    this->CopiedTile = false;
+    this->RenderPicture(picture);
+  };
+  if (!this->Impl->ShowTile(state, this->JoinTiles, draw))
   {
-    this->RenderPicture(state);
+    draw(state);
   }
 }
 

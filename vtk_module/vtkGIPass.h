@@ -101,12 +101,20 @@ public:
    * whole with its first tile, so that what is found on the screen, occlusion for instance, does not end at the
    * tiles' edges. Off by default: a window that shows a tile for ever, one of a wall of displays, is no such
    * picture. Windows without multisampling, and up to 7680 x 4320 pixels, as far as the GPU's textures reach;
-   * others are drawn tile by tile.
+   * others are drawn tile by tile, as are renderers that draw onto what is there: layers above the first, and
+   * those with PreserveColorBuffer, PreserveDepthBuffer or without Erase. The picture is kept until the
+   * renderer's next frame that is no tile of it.
    */
   vtkSetMacro(JoinTiles, bool);
   vtkGetMacro(JoinTiles, bool);
   vtkBooleanMacro(JoinTiles, bool);
   ///@}
+
+  /**
+   * Whether the last Render() drew nothing, as its tile was copied from the picture that JoinTiles drew with the
+   * first: to render it again changes nothing.
+   */
+  vtkGetMacro(CopiedTile, bool);
 
   /**
    * Number of still frames averaged in the last picture of a renderer: 1 for a first frame.
@@ -152,6 +160,7 @@ protected:
   bool KeepRadiance = false;
   bool CollectStatistics = false;
   bool JoinTiles = false;
+  bool CopiedTile = false;
 
 private:
   vtkGIPass(const vtkGIPass&) = delete;

@@ -33,7 +33,11 @@ if action == "bake":
         bake_probes(view, folder, probes=27, samples=1)
     except RuntimeError as error:
         print("to a folder:", error)
+    with open(f"{probes}.part", "w") as part:
+        part.write("what the command line tool resumes")
     bake_probes(view, probes, probes=100, samples=64)
+    with open(f"{probes}.part") as part:
+        print("beside it:", part.read())
     image = scenes.picture(view)
     print(f"changed {1 - scenes.within(image, plain):.5f}")
 else:

@@ -36,4 +36,6 @@ scenes.aim(view)
 save("balanced")
 disable(view)
 save("after")
+if servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() > 1:
+    scenes.refuse_to_bake(view, f"{picture}.vti")
 print("rank", servermanager.vtkProcessModule.GetProcessModule().GetPartitionId(), "done")

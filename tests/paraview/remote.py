@@ -22,4 +22,6 @@ if len(sys.argv) > 2:
 scenes.show(view, scenes.sources())
 enable(view, frames=2)
 Image.fromarray(scenes.picture(view)).save(sys.argv[1])
+if len(sys.argv) > 2:
+    scenes.refuse_to_bake(view, sys.argv[1] + ".vti")
 print("remote", int(view.GetClientSideObject().GetUseDistributedRenderingForRender()))

@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene made twice: by ParaView's pipeline and views, and by VTK's own classes."""
+import pathlib
+
 import penumbra.paraview  # noqa: F401 first, so that windows can be made without a display
 import numpy
 from paraview import servermanager, simple
+from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkLightKit, vtkPolyDataMapper, vtkRenderer
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
@@ -69,6 +72,27 @@ def capture(view):
     image = reader.GetOutput()
     width, height, _ = image.GetDimensions()
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1, :, :3].copy()
+
+
+def saved(target, path, size=SIZE, **options):
+    """What SaveScreenshot makes of a view or layout: an array of bytes, top row first."""
+    simple.SaveScreenshot(str(path), target, ImageResolution=list(size), **options)
+    return numpy.asarray(Image.open(path))[..., :3]
+
+
+def rest(view):
+    """The preset high, with probes that know all that they will."""
+    penumbra.paraview.enable(view, "high", frames=2, ddgi__probes=64, ddgi__updates=8)
+    for _ in range(4):
+        simple.Render(view)
+
+
+def refuse_to_bake(view, path):
+    """Print why probes are not baked where several processes draw a view."""
+    try:
+        penumbra.paraview.bake_probes(view, path, probes=27, samples=1)
+    except RuntimeError as error:
+        print("refused:", error, pathlib.Path(path).exists())
 
 
 def vtk_renderer(view, things):

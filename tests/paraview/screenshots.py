@@ -22,9 +22,7 @@ simple.SaveScreenshot(f"{folder}/same.png", view, ImageResolution=small)
 simple.SaveScreenshot(f"{folder}/transparent.png", view, ImageResolution=small, TransparentBackground=1)
 simple.SaveScreenshot(f"{folder}/again.png", view, ImageResolution=small)
 # ParaView takes what is larger than the view in tiles. Each thing on the screen that knows its neighbours is on.
-enable(view, "high", frames=2, ddgi__probes=64, ddgi__updates=8)
-for _ in range(4):
-    simple.Render(view)  # then the probes rest
+scenes.rest(view)
 simple.SaveScreenshot(f"{folder}/tiled.png", view, ImageResolution=large)
 view.ViewSize = large
 simple.SaveScreenshot(f"{folder}/whole.png", view, ImageResolution=large)

@@ -18,10 +18,8 @@ simple._DisableFirstRenderCameraReset()
 width, height = scenes.SIZE
 
 
-def saved(target, name, size=scenes.SIZE, **options):
-    path = f"{folder}/{name}.png"
-    simple.SaveScreenshot(path, target, ImageResolution=list(size), **options)
-    return numpy.asarray(Image.open(path))[..., :3]
+def saved(target, name, *size, **options):
+    return scenes.saved(target, f"{folder}/{name}.png", *size, **options)
 
 
 def tell(name, value):
@@ -52,19 +50,12 @@ def animation(view, things):
     simple.RemoveLight(lamp)
 
 
-def rest(view):
-    """The preset high, with probes that know all that they will."""
-    enable(view, "high", frames=2, ddgi__probes=64, ddgi__updates=8)
-    for _ in range(4):
-        simple.Render(view)
-
-
 def layout(view, things):
     """Two views with settings of their own, in one picture and each by itself."""
     other = scenes.make_view()
     scenes.show(other, things)
     enable(view, "fast", frames=2)
-    rest(other)
+    scenes.rest(other)
     shared = simple.CreateLayout("both")
     shared.SplitHorizontal(0, 0.5)
     shared.AssignView(1, view)
@@ -152,7 +143,7 @@ def annotation(view, things):
 def toggles(view):
     """ParaView's own settings, switched on and off again while the light is on."""
     enable(view, frames=2)
-    before = saved(view, "before")
+    before, after = saved(view, "before"), []
     for name in ("UseSSAO", "UseFXAA", "UseToneMapping", "EnableRayTracing", "HiddenLineRemoval"):
         if name == "EnableRayTracing" and not view.GetProperty("BackEnd").Available:
             print("this ParaView has no OSPRay")
@@ -164,13 +155,15 @@ def toggles(view):
         print(f"{name} equal {scenes.within(before, changed):.5f}")
         if name == "UseToneMapping":
             tell("tone mapping changes", 1 - scenes.within(before, changed))
-        tell("after toggles" if name == "UseToneMapping" else f"after {name}", scenes.within(before, saved(view, "again"), 0))
+        after.append(scenes.within(before, saved(view, "again"), 0))
+    print("after each", after)
+    tell("after toggles", min(after))
 
 
 def parallel(view):
     """Parallel projection, as tiles and at once."""
     view.CameraParallelProjection, view.CameraParallelScale = 1, 18
-    rest(view)
+    scenes.rest(view)
     large = (2 * width, 2 * height)
     tiles = saved(view, "parallel_tiles", large)
     view.ViewSize = large

@@ -53,6 +53,11 @@ class Base(unittest.TestCase):
         print(f"\n{program} {script} {' '.join(map(str, arguments[:1]))}: {done.stdout.strip()}")
         return done.stdout
 
+    def check_refusal(self, text):
+        """Of a bake by several processes: said once, raised, and no file is written."""
+        self.assertRegex(text, "refused: .* cannot be baked by several processes.* False")
+        self.assertEqual(self.messages.count("by several processes"), 2, self.messages)
+
     def number(self, name, text):
         return float(re.search(rf"\b{name}'?:? ([-\d.]+)", text).group(1))
 
@@ -137,6 +142,7 @@ class Baked(Base):
     def test_probes_are_baked_kept_and_checked(self):
         text = self.run_script("pvpython", "baked.py", "bake", self.folder)
         self.assertRegex(text, "to a folder: .* cannot be written")
+        self.assertIn("beside it: what the command line tool resumes", text)
         self.assertGreater(self.number("changed", text), 0.1)
         text = self.run_script("pvpython", "baked.py", "load", self.folder)
         self.assertEqual(within(picture(self.folder / "bake.png"), picture(self.folder / "load.png"), 0), 1.0)
@@ -175,6 +181,7 @@ class Server(Base):
                 server.kill()
                 server.wait()
         self.assertIn("remote 1", remote)
+        self.check_refusal(remote)
         self.assertNotIn("ERR|", (self.folder / "server.log").read_text())
         self.run_script("pvpython", "remote.py", self.folder / "local.png")
         share = within(picture(self.folder / "remote.png"), picture(self.folder / "local.png"))
@@ -197,6 +204,8 @@ class Ranks(Base):
             text = self.run_script(program, "ranks.py", self.folder / name, 100)
             said = self.messages.count("stop at the boundaries")
             self.assertEqual(said, 1 if count > 1 else 0, text)
+            if count > 1:
+                self.check_refusal(text)
         # Direct light needs nothing of the other rank; what is left is the blending of edges before compositing.
         for name, limit in (("plain", 0.995), ("direct", 0.995), ("after", 0.995)):
             share = within(picture(self.folder / f"one_{name}.png"), picture(self.folder / f"two_{name}.png"))

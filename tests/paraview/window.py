@@ -14,10 +14,8 @@ import pathlib
 import time
 import traceback
 
-import numpy
 import scenes
 from paraview import simple, smtrace
-from PIL import Image
 from penumbra.paraview import disable, enable  # loads nothing: the plugin is there
 from PyQt5.QtCore import QPoint, Qt, QTimer
 from PyQt5.QtTest import QTest
@@ -101,9 +99,7 @@ def photograph(window, name):
 
 def screenshot(view):
     """What the view draws anew, whatever its averages hold."""
-    path = str(FOLDER / "screenshot.png")
-    simple.SaveScreenshot(path, view, ImageResolution=list(view.ViewSize))
-    return numpy.asarray(Image.open(path))[..., :3]
+    return scenes.saved(view, FOLDER / "screenshot.png", view.ViewSize)
 
 
 def scene(view):

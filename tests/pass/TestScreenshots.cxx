@@ -3,6 +3,9 @@
 // vtkWindowToImageFilter: alpha, tiled large pictures, depth.
 #include "Scenes.h"
 
+#include "private/GL.h"
+
+#include "vtkCallbackCommand.h"
 #include "vtkWindowToImageFilter.h"
 
 namespace penumbra_test
@@ -146,7 +149,8 @@ void ExpectJoined(const Options& options, bool parallel)
   vtkGIPass* pass = prepare(small);
   pass->JoinTilesOn();
   const auto tiled = Capture(small, options);
-  // What is kept for the tiles is gone with the next frame, and does not show in it.
+  // What was kept for the tiles does not show in the next frame.
+  pass->JoinTilesOff();
   pass->Restart();
   const auto after = Capture(small, { 1, options.Alpha, false });
   Scene large(false);
@@ -170,6 +174,126 @@ TEST(Screenshots, JoinedTilesAreTheWholePicture)
 TEST(Screenshots, JoinedTilesWithAlphaInParallelProjection)
 {
   ExpectJoined({ 2, true, false }, true);
+}
+
+// A layer is drawn onto those below, which a picture of its own would not hold.
+TEST(Screenshots, LayersAreNotJoined)
+{
+  const auto prepare = [](Scene& scene, bool mixed) {
+    scene.Window->SetNumberOfLayers(2);
+    vtkRenderer* above = scene.AddRenderer();
+    above->SetLayer(1);
+    above->SetPreserveDepthBuffer(mixed); // with what is below
+    above->AddActor(scene.Glass);
+    above->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    scene.Glass->GetProperty()->SetOpacity(1.0);
+    for (vtkGIPass* pass : scene.SetPasses())
+    {
+      pass->JoinTilesOn();
+    }
+  };
+  for (const bool mixed : { false, true })
+  {
+    Scene small(false);
+    prepare(small, mixed);
+    const auto tiled = Capture(small, { 2, false, false });
+    Scene large(false);
+    large.Window->SetSize(640, 480);
+    prepare(large, mixed);
+    EXPECT_GE(ShareWithin(tiled, Capture(large, { 1, false, false }), 2), 0.999);
+  }
+}
+
+// Textures as wide as a picture that is three times as large as the window.
+int CountWideTextures(vtkRenderWindow* window)
+{
+  window->MakeCurrent();
+  int count = 0;
+  for (GLuint name = 1; name < 4096; ++name)
+  {
+    if (!glIsTexture(name))
+    {
+      continue;
+    }
+    GLint width = 0;
+    glBindTexture(GL_TEXTURE_2D, name);
+    if (glGetError() == GL_NO_ERROR) // not of another target
+    {
+      glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    }
+    count += width == 960;
+  }
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return count;
+}
+
+// What the pass keeps of its own goes after some frames that do not use it.
+int CountWideTexturesLater(vtkRenderWindow* window)
+{
+  for (int i = 0; i < 20; ++i)
+  {
+    window->Render();
+  }
+  return CountWideTextures(window);
+}
+
+TEST(Screenshots, JoinedTilesAreForgottenWithTheNextFrame)
+{
+  for (const bool joins : { true, false })
+  {
+    Scene scene(false);
+    vtkGIPass* pass = scene.SetPass();
+    pass->JoinTilesOn();
+    Capture(scene, { 3, false, false });
+    EXPECT_GE(CountWideTextures(scene.Window), 2);
+    pass->SetJoinTiles(joins);
+    EXPECT_EQ(CountWideTexturesLater(scene.Window), 0) << "joins " << joins;
+  }
+}
+
+TEST(Screenshots, JoinedTilesAreForgottenWithTheirRenderer)
+{
+  Scene scene(false);
+  const vtkSmartPointer<vtkGIPass> pass = scene.SetPass();
+  pass->JoinTilesOn();
+  Capture(scene, { 3, false, false });
+  EXPECT_GE(CountWideTextures(scene.Window), 2);
+  vtkRenderer* other = scene.AddRenderer();
+  other->AddActor(scene.Ball);
+  other->SetPass(pass);
+  scene.Renderer->SetPass(nullptr); // which would forget everything as the renderer goes
+  scene.Window->RemoveRenderer(scene.Renderer);
+  scene.Renderer = nullptr;
+  EXPECT_EQ(CountWideTexturesLater(scene.Window), 0);
+}
+
+TEST(Screenshots, JoinedTilesAreDrawnOnceAndCopied)
+{
+  struct Frames
+  {
+    int All = 0;
+    int Copied = 0;
+    static void Count(vtkObject* renderer, unsigned long, void* self, void*)
+    {
+      auto* pass = vtkGIPass::SafeDownCast(static_cast<vtkRenderer*>(renderer)->GetPass());
+      auto* frames = static_cast<Frames*>(self);
+      ++frames->All;
+      frames->Copied += pass->GetCopiedTile();
+    }
+  } frames;
+  Scene scene(false);
+  vtkGIPass* pass = scene.SetPass();
+  pass->JoinTilesOn();
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Frames::Count);
+  command->SetClientData(&frames);
+  scene.Renderer->AddObserver(vtkCommand::EndEvent, command);
+  Capture(scene, { 3, false, false });
+  EXPECT_EQ(frames.Copied, 8);
+  EXPECT_EQ(frames.All - frames.Copied, 1);
+  EXPECT_EQ(pass->GetAccumulatedFrames(scene.Renderer), 1);
+  Shoot(scene.Window);
+  EXPECT_FALSE(pass->GetCopiedTile());
 }
 }
 }

@@ -108,6 +108,28 @@ TEST_F(AmbientOcclusion, darkens_toward_a_wall_and_ends_at_the_radius)
   EXPECT_GT(FloorAt(picture, 1.3), 0.99 * 255.0);
 }
 
+// Beside its silhouettes the floor stands before nothing where an earlier view showed it beside the wall.
+TEST_F(AmbientOcclusion, does_not_depend_on_views_before)
+{
+  this->AddWall(1.0);
+  this->Occlusion->SetParameter("ambient-share", 1.0);
+  this->Occlusion->SetParameter("radius", 1.0);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  const auto shoot = [&](double scale) {
+    camera->SetParallelScale(scale);
+    return Shoot(this->Scene.Window);
+  };
+  for (const char* method : { "horizon", "hemisphere" })
+  {
+    this->Occlusion->SetParameterFromText("method", method);
+    const Picture first = shoot(6.0);
+    shoot(1.5);
+    const Picture again = shoot(6.0);
+    EXPECT_GT(Busyness(first), 0.01);
+    EXPECT_EQ(Compare(first, again, 0).Within, 1.0) << method;
+  }
+}
+
 TEST_F(AmbientOcclusion, never_touches_direct_light_or_unlit_props)
 {
   this->AddWall(1.0);

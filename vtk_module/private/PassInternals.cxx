@@ -48,17 +48,37 @@ void vtkGIPass::Internals::Restart()
   }
 }
 
-bool vtkGIPass::Internals::ShowTile(const vtkRenderState* state, const WholePicture::Draw& draw)
+vtkGIPass::Internals::Memory& vtkGIPass::Internals::Remember(vtkRenderer* renderer)
+{
+  Memory& memory = this->Views[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
+  if (!memory.Renderer)
+  {
+    memory = Memory(); // another renderer at a dead one's address
+    memory.Renderer = renderer;
+    memory.Name = std::to_string(++this->ViewsMade);
+  }
+  return memory;
+}
+
+bool vtkGIPass::Internals::ShowTile(
+  const vtkRenderState* state, bool join, const WholePicture::Draw& draw)
 {
   vtkRenderer* renderer = state->GetRenderer();
-  const ViewKey key(renderer, renderer->GetActiveCamera()->GetLeftEye());
-  if (renderer->GetSelector() || !WholePicture::IsTile(renderer))
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (join && !renderer->GetSelector() && WholePicture::IsTile(renderer))
   {
-    this->Pictures.erase(key);
-    return false;
+    this->TakeWindow(window);
+    return this->Remember(renderer).Whole.Show(state, draw);
   }
-  this->TakeWindow(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
-  return this->Pictures[key].Show(state, draw);
+  for (auto& view : this->Views)
+  {
+    // What another window holds goes with it.
+    if (view.first.first == renderer && this->Window == window)
+    {
+      view.second.Whole = WholePicture();
+    }
+  }
+  return false;
 }
 
 void vtkGIPass::Internals::TakeWindow(vtkOpenGLRenderWindow* window)
@@ -149,14 +169,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   {
     return problem;
   }
-  const int eye = renderer->GetActiveCamera()->GetLeftEye();
-  Memory& memory = this->Views[{ renderer, eye }];
-  if (!memory.Renderer)
-  {
-    memory = Memory(); // another renderer at a dead one's address
-    memory.Renderer = renderer;
-    memory.Name = std::to_string(++this->ViewsMade);
-  }
+  Memory& memory = this->Remember(renderer);
   if (memory.Restarts)
   {
     memory.Restarts = false;
@@ -365,7 +378,6 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   this->Lights.ReleaseGraphicsResources();
   this->Capture.Materials().ReleaseGraphicsResources();
   this->ViewBlock = Buffer();
-  this->Pictures.clear();
   this->Views.clear();
   this->DrawnByRays = nullptr;
   this->Worlds.clear();

@@ -29,9 +29,9 @@ public:
   /// Draw the opaque props of a frame. Returns the reason where that could not be done, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
-  /// Show a frame that is a tile of a larger picture, which draw draws. Returns false where that could not be
-  /// done.
-  bool ShowTile(const vtkRenderState* state, const penumbra::WholePicture::Draw& draw);
+  /// Show a frame that is a tile of a larger picture, which draw draws, if tiles are joined. Returns false where
+  /// that is not so or could not be done; what was kept for a renderer's tiles goes where it shows none.
+  bool ShowTile(const vtkRenderState* state, bool join, const penumbra::WholePicture::Draw& draw);
 
   void ReleaseGraphicsResources(vtkWindow* window);
   void Restart();
@@ -51,7 +51,8 @@ public:
     int FrameNumber = 0;
     int FirstFrame = 0; ///< since the last Restart()
     glm::ivec2 WindowSize{ 0 };
-    std::vector<float> Radiance; ///< rgba, bottom row first
+    std::vector<float> Radiance;  ///< rgba, bottom row first
+    penumbra::WholePicture Whole; ///< larger than the window, while tiles are shown
   };
   const Memory* FindMemory(vtkRenderer* renderer) const;
 
@@ -67,6 +68,7 @@ public:
 
 private:
   void TakeWindow(vtkOpenGLRenderWindow* window);
+  Memory& Remember(vtkRenderer* renderer); ///< of the eye that is drawn now
   std::string CheckContext(vtkOpenGLRenderWindow* window);
   penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
   penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
@@ -80,8 +82,6 @@ private:
   penumbra::SceneCapture Capture{ Shaders };
   penumbra::LightTable Lights;
   std::map<ViewKey, Memory> Views;
-  std::map<ViewKey, penumbra::WholePicture>
-    Pictures; ///< larger than the window, while tiles are shown
   std::map<vtkRenderer*, penumbra::RayProps> Worlds; ///< of renderers in Views
   penumbra::Buffer ViewBlock;
   int ViewsMade = 0;

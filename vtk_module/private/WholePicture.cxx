@@ -126,6 +126,13 @@ std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer)
   return visible;
 }
 
+// Of the window, which the whole picture does not have.
+bool KeepsWhatIsThere(vtkRenderer* renderer)
+{
+  return renderer->GetPreserveColorBuffer() || renderer->GetPreserveDepthBuffer() ||
+    !renderer->GetErase();
+}
+
 bool Fits(int width, int height)
 {
   GLint side = 0;
@@ -171,8 +178,8 @@ bool WholePicture::Show(const vtkRenderState* state, const Draw& draw)
   const int* size = window->GetSize(); // of all tiles
   const TextureDesc color = { BoundFormat(GL_COLOR_ATTACHMENT0), size[0], size[1], 0 };
   const TextureDesc depth = { BoundFormat(GL_DEPTH_ATTACHMENT), size[0], size[1], 0 };
-  if (places.IsEmpty() || BoundSamples() > 0 || !color.Format || !depth.IsDepth() ||
-    !Fits(size[0], size[1]) || (!places.IsFirst() && !this->Framebuffer))
+  if (places.IsEmpty() || KeepsWhatIsThere(renderer) || BoundSamples() > 0 || !color.Format ||
+    !depth.IsDepth() || !Fits(size[0], size[1]) || (!places.IsFirst() && !this->Framebuffer))
   {
     return false;
   }
@@ -181,7 +188,6 @@ bool WholePicture::Show(const vtkRenderState* state, const Draw& draw)
   if (places.IsFirst())
   {
     const ScopedState saved(gl);
-    gl->PushFramebufferBindings();
     const bool made = this->Make(color, depth);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound); // as VTK's cache of the state has it
     if (made)
@@ -193,10 +199,9 @@ bool WholePicture::Show(const vtkRenderState* state, const Draw& draw)
       gl->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer.Get());
       draw(&whole);
     }
-    gl->PopFramebufferBindings();
     if (!made)
     {
-      this->Framebuffer = FramebufferHandle();
+      *this = WholePicture();
       return false;
     }
   }

@@ -26,7 +26,8 @@ public:
   static bool IsTile(vtkRenderer* renderer);
 
   /// Shows the renderer's part of a tile; draw draws the picture of a state to what is bound. Returns false, and
-  /// shows nothing, where the picture is too large to be drawn at once, or the window is multisampled.
+  /// shows nothing, where the picture is too large to be drawn at once, the window is multisampled, or the renderer
+  /// draws onto what others have drawn there.
   bool Show(const vtkRenderState* state, const Draw& draw);
 
 private:

@@ -64,7 +64,8 @@ std::string Load(const std::string& path, vtkGISHProbes* technique)
   return "";
 }
 
-// By another name first, so that an earlier file is there until the new one is complete.
+// By another name first, so that an earlier file is there until the new one is complete; not by that of the bakes that
+// the command line tool resumes.
 bool Write(const std::string& path, vtkImageData* field)
 {
   const Quiet quiet;
@@ -77,14 +78,14 @@ bool Write(const std::string& path, vtkImageData* field)
   {
     return false;
   }
-  const std::string part = path + ".part";
-  vtksys::ofstream file(part.c_str(), std::ios::binary);
+  const std::string half = path + ".half";
+  vtksys::ofstream file(half.c_str(), std::ios::binary);
   file << writer->GetOutputString();
   file.close();
-  const bool written = file && std::rename(part.c_str(), path.c_str()) == 0;
+  const bool written = file && std::rename(half.c_str(), path.c_str()) == 0;
   if (!written)
   {
-    vtksys::SystemTools::RemoveFile(part);
+    vtksys::SystemTools::RemoveFile(half);
   }
   return written;
 }

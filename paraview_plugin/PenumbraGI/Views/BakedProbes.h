@@ -28,12 +28,13 @@ public:
   /// Bakes what a renderer shows, and writes the file if one is named.
   void Bake(vtkGISHProbes* technique, vtkRenderer* renderer);
 
-  /// Why the last of these failed, in one sentence, or "".
+  /// Tells the user why they cannot be had, in a sentence; "" where all is well.
+  void Tell(const std::string& problem);
+
+  /// What was told last.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
-  void Tell(const std::string& problem);
-
   std::string File;
   std::string Problem;
   bool FileIsNew = false;

@@ -35,14 +35,15 @@ void StillFramesPass::Render(const vtkRenderState* state)
   {
     this->Pass->Restart();
   }
-  this->Pass->SetJoinTiles(captured && this->Alone);
+  const bool alone = IsAlone();
+  this->Pass->SetJoinTiles(captured && alone);
   const int frames = still ? std::max(this->Frames, 1) : 1;
-  for (int i = 0; i < frames; ++i)
+  for (int i = 0; i == 0 || (i < frames && !this->Pass->GetCopiedTile()); ++i)
   {
     this->Pass->Render(state);
   }
   this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-  if (still && this->Alone && this->Told != this->Pass->GetNotes())
+  if (still && alone && this->Told != this->Pass->GetNotes())
   {
     this->Told = this->Pass->GetNotes();
     if (!this->Told.empty())

@@ -27,8 +27,6 @@ public:
   void SetPass(vtkGIPass* pass);
   void SetFrames(int frames) { this->Frames = frames; }
   void SetView(vtkPVView* view) { this->View = view; }
-  /// Whether this process draws all of the picture, as it does by default.
-  void SetAlone(bool alone) { this->Alone = alone; }
 
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -37,7 +35,6 @@ private:
   vtkSmartPointer<vtkGIPass> Pass;
   vtkWeakPointer<vtkPVView> View;
   int Frames = 1;
-  bool Alone = true;
   std::string Told; ///< of the pass's notes, each once until they change
 };
 }

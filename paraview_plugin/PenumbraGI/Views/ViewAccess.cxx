@@ -5,11 +5,13 @@
 #include "vtkHeadlessRenderWindow.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPVProcessWindow.h"
 #include "vtkPVRenderView.h"
+#include "vtkPVSession.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyManager.h"
 #include "vtkViewLayout.h"
@@ -33,6 +35,7 @@ struct ViewMembers : public vtkPVRenderView
   {
     return (view->*(&ViewMembers::GetInCaptureScreenshot))();
   }
+  static vtkPVSession* Session(vtkPVView* view) { return (view->*(&ViewMembers::GetSession))(); }
 };
 
 #ifdef PENUMBRA_VTK_HAS_GLEW
@@ -58,6 +61,24 @@ vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view)
 bool IsCaptured(vtkPVView* view)
 {
   return ViewMembers::Captured(view);
+}
+
+bool IsAlone()
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetNumberOfProcesses() < 2;
+}
+
+bool IsConnected(vtkPVView* view)
+{
+  vtkPVSession* session = ViewMembers::Session(view);
+  return session && !session->HasProcessRole(vtkPVSession::CLIENT_AND_SERVERS);
+}
+
+bool IsClient(vtkPVView* view)
+{
+  vtkPVSession* session = ViewMembers::Session(view);
+  return !session || session->HasProcessRole(vtkPVSession::CLIENT);
 }
 
 // pvbatch and pvserver draw each view in a window of its own that borrows the context of the process's

@@ -18,6 +18,15 @@ vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view);
 /// Whether a screenshot of the view is being taken.
 bool IsCaptured(vtkPVView* view);
 
+/// Whether this process draws all of the picture: false for one of several ranks.
+bool IsAlone();
+
+/// Whether the client and what may draw a view are processes of their own, as with pvserver.
+bool IsConnected(vtkPVView* view);
+
+/// Whether this process is the one that speaks to the user of a view.
+bool IsClient(vtkPVView* view);
+
 /// Makes a view's window ready to draw in the context of a process that has no X display, which GLEW
 /// refuses; does nothing where the window needs no help.
 void PrepareWindow(vtkRenderWindow* window);

@@ -43,17 +43,11 @@ public:
 
 namespace
 {
-bool IsAlone()
-{
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  return !controller || controller->GetNumberOfProcesses() < 2;
-}
-
 // Each process of several draws its own part of the data and knows nothing of the others'.
 void SayWhatRanksDoNotShare()
 {
   static bool said = false;
-  if (said || IsAlone())
+  if (said || penumbra::IsAlone())
   {
     return;
   }
@@ -125,9 +119,20 @@ void vtkPVGISettings::SetSamplesToBake(int samples)
 
 void vtkPVGISettings::BakeProbes()
 {
-  if (this->Impl->View)
+  vtkPVRenderView* view = this->Impl->View;
+  if (!view)
   {
-    this->Impl->Probes.Bake(this->Impl->ProbeTechnique(), this->Impl->View->GetRenderer());
+    return;
+  }
+  if (penumbra::IsAlone() && !penumbra::IsConnected(view))
+  {
+    this->Impl->Probes.Bake(this->Impl->ProbeTechnique(), view->GetRenderer());
+  }
+  // Every process is asked, and would bake what it draws itself.
+  else if (penumbra::IsClient(view))
+  {
+    this->Impl->Probes.Tell("the probes cannot be baked by several processes: bake them in "
+                            "pvpython without a server, and choose their file here");
   }
 }
 
@@ -183,7 +188,6 @@ void vtkPVGISettings::Place()
   if (this->Impl->Enabled && !present)
   {
     SayWhatRanksDoNotShare();
-    this->Impl->Frames->SetAlone(IsAlone());
     passes->SetRenderPass(this->Impl->Frames);
   }
   else if (!this->Impl->Enabled && present == this->Impl->Frames)

@@ -61,7 +61,7 @@ public:
   ///@}
 
   /**
-   * Bake probes from what the view shows now, as vtkGIProbeBaker does.
+   * Bake probes from what the view shows now, as vtkGIProbeBaker does. Refused on several ranks and with a server.
    */
   void BakeProbes();
 
