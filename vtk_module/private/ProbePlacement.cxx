@@ -28,8 +28,6 @@ constexpr double Margin = 0.25;
 constexpr double MostOffset = 0.4;
 constexpr int Moves = 3;
 
-// Among so many backs a probe may be within something solid.
-constexpr double ManyBacks = 0.25;
 // What lets so many times more light in is not the other side of a surface turned inside out.
 constexpr double MuchBrighter = 4.0;
 
