@@ -148,9 +148,9 @@ class Probes(command.CommandTest):
                 (("-o", "x.vti", "--samples", 0), "--samples"), (("-o", "x.vti", "--without", "bal"), "ball")):
             self.refused("bake", "probes", scene, *arguments, says=says, status=2)
         self.refused("bake", "probes", scene, "-o", "/nowhere/x.vti", says="cannot be written", status=1)
-        self.refused("bake", "probes", scene, "-o", "x.vti", "--probe-spacing", 0.0001, says="million", status=1)
+        self.refused("bake", "probes", scene, "-o", "x.vti", "--probe-spacing", 0.0001, says="more than 828100 probes", status=1)
         camera = {**ROOM, "lights": [{"type": "head"}]}
-        self.bake(self.scene(camera, "head.json"), notes=("follow the camera",))
+        self.bake(self.scene(camera, "head.json"), notes=("a lamp that follows the camera",))
 
 
 if __name__ == "__main__":
