@@ -135,7 +135,7 @@ class Probes(command.CommandTest):
         refused("cut.vti", content[:len(content) // 2], "cut.vti")
         at = content.index(b'Spacing="') + 9
         refused("moved.vti", content[:at] + (b"9" if content[at:at + 1] != b"9" else b"8") + content[at + 1:],
-                "digest")
+                "checksum")
         refused("text.vti", b"no picture at all", "holds no baked light")
         self.succeeds("render", scene, "--stock", "-o", "sky.png")
         refused("picture.vti", (self.folder / "sky.png").read_bytes(), "holds no baked light")
