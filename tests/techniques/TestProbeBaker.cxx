@@ -42,14 +42,15 @@ TEST_F(ProbesBaker, SixtyThousandProbesAreShown)
   ASSERT_GT(field.Grids.Size(), 58240);
   const auto lightAt = [](double x, double y) { return 0.4 + 0.2 * x + 0.1 * y; };
   const std::vector<glm::dvec3> places = field.Positions(0, field.Grids.Size());
+  constexpr int numbers = penumbra::ProbeField::Distances;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const double even = lightAt(places[i].x, places[i].y) * std::sqrt(4.0 * 3.14159265);
+    // Those below the floor are dark, and see nothing.
+    const bool below = places[i].z < -1.0;
+    std::fill_n(&field.Distance[i * numbers], numbers, below ? 0.0f : 1.0f);
+    const double light = below ? 0.0 : lightAt(places[i].x, places[i].y);
+    const double even = light * std::sqrt(4.0 * 3.14159265);
     std::fill_n(&field.Light[i * penumbra::ProbeField::Harmonics], 3, static_cast<float>(even));
-  }
-  for (std::size_t i = 0; i < field.Distance.size(); i += 2)
-  {
-    field.Distance[i] = 1.0f; // nothing near
   }
   std::fill(field.Sight.begin(), field.Sight.end(), (1 << 13) - 1);
   field.Samples = 1;
@@ -167,19 +168,22 @@ TEST_F(ProbesBaker, ProgressRunsOnce)
     EXPECT_TRUE(std::is_sorted(told.begin(), told.end())) << what;
     EXPECT_GE(told.front(), 0.0) << what;
     EXPECT_DOUBLE_EQ(told.back(), 1.0) << what;
+    EXPECT_EQ(std::count(told.begin(), told.end(), 1.0), 1) << what;
     told.clear();
   };
   this->Bake(64, 4);
   once("one grid");
   ASSERT_TRUE(this->Baker->Place(this->Scene.Renderer, this->Field));
   once("places alone");
+  this->Baker->AdaptiveOn();
   for (const int probes : { 90, 91 }) // too few for several grids, and enough to try
   {
-    this->Bake(probes, 4, true);
+    this->Baker->SetProbes(probes);
+    ASSERT_TRUE(this->Baker->Place(this->Scene.Renderer, this->Field));
     once("adaptive");
   }
   this->Lamp->SwitchOff();
-  this->Bake(91, 4, true);
+  ASSERT_TRUE(this->Baker->Place(this->Scene.Renderer, this->Field));
   once("adaptive and dark");
 }
 
