@@ -71,6 +71,7 @@ struct vtkGIProbeBaker::Internals
 
   vtkNew<vtkGILightGatherer> Gatherer;
   std::string Error;
+  TriedGrids Tried;
   /// What the gatherer's progress is a part of.
   double From = 0.0;
   double To = 1.0;
@@ -152,6 +153,7 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
 {
   this->Abort = false;
   return this->Impl->Try([&] {
+    this->Impl->Tried = {};
     RequireImage(image);
     GatherStage stage;
     stage.Prepare(renderer);
@@ -174,7 +176,7 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
     std::optional<ProbeField> field;
     if (this->Adaptive && this->Spacing <= 0.0)
     {
-      field = placement.PlaceBest(bounds, this->Probes);
+      field = placement.PlaceBest(bounds, this->Probes, this->Impl->Tried);
     }
     else
     {
@@ -310,6 +312,16 @@ bool vtkGIProbeBaker::GetGrid(vtkImageData* field, int number, int counts[3], do
     }
     return true;
   });
+}
+
+int vtkGIProbeBaker::GetNumberOfTriedGrids()
+{
+  return this->Impl->Tried.Count;
+}
+
+double vtkGIProbeBaker::GetErrorOfTriedGrids()
+{
+  return this->Impl->Tried.Error;
 }
 
 int vtkGIProbeBaker::CountSamples(vtkImageData* field)

@@ -132,6 +132,16 @@ public:
   bool GetGrid(vtkImageData* field, int number, int counts[3], double bounds[6]);
   ///@}
 
+  ///@{
+  /**
+   * How many grids were tried in place of one when probes were last placed, 0 where none were, as where Adaptive is off
+   * or too little was to be gained; and what they left of one grid's squared error, as far as a few paths tell (below zero
+   * by chance where there is next to none).
+   */
+  int GetNumberOfTriedGrids();
+  double GetErrorOfTriedGrids();
+  ///@}
+
   /**
    * The samples that a field is the mean of, or -1 with a sentence in GetLastError() where it is none.
    */

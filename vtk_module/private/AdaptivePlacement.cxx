@@ -3,6 +3,7 @@
 #include "private/AdaptivePlacement.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace penumbra
 {
@@ -13,6 +14,12 @@ constexpr int BrightnessSamples = 32; // to tell a lit place from one that is no
 // At how many points of surfaces a field is judged.
 constexpr int LeastPoints = 16384;
 constexpr int MostPoints = 65536;
+
+double Sum(const std::vector<ErrorAt>& errors)
+{
+  return std::accumulate(errors.begin(), errors.end(), 0.0,
+    [](double sum, const ErrorAt& error) { return sum + error.Error; });
+}
 
 ProbeProgress PartOf(const ProbeProgress& progress, double from, double to)
 {
@@ -51,7 +58,7 @@ std::optional<ProbeField> AdaptivePlacement::Place(const ProbeGrids& grids) cons
 }
 
 std::optional<ProbeField> AdaptivePlacement::PlaceBest(
-  const std::array<double, 6>& bounds, int probes) const
+  const std::array<double, 6>& bounds, int probes, TriedGrids& tried) const
 {
   const ProbeGrid around = ProbeGrid::Around(bounds, probes);
   if (probes < LeastOfSeveral)
@@ -94,6 +101,7 @@ std::optional<ProbeField> AdaptivePlacement::PlaceBest(
   {
     return std::nullopt;
   }
+  tried = { grids.Count(), Sum(others) / Sum(errors) };
   return AreClearlyLess(others, errors) ? several : one;
 }
 }
