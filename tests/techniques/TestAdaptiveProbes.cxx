@@ -166,6 +166,8 @@ TEST_F(AdaptiveProbes, ErrLessWhereDetailIsConcentrated)
       static_cast<long long>(this->Field->GetNumberOfPoints()), errors[adaptive]);
   }
   EXPECT_GT(this->Grids().size(), 1u);
+  EXPECT_EQ(this->Baker->CountGrids(this->Field), this->Baker->GetNumberOfTriedGrids());
+  EXPECT_LT(this->Baker->GetErrorOfTriedGrids(), 0.9);
   EXPECT_LT(errors[1], 0.75 * errors[0]);
 }
 

@@ -5,8 +5,8 @@
  */
 #include "BakedStage.h"
 
+#include "private/AdaptivePlacement.h"
 #include "private/GatherStage.h"
-#include "private/ProbePlacement.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
@@ -109,6 +109,52 @@ TEST_F(ProbesBaker, ProbesAtOnePlaceDrawRaysOfTheirOwn)
   }
   std::printf("maps of distances differ by %.4f at least\n", least);
   EXPECT_GT(least, 0.001);
+}
+
+// Of a grid that errs in a corner, and several that are right everywhere or wrong everywhere.
+TEST_F(ProbesBaker, SeveralGridsStayWhereTheyErrLess)
+{
+  this->AddRoom();
+  penumbra::GatherStage stage;
+  stage.Prepare(this->Scene.Renderer);
+  for (const double error : { 0.0, 3.0 })
+  {
+    int gathered = 0; // light of probes: twice of one grid, then twice of several
+    const auto gather = [&](const std::vector<glm::dvec3>& points,
+                          const std::vector<glm::dvec3>& normals, int, int,
+                          std::vector<float>* surroundings) {
+      if (surroundings)
+      {
+        surroundings->assign(3 * points.size(), 0.0f);
+      }
+      if (!normals.empty())
+      {
+        return std::vector<float>(3 * points.size(), 1.0f);
+      }
+      const bool several = gathered++ >= 2;
+      std::vector<float> light(points.size() * penumbra::ProbeField::Harmonics, 0.0f);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const bool corner = glm::all(glm::greaterThan(points[i], glm::dvec3(0.4)));
+        const double found = 1.0 + (several ? error : corner ? 1.0 : 0.0);
+        std::fill_n(&light[i * penumbra::ProbeField::Harmonics], 3,
+          static_cast<float>(found * std::sqrt(4.0 * 3.14159265)));
+      }
+      return light;
+    };
+    const penumbra::AdaptivePlacement placement{ stage, gather, [](double) { return true; },
+      false };
+    penumbra::TriedGrids tried;
+    const auto field = placement.PlaceBest({ -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }, 500, tried);
+    ASSERT_TRUE(field.has_value());
+    EXPECT_EQ(gathered, 4);
+    std::printf("%d grids tried: %.3f of one's error\n", tried.Count, tried.Error);
+    EXPECT_GT(tried.Count, 1);
+    EXPECT_EQ(field->Grids.Count(), error == 0.0 ? tried.Count : 1);
+    // Nothing is gathered for too few to share.
+    EXPECT_TRUE(placement.PlaceBest({ -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }, 90, tried).has_value());
+    EXPECT_EQ(gathered, 4);
+  }
 }
 
 TEST_F(ProbesBaker, AlteredFieldsAreRefused)
