@@ -21,7 +21,7 @@ START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
 PROBES = "SHProbes"  # the technique whose light a view bakes and keeps
 BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/vtkGIProbeBaker.h"
-MOST_PROBES = int(re.search(r"int MostProbes = (\d+);", BAKER.read_text()).group(1))
+MOST_PROBES = int(re.search(r"MostProbes = (\d+)", BAKER.read_text()).group(1))
 LONGEST_UNIT = 12  # characters that leave the panel narrow; the tooltip tells every unit
 
 

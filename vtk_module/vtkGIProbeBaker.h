@@ -39,7 +39,10 @@ public:
   /**
    * So many probes can be shown: what textures of 16384 texels a side hold, that all graphics cards have.
    */
-  static constexpr int MostProbes = 828100; // 910 x 910
+  enum : int
+  {
+    MostProbes = 828100 // 910 x 910
+  };
 
   ///@{
   /**

@@ -68,6 +68,11 @@ class Probes(unittest.TestCase):
         self.assertFalse(technique.HasBake())
         self.assertFalse(technique.GetEnabled())
 
+    def test_no_more_than_can_be_shown(self):
+        baker = penumbra.vtkGIProbeBaker()
+        baker.SetProbes(2 ** 30)
+        self.assertEqual(baker.GetProbes(), baker.MostProbes)
+
     def test_what_was_written_is_read(self):
         for size in ((2, 2, 2), (1 / 3, 0.1, 2 ** 0.5), (1e-7 / 3, 7e-8, 9e-8), (1e6 / 7, 2e5 / 3, 1e6)):
             self.cube.SetXLength(size[0])
