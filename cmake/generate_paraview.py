@@ -11,6 +11,8 @@ The defaults are the values of the preset "balanced": to switch global illuminat
 
 usage: generate_paraview.py OUTPUT_FOLDER FILE.json...
 """
+import pathlib
+import re
 from xml.sax.saxutils import escape, quoteattr
 
 from generate_parameters import NOTICE, arguments, kebab, number, quote, write
@@ -18,6 +20,8 @@ from generate_parameters import NOTICE, arguments, kebab, number, quote, write
 START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
 PROBES = "SHProbes"  # the technique whose light a view bakes and keeps
+BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/vtkGIProbeBaker.h"
+MOST_PROBES = int(re.search(r"MostProbes = (\d+)", BAKER.read_text()).group(1))
 LONGEST_UNIT = 12  # characters that leave the panel narrow; the tooltip tells every unit
 
 
@@ -109,7 +113,7 @@ def probe_properties():
            visible_where(shown, "        ", '<FileChooser extensions="vti" file_description="Baked probes"/>'
                          '<AcceptAnyFile/>') + "      </StringVectorProperty>\n")
     for name, title, command, bounds, default, doc in (
-            ("Count", "Probes to bake", "SetProbesToBake", [27, 1 << 20], 1024,
+            ("Count", "Probes to bake", "SetProbesToBake", [27, MOST_PROBES], 1024,
              "How many probes at most fill the bounds of what is visible."),
             ("Samples", "Samples to bake", "SetSamplesToBake", [1, 1 << 24], 256,
              "Paths from each probe: four times as many take four times as long, and leave half of the noise.")):

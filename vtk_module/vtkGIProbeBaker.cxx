@@ -25,7 +25,13 @@ using namespace penumbra;
 
 namespace
 {
-constexpr int MostProbes = 1 << 20;
+void RequireImage(vtkImageData* image)
+{
+  if (!image)
+  {
+    throw std::runtime_error("there is no image to put the probes into.");
+  }
+}
 
 std::string SceneText(vtkRenderer* renderer)
 {
@@ -65,9 +71,13 @@ struct vtkGIProbeBaker::Internals
 
   vtkNew<vtkGILightGatherer> Gatherer;
   std::string Error;
+  TriedGrids Tried;
   /// What the gatherer's progress is a part of.
   double From = 0.0;
   double To = 1.0;
+  /// And what a call is of Bake().
+  double Before = 0.0;
+  double Behind = 1.0;
 
   /// Light at points, with normals or without (empty); empty where it was ended. Throws where it failed.
   std::vector<float> Gather(vtkRenderer* renderer, const vtkGIProbeBaker& settings,
@@ -134,6 +144,7 @@ void vtkGIProbeBaker::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkGIProbeBaker::Tell(double progress)
 {
+  progress = this->Impl->Before + (this->Impl->Behind - this->Impl->Before) * progress;
   this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   return !this->Abort;
 }
@@ -142,14 +153,15 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
 {
   this->Abort = false;
   return this->Impl->Try([&] {
+    this->Impl->Tried = {};
+    RequireImage(image);
     GatherStage stage;
     stage.Prepare(renderer);
     std::array<double, 6> bounds{};
     renderer->ComputeVisiblePropBounds(bounds.data());
-    if (!image || bounds[0] > bounds[1])
+    if (bounds[0] > bounds[1])
     {
-      throw std::runtime_error(image ? "there is nothing visible to put probes around."
-                                     : "there is no image to put the probes into.");
+      throw std::runtime_error("there is nothing visible to put probes around.");
     }
     const AdaptivePlacement placement{ stage,
       [&](const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals, int first,
@@ -164,7 +176,7 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
     std::optional<ProbeField> field;
     if (this->Adaptive && this->Spacing <= 0.0)
     {
-      field = placement.PlaceBest(bounds, this->Probes);
+      field = placement.PlaceBest(bounds, this->Probes, this->Impl->Tried);
     }
     else
     {
@@ -173,7 +185,8 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
         : ProbeGrid::Around(bounds, this->Probes);
       if (grid.IsEmpty())
       {
-        throw std::runtime_error("a spacing that small would take over a million probes.");
+        throw std::runtime_error("a spacing that small would take more than " +
+          std::to_string(MostProbes) + " probes, which is all that can be shown.");
       }
       field = placement.Place(grid);
     }
@@ -228,19 +241,31 @@ void vtkGIProbeBaker::Forward(vtkObject*, unsigned long, void* progress)
 
 bool vtkGIProbeBaker::Bake(vtkRenderer* renderer, vtkImageData* image)
 {
+  const auto part = [this](double before, double behind) {
+    this->Impl->Before = before;
+    this->Impl->Behind = behind;
+  };
+  const bool isThere = this->Impl->Try([image] {
+    RequireImage(image);
+    return true;
+  });
   vtkNew<vtkImageData> field;
-  const bool done = this->Place(renderer, field) &&
-    this->AddSamples(renderer, field, this->Samples) && this->Compact(field, field);
-  if (done && image)
+  part(0.0, this->Adaptive ? 0.5 : 0.2);
+  bool done = isThere && this->Place(renderer, field);
+  part(this->Impl->Behind, 1.0);
+  done = done && this->AddSamples(renderer, field, this->Samples) && this->Compact(field, field);
+  part(0.0, 1.0);
+  if (done)
   {
     image->ShallowCopy(field);
   }
-  return done && image;
+  return done;
 }
 
 bool vtkGIProbeBaker::Compact(vtkImageData* field, vtkImageData* compact)
 {
   return this->Impl->Try([&] {
+    RequireImage(compact);
     ProbeField::FromImage(field).ToImage(compact, true);
     return true;
   });
@@ -287,6 +312,16 @@ bool vtkGIProbeBaker::GetGrid(vtkImageData* field, int number, int counts[3], do
     }
     return true;
   });
+}
+
+int vtkGIProbeBaker::GetNumberOfTriedGrids()
+{
+  return this->Impl->Tried.Count;
+}
+
+double vtkGIProbeBaker::GetErrorOfTriedGrids()
+{
+  return this->Impl->Tried.Error;
 }
 
 int vtkGIProbeBaker::CountSamples(vtkImageData* field)

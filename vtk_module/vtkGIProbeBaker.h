@@ -9,8 +9,9 @@
  * standard deviation of how far surfaces are, in an octahedral map of 16 x 16 directions, rows first, in units of
  * 1.5 diagonals of a cell, at most 1), "offset" (3: how far the probe stands off its place, in cells), "sight" (a
  * bit for each of 13 neighbours that it sees) and "backs" (0 to 255: the share of directions in which it sees
- * backs of surfaces); and field arrays "format", "scene" (what the bake depends on), "samples", "light scale" and, of
- * several grids, "grids" (9: the first place, the spacing and the counts of each).
+ * backs of surfaces); and field arrays "format", "scene" (what the bake depends on), "samples", "light scale", "checksum" (of
+ * the grid and all of these: a field that was altered since is refused, unless that array is removed) and, of several
+ * grids, "grids" (9: the first place, the spacing and the counts of each).
  * Compact() stores light and distance as half floats, light over "light scale".
  *
  * ProgressEvent is invoked with the share of the work that is done, a double from 0 to 1; an observer may call
@@ -35,12 +36,20 @@ public:
   vtkTypeMacro(vtkGIProbeBaker, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * So many probes can be shown: what textures of 16384 texels a side hold, that all graphics cards have.
+   */
+  enum : int
+  {
+    MostProbes = 828100 // 910 x 910
+  };
+
   ///@{
   /**
    * How many probes at most fill the bounds of the visible props, in grids of nearly cubic cells, the first of which
-   * reaches half a cell beyond; 1024 by default.
+   * reaches half a cell beyond; 27 to MostProbes, 1024 by default.
    */
-  vtkSetClampMacro(Probes, int, 27, 1 << 20);
+  vtkSetClampMacro(Probes, int, 27, MostProbes);
   vtkGetMacro(Probes, int);
   ///@}
 
@@ -124,6 +133,16 @@ public:
    */
   int CountGrids(vtkImageData* field);
   bool GetGrid(vtkImageData* field, int number, int counts[3], double bounds[6]);
+  ///@}
+
+  ///@{
+  /**
+   * How many grids were tried in place of one when probes were last placed, 0 where none were, as where Adaptive is off
+   * or too little was to be gained; and what they left of one grid's squared error, as far as a few paths tell (below zero
+   * by chance where there is next to none).
+   */
+  int GetNumberOfTriedGrids();
+  double GetErrorOfTriedGrids();
   ///@}
 
   /**

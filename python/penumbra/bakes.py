@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Baked light from files of penumbra bake."""
+"""Baked light from files of penumbra bake and vtkGIProbeBaker."""
 import hashlib
 
 import numpy
@@ -99,7 +99,7 @@ def _load_probes(gi, path):
 def load_bake(gi, path):
     """Give baked light to its technique of a pass, and switch that on. Returns the technique.
 
-    Raises ValueError, with a sentence, for a file that holds no baked light or is damaged.
+    Raises ValueError, with a sentence, for a file that holds no baked light, is damaged, or was altered.
     """
     with open(path, "rb") as file:
         if b"<VTKFile" in file.read(256):

@@ -174,7 +174,7 @@ def truth(args, name):
 
 
 def bake(args, camera, probes, adaptive):
-    """Switches the technique on. Returns the grids' sizes and the seconds that it took."""
+    """Switches the technique on. Returns the grids' sizes and the seconds that it took, with what was tried."""
     started = time.monotonic()
     baker, field = penumbra.vtkGIProbeBaker(), vtkImageData()
     baker.SetProbes(probes)
@@ -190,6 +190,11 @@ def bake(args, camera, probes, adaptive):
         baker.GetGrid(field, number, counts, bounds)
         sizes.append("x".join(map(str, counts)) + f" of {(bounds[1] - bounds[0]) / (counts[0] - 1):.2f}")
     technique.EnabledOn()
+    if baker.GetNumberOfTriedGrids():
+        took = (f"{took:.1f} s, {baker.GetNumberOfTriedGrids()} grids tried: {baker.GetErrorOfTriedGrids():.2f} of one's error, "
+                f"{'kept' if len(sizes) > 1 else 'rejected'}")
+    else:
+        took = f"{took:.1f} s"
     return field.GetNumberOfPoints(), sizes, took
 
 
@@ -216,7 +221,7 @@ def compare(args, name, probes):
         errors.append(error)
         pictures.append(ours)
         line = (f"{name}, {'several grids' if adaptive else 'one grid'}: {count} probes ({', '.join(sizes)}), relMSE {error:.4f}, "
-                f"signed mean {100 * mean:+.1f} %, baked in {took:.1f} s")
+                f"signed mean {100 * mean:+.1f} %, baked in {took}")
         print(line + (f", lookup {lookup(camera):.1f} ms" if args.cost else ""), flush=True)
     if args.pictures:
         camera.gi.GetTechnique("sh-probes").SetShow(True)

@@ -166,6 +166,8 @@ TEST_F(AdaptiveProbes, ErrLessWhereDetailIsConcentrated)
       static_cast<long long>(this->Field->GetNumberOfPoints()), errors[adaptive]);
   }
   EXPECT_GT(this->Grids().size(), 1u);
+  EXPECT_EQ(this->Baker->CountGrids(this->Field), this->Baker->GetNumberOfTriedGrids());
+  EXPECT_LT(this->Baker->GetErrorOfTriedGrids(), 0.9);
   EXPECT_LT(errors[1], 0.75 * errors[0]);
 }
 
@@ -190,6 +192,7 @@ TEST_F(AdaptiveProbes, ConstantLightIsExact)
     }
   }
   this->Field->GetPointData()->AddArray(even);
+  this->Field->GetFieldData()->RemoveArray("checksum"); // altered on purpose
   ASSERT_TRUE(this->Probes->SetBake(this->Field)) << this->Probes->GetBakeError();
   // What is seen has one of four reflectances.
   double most = 0.0;
@@ -267,19 +270,29 @@ TEST_F(AdaptiveProbes, RefuseGridsThatAreNone)
       << this->Probes->GetBakeError();
     EXPECT_EQ(this->Baker->CountGrids(other), 0);
   };
-  refused("grids", [](auto*, auto* image) { image->GetFieldData()->RemoveArray("grids"); });
+  refused("array 'grids'", [](auto*, auto* image) { image->GetFieldData()->RemoveArray("grids"); });
   refused("spacing", [](auto* grids, auto*) { grids->SetComponent(1, 4, 0.0); });
   refused("spacing", [](auto* grids, auto*) { grids->SetComponent(1, 1, std::nan("")); });
   refused("2 probes", [](auto* grids, auto*) { grids->SetComponent(1, 6, 1.0); });
   refused("2 probes", [](auto* grids, auto*) { grids->SetComponent(0, 6, 1e12); });
   refused("numbers of probes",
     [](auto* grids, auto*) { grids->SetComponent(0, 6, grids->GetComponent(0, 6) + 1.0); });
-  refused("grids", [](auto* grids, auto*) {
-    for (int i = 0; i < 7; ++i)
+  refused("array 'grids'", [](auto* grids, auto*) {
+    const std::vector<double> first(grids->GetPointer(0), grids->GetPointer(0) + 9);
+    while (grids->GetNumberOfTuples() < 7)
     {
-      grids->InsertNextTuple(grids->GetPointer(0));
+      grids->InsertNextTuple(first.data());
     }
   });
+  refused("more than 828100 probes", [](auto* grids, auto*) {
+    for (int i = 0; i < 2; ++i)
+    {
+      grids->SetComponent(i, 6, 900.0);
+      grids->SetComponent(i, 7, 300.0);
+      grids->SetComponent(i, 8, 2.0);
+    }
+  });
+  refused("checksum", [](auto* grids, auto*) { grids->SetComponent(1, 4, 0.123); });
   int counts[3];
   double bounds[6];
   EXPECT_FALSE(this->Baker->GetGrid(this->Field, 9, counts, bounds));

@@ -6,6 +6,7 @@
 #include "BakedStage.h"
 
 #include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkReverseSense.h>
 #include <vtkStringArray.h>
 
@@ -270,6 +271,16 @@ TEST_F(SHProbes, RefuseWhatIsNoBake)
   broken->DeepCopy(this->Field);
   broken->SetSpacing(1.0, 0.0, 1.0);
   refused(broken, "spacing");
+  vtkNew<vtkImageData> owing;
+  owing->DeepCopy(this->Field);
+  vtkIntArray::SafeDownCast(owing->GetFieldData()->GetArray("samples"))->SetValue(0, -5);
+  refused(owing, "samples");
+  EXPECT_FALSE(this->Baker->AddSamples(this->Scene.Renderer, owing, 5));
+  EXPECT_STRNE(this->Baker->GetLastError(), "");
+  vtkNew<vtkImageData> many;
+  many->ShallowCopy(this->Field);
+  many->SetDimensions(911, 910, 2);
+  refused(many, "to 828100 in all");
   EXPECT_TRUE(this->Probes->SetBake(nullptr));
   EXPECT_FALSE(this->Probes->HasBake());
 }

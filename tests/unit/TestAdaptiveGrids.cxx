@@ -171,20 +171,49 @@ TEST(AdaptiveGrids, FlatScenes)
   }
 }
 
-TEST(ProbeGrids, KnowWhichOneAProbeIsOf)
+// Places that are worth too few probes for a grid of their own leave them to the others.
+TEST(AdaptiveGrids, NoProbesAreLostToPlacesThatGetNone)
 {
-  ProbeGrid grid;
-  grid.Counts = { 2, 3, 4 };
-  ProbeGrid other;
-  other.Counts = { 2, 2, 2 };
-  const ProbeGrids grids(std::vector<ProbeGrid>{ grid, other });
-  EXPECT_EQ(grids.Size(), 32);
-  EXPECT_EQ(grids.Of(0), 0);
-  EXPECT_EQ(grids.Of(23), 0);
-  EXPECT_EQ(grids.Of(24), 1);
-  EXPECT_EQ(grids.Of(31), 1);
-  for (int probe = 0; probe < grid.Size(); ++probe)
+  const Bounds places[2] = { { 2.0, 6.0, 2.0, 6.0, 0.0, 4.0 },
+    { 33.0, 35.0, 22.0, 24.0, 5.0, 7.0 } };
+  const Errors errors = Errors().In(Hall, 0.1).In(places[0], 0.7).In(places[1], 0.2);
+  ASSERT_EQ(AdaptiveGrids(Hall, 2000, errors.List).Count(), 3);
+  for (const int probes : { 250, 275 })
   {
-    EXPECT_EQ(grid.Probe(grid.Cell(probe)), probe);
+    const ProbeGrids grids = AdaptiveGrids(Hall, probes, errors.List);
+    EXPECT_EQ(grids.Count(), 2);
+    EXPECT_LE(grids.Size(), probes);
+    EXPECT_GT(grids.Size(), 0.95 * probes);
   }
+}
+
+TEST(AdaptiveGrids, ErrorsAreClearlyLessUnlessByChance)
+{
+  const auto less = [](Errors others, Errors errors) {
+    return AreClearlyLess(others.List, errors.List);
+  };
+  const auto even = [](double error) { return Errors().In(Hall, error, 400); };
+  EXPECT_TRUE(less(even(0.8), even(1.0)));
+  EXPECT_FALSE(less(even(0.95), even(1.0)));
+  EXPECT_FALSE(less(even(1.0), even(1.0)));
+  EXPECT_FALSE(less(even(1.5), even(1.0)));
+  // No sign turns it round: there is nothing to gain where nothing errs.
+  EXPECT_FALSE(less(even(0.0), even(0.0)));
+  EXPECT_FALSE(less(even(-1.1), even(-1.0)));
+  EXPECT_FALSE(less(even(-0.95), even(-1.0)));
+  EXPECT_FALSE(less(even(-2.0), even(-1.0)));
+  EXPECT_TRUE(less(even(-0.1), even(1.0)));
+  // A deviation of 0.002 at each of 400 places makes one of 0.04 of all, one of 0.05 makes one of 1.
+  EXPECT_TRUE(less(even(0.7).Shaken(0.002), even(1.0)));
+  EXPECT_FALSE(less(even(0.85).Shaken(0.05), even(1.0)));
+  // What errs alike in both says nothing against the difference.
+  const Errors shaken = even(1.0).Shaken(0.05);
+  Errors half = shaken;
+  for (ErrorAt& at : half.List)
+  {
+    at.Error *= 0.5;
+  }
+  EXPECT_TRUE(less(half, shaken));
+  EXPECT_FALSE(less(Errors(), Errors()));
+  EXPECT_FALSE(less(Errors().In(Hall, 0.0, 1), Errors().In(Hall, 1.0, 1)));
 }

@@ -159,7 +159,7 @@ private:
   void Check() const
   {
     RequireBakeFile(this->Options.Output, ".vti", "probes are written as a VTK image");
-    RequireWithin("--probes", this->Probes, 27, 1 << 20);
+    RequireWithin("--probes", this->Probes, 27, vtkGIProbeBaker::MostProbes);
     RequireWithin("--probe-spacing", this->Spacing, 0, 1e30);
     RequireWithin("--samples", this->Samples, 1, 1 << 24);
     RequireWithin("--bounces", this->Bounces, 1, 10000);
@@ -249,13 +249,17 @@ private:
   {
     if (const int lamps = baker->GetNumberOfLampsLeftOut())
     {
-      console.Note(fmt::format("{} that follow the camera are left out: their light would not stay",
-        lamps == 1 ? std::string("lamps (1)") : fmt::format("lamps ({})", lamps)));
+      console.Note(lamps == 1
+          ? std::string("a lamp that follows the camera is left out: its light would not stay")
+          : fmt::format(
+              "{} lamps that follow the camera are left out: their light would not stay", lamps));
     }
     if (const int props = baker->GetNumberOfPropsLeftOut())
     {
-      console.Note(
-        fmt::format("{} objects are of kinds that rays do not see: they reflect no light", props));
+      console.Note(props == 1
+          ? std::string("an object is of a kind that rays do not see: it reflects no light")
+          : fmt::format(
+              "{} objects are of kinds that rays do not see: they reflect no light", props));
     }
   }
 

@@ -131,8 +131,8 @@ public:
     radiosity::FactorLog log(this->Options.Output + ".baking", this->Identity(built), this->Anew);
     if (!log.Refusal().empty())
     {
-      console.Note(fmt::format(
-        "'{}.baking' {}: tracing begins anew", this->Options.Output, log.Refusal()));
+      console.Note(
+        fmt::format("'{}.baking' {}: tracing begins anew", this->Options.Output, log.Refusal()));
     }
     radiosity::Solution solution = this->Solve(std::move(gathered), log, console);
     const double seconds =

@@ -39,8 +39,8 @@ void Dilate(Light& light, std::vector<unsigned char>& known, const Atlas& atlas)
 /// Makes the light on both sides of seams the same where it is interpolated: least squares of what differs there
 /// and of how much texels change (Iwanicki 2013, Lighting Technology of The Last of Us). fixed: where not 0, the texel stays
 /// as it is; seams between such are closed already, and closing them once more would carry their light away.
-void CloseSeams(Light& light, const std::vector<SeamLine>& lines,
-  const std::vector<unsigned char>& fixed = {});
+void CloseSeams(
+  Light& light, const std::vector<SeamLine>& lines, const std::vector<unsigned char>& fixed = {});
 
 /// The greatest difference across seams, of the light there, or of a tenth of the seams' mean where that is more.
 double SeamStep(const Light& light, const std::vector<SeamLine>& lines);

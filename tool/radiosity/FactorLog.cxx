@@ -107,9 +107,8 @@ FactorLog::FactorLog(std::string path, const std::string& identity, bool anew)
       std::string rows;
       while (ReadBlock(file, block, rows, size - good))
       {
-        this->Blocks[{ std::string(block.Elements, Digits), block.First }] = {
-          good + sizeof(block), block.Size
-        };
+        this->Blocks[{ std::string(block.Elements, Digits), block.First }] = { good + sizeof(block),
+          block.Size };
         good += sizeof(block) + block.Size + Digits;
       }
       fs::resize_file(this->Path, good, error);
@@ -134,8 +133,8 @@ void FactorLog::Open(const std::string& head, bool anew)
 
 void FactorLog::FailToWrite() const
 {
-  tool::Fail(
-    "'{}', which keeps what is traced so far, cannot be written: make room on the disk", this->Path);
+  tool::Fail("'{}', which keeps what is traced so far, cannot be written: make room on the disk",
+    this->Path);
 }
 
 bool FactorLog::Take(const std::string& elements, std::size_t first, TracedRows& rows)

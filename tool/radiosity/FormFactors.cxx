@@ -213,8 +213,7 @@ Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays
     }
     matrix.Entries.insert(matrix.Entries.end(), traced.Entries.begin(), traced.Entries.end());
     factors.Escaped.insert(factors.Escaped.end(), traced.Escaped.begin(), traced.Escaped.end());
-    factors.SkyIrradiance.insert(
-      factors.SkyIrradiance.end(), traced.Sky.begin(), traced.Sky.end());
+    factors.SkyIrradiance.insert(factors.SkyIrradiance.end(), traced.Sky.begin(), traced.Sky.end());
   }
   return factors;
 }

@@ -6,66 +6,21 @@
 #include "Failure.h"
 #include "VtkMessages.h"
 
-#include <OpenImageIO/hash.h>
-
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <filesystem>
 #include <fstream>
-#include <set>
 
 namespace penumbra::tool
 {
 namespace
 {
 namespace fs = std::filesystem;
-constexpr const char* DigestArray = "digest";
-
-/// Of the grid and all that the field holds.
-std::string Digest(vtkImageData* field)
-{
-  OIIO::SHA1 print;
-  print.append(field->GetDimensions(), 3 * sizeof(int));
-  print.append(field->GetOrigin(), 3 * sizeof(double));
-  print.append(field->GetSpacing(), 3 * sizeof(double));
-  const auto add = [&print](vtkFieldData* data) {
-    std::set<std::string> names; // in an order that files keep
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      const char* name = data->GetAbstractArray(i)->GetName();
-      names.insert(name ? name : "");
-    }
-    names.erase(DigestArray);
-    for (const std::string& name : names)
-    {
-      print.append(name.data(), name.size());
-      vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
-      if (auto* numbers = vtkDataArray::SafeDownCast(array))
-      {
-        print.append(numbers->GetVoidPointer(0),
-          static_cast<std::size_t>(numbers->GetNumberOfValues()) * numbers->GetDataTypeSize());
-      }
-      else if (auto* texts = vtkStringArray::SafeDownCast(array))
-      {
-        for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
-        {
-          const std::string text = texts->GetValue(i);
-          print.append(text.data(), text.size());
-        }
-      }
-    }
-  };
-  add(field->GetPointData());
-  add(field->GetFieldData());
-  return print.digest();
-}
 }
 
 std::string ProbeText(vtkImageData* field, const char* name)
@@ -84,13 +39,10 @@ void SetProbeText(vtkImageData* field, const char* name, const std::string& text
 
 void WriteProbes(const std::string& path, vtkImageData* field)
 {
-  vtkNew<vtkImageData> signedField;
-  signedField->ShallowCopy(field);
-  SetProbeText(signedField, DigestArray, Digest(field));
   const std::string half = path + ".half";
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetFileName(half.c_str());
-  writer->SetInputData(signedField);
+  writer->SetInputData(field);
   // Debian 12 stumbles over appended data: VTK before 9.3.1 with newer versions of Expat.
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
@@ -137,12 +89,6 @@ vtkSmartPointer<vtkImageData> ReadProbes(const std::string& path)
   if (format.rfind("penumbra probes", 0) != 0)
   {
     Fail("'{}' is a VTK image without probes: give a file that penumbra bake probes wrote", path);
-  }
-  // Other programs write fields without one.
-  const std::string digest = ProbeText(field, DigestArray);
-  if (!digest.empty() && digest != Digest(field))
-  {
-    Fail("the probes '{}' are damaged: their digest is another; bake them again", path);
   }
   return field;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Files of baked probes: VTK's own of images (.vti), with what vtkGIProbeBaker puts into them and a digest.
+/// Files of baked probes: VTK's own of images (.vti), with what vtkGIProbeBaker puts into them.
 #ifndef penumbra_tool_ProbeFile_h
 #define penumbra_tool_ProbeFile_h
 
@@ -15,7 +15,8 @@ namespace penumbra::tool
 /// In one step: whatever happens, there is the former file or the new one. Throws a Failure.
 void WriteProbes(const std::string& path, vtkImageData* field);
 
-/// Throws a Failure with the reason where the file is none, cut off, or damaged.
+/// Throws a Failure with the reason where the file is none, or cut off. Whether what it holds was altered is told where that
+/// is used.
 vtkSmartPointer<vtkImageData> ReadProbes(const std::string& path);
 
 /// Whether a file is of the kind that holds probes; it may be damaged.

@@ -30,8 +30,8 @@ constexpr double Finer = 0.8;
 // Of the probes, for the first grid: things may move where nothing errs yet.
 constexpr double LeastShare = 0.35;
 
-// Of a finer grid: two along each axis, and the outermost.
-constexpr int LeastProbes = 64;
+// What several grids must leave at most of one grid's error.
+constexpr double ClearlyLess = 0.9;
 
 /// Slices from Low to High, that one not counted.
 struct Box
@@ -212,6 +212,12 @@ public:
     }
   }
 
+  /// Leave one out.
+  void Remove(std::size_t number)
+  {
+    this->Boxes.erase(this->Boxes.begin() + static_cast<std::ptrdiff_t>(number));
+  }
+
   /// Of each box, its share of the probes.
   std::vector<double> Shares() const
   {
@@ -306,7 +312,9 @@ private:
       least = better ? total : least;
       return better;
     };
-    // First all boxes of several slices,
+    // First where it is,
+    attempt(glm::ivec3(box.Low), glm::ivec3(box.High));
+    // all boxes of several slices,
     const glm::ivec3 some = (n + Stride - 1) / Stride;
     for (glm::ivec3 low(0); low.z < some.z; Next(low, some))
     {
@@ -366,6 +374,28 @@ private:
 };
 }
 
+namespace
+{
+/// The grids of a choice, each around its box but the first; those that are of no use are empty.
+std::vector<ProbeGrid> GridsOf(const Choice& choice, const std::vector<double>& shares,
+  const ErrorTable& table, const std::array<double, 6>& bounds, int probes)
+{
+  const double first = std::max(shares[0], LeastShare);
+  const ProbeGrid around = ProbeGrid::Around(bounds, static_cast<int>(first * probes));
+  const double others = (probes - around.Size()) / std::max(1.0 - shares[0], 1e-9);
+  std::vector<ProbeGrid> grids = { around };
+  for (std::size_t i = 1; i < shares.size(); ++i)
+  {
+    const auto some = static_cast<int>(others * shares[i]);
+    const ProbeGrid grid = some < ProbeGrid::LeastPart
+      ? ProbeGrid()
+      : around.Part(table.Low(choice.Boxes[i]), table.High(choice.Boxes[i]), some);
+    grids.push_back(grid.Detail() < Finer * around.Detail() ? grid : ProbeGrid());
+  }
+  return grids;
+}
+}
+
 ProbeGrids AdaptiveGrids(
   const std::array<double, 6>& bounds, int probes, const std::vector<ErrorAt>& errors)
 {
@@ -376,25 +406,48 @@ ProbeGrids AdaptiveGrids(
   {
     choice.Improve();
   }
-  const std::vector<double> shares = choice.Shares();
-  const double first = std::max(shares[0], LeastShare);
-  const ProbeGrid around = ProbeGrid::Around(bounds, static_cast<int>(first * probes));
-  const double others = (probes - around.Size()) / std::max(1.0 - shares[0], 1e-9);
   std::vector<ProbeGrid> grids;
-  for (std::size_t i = 1; i < shares.size(); ++i)
+  for (std::size_t useless = 1; useless > 0;)
   {
-    const auto some = static_cast<int>(others * shares[i]);
-    const ProbeGrid grid = some < LeastProbes
-      ? ProbeGrid()
-      : around.Part(table.Low(choice.Boxes[i]), table.High(choice.Boxes[i]), some);
-    if (!grid.IsEmpty() && grid.Detail() < Finer * around.Detail())
+    const std::vector<double> shares = choice.Shares();
+    grids = GridsOf(choice, shares, table, bounds, probes);
+    useless = 0;
+    for (std::size_t i = 1; i < grids.size(); ++i)
     {
-      grids.push_back(grid);
+      const bool worst = useless == 0 || shares[i] < shares[useless];
+      useless = grids[i].IsEmpty() && worst ? i : useless;
+    }
+    // Its probes are for the others.
+    if (useless > 0)
+    {
+      choice.Remove(useless);
     }
   }
-  std::stable_sort(grids.begin(), grids.end(),
+  if (grids.size() == 1)
+  {
+    return ProbeGrids(alone);
+  }
+  std::stable_sort(grids.begin() + 1, grids.end(),
     [](const ProbeGrid& a, const ProbeGrid& b) { return a.Detail() > b.Detail(); });
-  grids.insert(grids.begin(), grids.empty() ? alone : around);
   return ProbeGrids(std::move(grids));
+}
+
+bool AreClearlyLess(const std::vector<ErrorAt>& others, const std::vector<ErrorAt>& errors)
+{
+  double all = 0.0;
+  double less = 0.0;
+  double squares = 0.0;
+  const std::size_t count = std::min(others.size(), errors.size());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double difference = ClearlyLess * errors[i].Error - others[i].Error;
+    all += errors[i].Error;
+    less += difference;
+    squares += difference * difference;
+  }
+  // Of the sum of so many differences that chance drew.
+  const double n = static_cast<double>(count);
+  const double variance = count > 1 ? (squares - less * less / n) * n / (n - 1.0) : 0.0;
+  return count > 1 && all > 0.0 && less > std::sqrt(std::max(variance, 0.0));
 }
 }

@@ -23,4 +23,10 @@ struct ErrorAt
 /// of that grid alone, with as many probes, are concentrated. That grid alone where others would not make a difference.
 ProbeGrids AdaptiveGrids(
   const std::array<double, 6>& bounds, int probes, const std::vector<ErrorAt>& errors);
+
+/// With fewer probes AdaptiveGrids() knows but one grid.
+constexpr int LeastOfSeveral = ProbeGrid::LeastAround + ProbeGrid::LeastPart;
+
+/// Whether others are clearly less than errors, at the same places in the same order: by a tenth, and not by chance.
+bool AreClearlyLess(const std::vector<ErrorAt>& others, const std::vector<ErrorAt>& errors);
 }

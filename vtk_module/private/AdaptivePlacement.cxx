@@ -3,6 +3,7 @@
 #include "private/AdaptivePlacement.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace penumbra
 {
@@ -14,8 +15,11 @@ constexpr int BrightnessSamples = 32; // to tell a lit place from one that is no
 constexpr int LeastPoints = 16384;
 constexpr int MostPoints = 65536;
 
-// What several grids must leave at most of one grid's error, as chance has its part in what is found.
-constexpr double ClearlyLess = 0.9;
+double Sum(const std::vector<ErrorAt>& errors)
+{
+  return std::accumulate(errors.begin(), errors.end(), 0.0,
+    [](double sum, const ErrorAt& error) { return sum + error.Error; });
+}
 
 ProbeProgress PartOf(const ProbeProgress& progress, double from, double to)
 {
@@ -54,14 +58,19 @@ std::optional<ProbeField> AdaptivePlacement::Place(const ProbeGrids& grids) cons
 }
 
 std::optional<ProbeField> AdaptivePlacement::PlaceBest(
-  const std::array<double, 6>& bounds, int probes) const
+  const std::array<double, 6>& bounds, int probes, TriedGrids& tried) const
 {
+  const ProbeGrid around = ProbeGrid::Around(bounds, probes);
+  if (probes < LeastOfSeveral)
+  {
+    return this->Place(around);
+  }
   // Shares of the work, roughly.
   const auto during = [this](double from, double to) {
     return AdaptivePlacement{ this->Stage, this->Gather, PartOf(this->Progress, from, to),
       this->Relocate };
   };
-  std::optional<ProbeField> one = during(0.0, 0.25).Place(ProbeGrid::Around(bounds, probes));
+  std::optional<ProbeField> one = during(0.0, 0.25).Place(around);
   if (!one)
   {
     return one;
@@ -70,7 +79,7 @@ std::optional<ProbeField> AdaptivePlacement::PlaceBest(
   if (!trial.Prepare(
         this->Stage, bounds, std::clamp(16 * probes, LeastPoints, MostPoints), this->Gather))
   {
-    return this->Progress(0.4) ? one : std::nullopt; // nothing is lit
+    return this->Progress(1.0) ? one : std::nullopt; // nothing is lit
   }
   const std::vector<ErrorAt> errors = trial.Judge(this->Stage, *one, this->Gather);
   if (errors.empty() || !this->Progress(0.55))
@@ -80,7 +89,7 @@ std::optional<ProbeField> AdaptivePlacement::PlaceBest(
   const ProbeGrids grids = AdaptiveGrids(bounds, probes, errors);
   if (grids.Count() == 1)
   {
-    return one;
+    return this->Progress(1.0) ? one : std::nullopt;
   }
   std::optional<ProbeField> several = during(0.55, 0.85).Place(grids);
   if (!several)
@@ -92,6 +101,7 @@ std::optional<ProbeField> AdaptivePlacement::PlaceBest(
   {
     return std::nullopt;
   }
-  return Sum(others) < ClearlyLess * Sum(errors) ? several : one;
+  tried = { grids.Count(), Sum(others) / Sum(errors) };
+  return AreClearlyLess(others, errors) ? several : one;
 }
 }

@@ -14,6 +14,13 @@ namespace penumbra
 {
 class GatherStage;
 
+/// Several grids that were tried in place of one.
+struct TriedGrids
+{
+  int Count = 0;      ///< 0 where none were
+  double Error = 0.0; ///< what they left of one grid's squared error, roughly
+};
+
 /// Puts fields of probes without light into a stage's scene. Results are empty where the work was ended.
 struct AdaptivePlacement
 {
@@ -25,6 +32,7 @@ struct AdaptivePlacement
   std::optional<ProbeField> Place(const ProbeGrids& grids) const;
 
   /// In one grid around bounds, and in several that share as many probes: the one whose light errs less.
-  std::optional<ProbeField> PlaceBest(const std::array<double, 6>& bounds, int probes) const;
+  std::optional<ProbeField> PlaceBest(
+    const std::array<double, 6>& bounds, int probes, TriedGrids& tried) const;
 };
 }

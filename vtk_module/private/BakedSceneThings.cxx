@@ -3,6 +3,7 @@
 // What of a renderer counts for a bake of its light.
 #include "private/BakedScene.h"
 
+#include "private/Hasher.h"
 #include "private/Matrices.h"
 #include "private/rays/RayPart.h"
 #include "private/rays/TexturePixels.h"
@@ -19,42 +20,6 @@ namespace penumbra
 {
 namespace
 {
-/// FNV-1a (Fowler, Noll, Vo) over words of eight bytes, with a last mixing of bits.
-class Hasher
-{
-public:
-  void Add(const void* data, std::size_t bytes)
-  {
-    const auto* from = static_cast<const unsigned char*>(data);
-    for (; bytes > 0;)
-    {
-      std::uint64_t word = 0;
-      const std::size_t count = std::min(bytes, sizeof(word));
-      std::memcpy(&word, from, count);
-      this->State = (this->State ^ word) * 0x100000001b3ull;
-      this->State ^= this->State >> 29;
-      from += count;
-      bytes -= count;
-    }
-  }
-  template <typename T>
-  void Add(const std::vector<T>& values)
-  {
-    const std::size_t count = values.size();
-    this->Add(&count, sizeof(count));
-    this->Add(values.data(), count * sizeof(T));
-  }
-  template <typename T>
-  void AddValue(const T& value)
-  {
-    this->Add(&value, sizeof(value));
-  }
-  std::uint64_t Get() const { return this->State; }
-
-private:
-  std::uint64_t State = 0xcbf29ce484222325ull;
-};
-
 /// As numbers that a double holds.
 void Append(std::vector<double>& values, std::uint64_t hash)
 {

@@ -13,8 +13,6 @@
 
 #include "vtkSmartPointer.h"
 
-#include <functional>
-
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 

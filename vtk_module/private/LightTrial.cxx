@@ -3,7 +3,12 @@
 #include "private/LightTrial.h"
 
 #include "private/GatherStage.h"
+#include "private/ProbePlacement.h"
 #include "private/ProbeTextures.h"
+
+#include "vtkGISHProbes.h"
+
+#include "vtkNew.h"
 
 #include "gathering.h"
 
@@ -25,9 +30,6 @@ constexpr int ProbeSamples = 64;
 // Cells of space along a scene's longest side.
 constexpr double CellsAcross = 24.0;
 
-// As vtkGISHProbes has it by default.
-constexpr double Bias = 0.75;
-
 std::vector<float> FindSurfaces(GatherStage& stage, const glm::dvec3& middle, double radius)
 {
   std::vector<float> found(static_cast<std::size_t>(Lines) * LineNumbers, 0.0f);
@@ -44,23 +46,15 @@ std::vector<float> FindSurfaces(GatherStage& stage, const glm::dvec3& middle, do
 }
 }
 
-double Sum(const std::vector<ErrorAt>& errors)
-{
-  double sum = 0.0;
-  for (const ErrorAt& error : errors)
-  {
-    sum += error.Error;
-  }
-  return sum;
-}
-
 // Of the points found, so many, evenly by area. They count by how much area there is in their cell of space: who looks at
 // a scene looks at what is in it.
 void LightTrial::Pick(const std::vector<float>& found, const glm::dvec3& origin,
   const std::array<double, 6>& bounds, std::size_t count)
 {
-  const double side =
-    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }) / CellsAcross;
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 extent = glm::dvec3(bounds[1], bounds[3], bounds[5]) - low;
+  const double side = std::max({ extent.x, extent.y, extent.z, 1e-30 * CellsAcross }) / CellsAcross;
+  const glm::dvec3 first = glm::floor(low / side);
   std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
   std::map<std::array<int, 3>, double> areas;
   for (std::size_t i = 0; i < found.size(); i += LineNumbers)
@@ -68,7 +62,7 @@ void LightTrial::Pick(const std::vector<float>& found, const glm::dvec3& origin,
     if (found[i + 6] > 0.0f)
     {
       const glm::dvec3 place = origin + glm::dvec3(found[i], found[i + 1], found[i + 2]);
-      const glm::ivec3 cell(glm::floor(place / std::max(side, 1e-30)));
+      const glm::ivec3 cell(glm::floor(place / side) - first);
       cells[{ cell.x, cell.y, cell.z }].push_back(i);
       areas[{ cell.x, cell.y, cell.z }] += found[i + 6];
     }
@@ -130,7 +124,6 @@ bool LightTrial::Prepare(
 // backs of surfaces or nothing.
 bool LightTrial::ForgetTheUnseen(const std::vector<float>* surroundings)
 {
-  constexpr double manyBacks = 0.25; // as for probes
   double sum = 0.0;
   double weights = 0.0;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
@@ -142,7 +135,7 @@ bool LightTrial::ForgetTheUnseen(const std::vector<float>* surroundings)
     }
     const double backs = 0.5 * (surroundings[0][3 * i] + surroundings[1][3 * i]);
     const double hits = 0.5 * (surroundings[0][3 * i + 1] + surroundings[1][3 * i + 1]);
-    const bool seen = here > 0.0 || (hits > 0.0 && backs < manyBacks);
+    const bool seen = here > 0.0 || (hits > 0.0 && backs < ManyBacks);
     this->Weights[i] = seen ? this->Weights[i] : 0.0;
     weights += this->Weights[i];
     sum += this->Weights[i] * here;
@@ -170,7 +163,8 @@ std::vector<float> LightTrial::LightOf(GatherStage& stage, const ProbeField& fie
   const Program& program = stage.Use("sh_probes/points.comp", textures.Variant());
   stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
   stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
-  textures.Set(program, Bias, stage.Origin());
+  vtkNew<vtkGISHProbes> technique;
+  textures.Set(program, technique->GetBias(), stage.Origin());
   textures.Bind();
   glUniform1i(program.Location("pointCount"), static_cast<GLint>(data.size()));
   glUniform1f(program.Location("offset"), static_cast<GLfloat>(2.0 * stage.Error()));

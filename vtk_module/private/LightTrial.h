@@ -45,7 +45,4 @@ private:
   std::vector<float> Light[2]; ///< by different paths
   double MeanSquare = 0.0;     ///< square of the mean of Light
 };
-
-/// The sum of all.
-double Sum(const std::vector<ErrorAt>& errors);
 }

@@ -57,7 +57,7 @@ void FillAll(const Texture& texture, const glm::vec4& value)
 LiveProbeMaps LiveProbeMaps::Of(FrameContext& context, int probes, int rays, bool& fresh)
 {
   const int columns = ProbeUniforms::Columns(probes);
-  const int rows = ProbeUniforms::Rows(probes);
+  const int rows = ProbeUniforms::Rows(probes, columns);
   bool made = false;
   fresh = false;
   const auto get = [&](const char* name, GLenum format, int side, int rows) {
@@ -76,7 +76,7 @@ LiveProbeMaps LiveProbeMaps::Of(FrameContext& context, int probes, int rays, boo
   maps.Light = get("ddgi.light", GL_RGBA32F, LightTexels + 2, rows);
   // And of places that probes left.
   maps.Distance =
-    get("ddgi.distance", GL_RG32F, DistanceTexels + 2, ProbeUniforms::Rows(2 * probes));
+    get("ddgi.distance", GL_RG32F, DistanceTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
   maps.Probes = get("ddgi.probes", GL_RGBA32F, 1, rows);
   maps.Places = get("ddgi.places", GL_RGBA32F, 1, rows);
   maps.States = get("ddgi.states", GL_RGBA32F, 1, rows);

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/ProbeField.h"
 
+#include "private/Hasher.h"
+
+#include "vtkGIProbeBaker.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -15,9 +19,12 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <glm/gtc/packing.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cinttypes>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 namespace penumbra
@@ -26,8 +33,9 @@ namespace
 {
 constexpr const char* Format = "penumbra probes 1";
 constexpr const char* FormatOfSeveral = "penumbra probes 2"; // grids
-constexpr int GridNumbers = 9;                               // first place, spacing, counts
-constexpr int MostProbes = 1 << 20;
+constexpr const char* ChecksumArray = "checksum";
+constexpr int GridNumbers = 9; // first place, spacing, counts
+constexpr int MostProbes = vtkGIProbeBaker::MostProbes;
 
 // Halves of numbers over their largest, so that no unit of light overflows them.
 double LargestOf(const std::vector<float>& values)
@@ -126,6 +134,41 @@ std::string ReadText(vtkFieldData* data, const char* name)
   return array ? std::string(array->GetValue(0)) : std::string();
 }
 
+/// Of the grid and of all that a field consists of; what others added to the image is theirs.
+std::string Checksum(vtkImageData* image)
+{
+  Hasher hash;
+  std::array<int, 3> counts{};
+  image->GetDimensions(counts.data());
+  hash.AddValue(counts);
+  hash.AddValue(glm::make_vec3(image->GetOrigin()));
+  hash.AddValue(glm::make_vec3(image->GetSpacing()));
+  const auto addText = [&](const char* name) {
+    const std::string text = ReadText(image->GetFieldData(), name);
+    hash.Add(std::vector<char>(text.begin(), text.end()));
+  };
+  const auto addNumbers = [&](vtkFieldData* data, const char* name) {
+    if (auto* array = vtkDataArray::SafeDownCast(data->GetAbstractArray(name)))
+    {
+      hash.Add(array->GetVoidPointer(0),
+        static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
+    }
+  };
+  addText("format");
+  addText("scene");
+  for (const char* name : { "samples", "light scale", "grids" })
+  {
+    addNumbers(image->GetFieldData(), name);
+  }
+  for (const char* name : { "light", "distance", "offset", "sight", "backs" })
+  {
+    addNumbers(image->GetPointData(), name);
+  }
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, hash.Get());
+  return digits.data();
+}
+
 void RequireValid(const ProbeGrid& grid)
 {
   const double points = static_cast<double>(grid.Counts.x) * grid.Counts.y * grid.Counts.z;
@@ -195,7 +238,12 @@ ProbeGrids ReadGrids(vtkImageData* image)
     points += grid.Size();
     grids.push_back(grid);
   }
-  if (points > MostProbes || points != static_cast<double>(image->GetNumberOfPoints()))
+  if (points > MostProbes)
+  {
+    throw std::invalid_argument(
+      "its grids have more than " + std::to_string(MostProbes) + " probes in all");
+  }
+  if (points != static_cast<double>(image->GetNumberOfPoints()))
   {
     throw std::invalid_argument("its grids have other numbers of probes than it");
   }
@@ -294,6 +342,7 @@ void ProbeField::ToImage(vtkImageData* image, bool compact) const
   scales->SetName("light scale");
   scales->InsertNextValue(scale);
   fields->AddArray(scales);
+  AddText(fields, ChecksumArray, Checksum(image));
 }
 
 ProbeField ProbeField::FromImage(vtkImageData* image)
@@ -315,6 +364,10 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
     Lacks(scale ? "samples" : "light scale");
   }
   field.Samples = samples->GetValue(0);
+  if (field.Samples < 0)
+  {
+    throw std::invalid_argument("its array 'samples' must not be negative");
+  }
   field.Scene = ReadText(fields, "scene");
   ReadNumbers(image, "light", Harmonics, scale->GetValue(0), field.Light);
   ReadNumbers(image, "distance", Distances, 1.0, field.Distance);
@@ -334,6 +387,13 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
       glm::clamp(glm::vec3(offsets[3 * at], offsets[3 * at + 1], offsets[3 * at + 2]), -0.5f, 0.5f);
     field.Sight[at] = sight->GetValue(i);
     field.Backs[at] = static_cast<float>(backs->GetValue(i)) / 255.0f;
+  }
+  // Earlier versions wrote none.
+  const std::string checksum = ReadText(fields, ChecksumArray);
+  if (!checksum.empty() && checksum != Checksum(image))
+  {
+    throw std::invalid_argument(
+      "its checksum does not fit what it holds: it was altered, or is damaged");
   }
   return field;
 }

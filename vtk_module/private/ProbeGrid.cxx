@@ -51,7 +51,7 @@ ProbeGrid ProbeGrid::Around(const std::array<double, 6>& bounds, int probes)
   {
     const glm::dvec3 cells = CellsOf(size, cell);
     const glm::dvec3 counts = cells + 2.0;
-    if (counts.x * counts.y * counts.z <= std::max(probes, 27))
+    if (counts.x * counts.y * counts.z <= std::max(probes, LeastAround))
     {
       return OfCells(bounds, cells);
     }
@@ -73,7 +73,7 @@ ProbeGrid ProbeGrid::Part(const glm::dvec3& low, const glm::dvec3& high, int pro
   const glm::dvec3 highest = this->Last() - 0.5 * this->Spacing;
   const glm::dvec3 slack = 0.02 * this->Spacing;
   const glm::bvec3 first = glm::lessThan(low, lowest + slack);
-  const glm::bvec3 last = glm::greaterThan(high, highest - slack);
+  const glm::bvec3 last = glm::greaterThan(high, highest - Off * this->Spacing - slack);
   const glm::dvec3 from = glm::mix(low, glm::min(low, lowest), first);
   const glm::dvec3 to = glm::mix(high, glm::max(high, highest), last);
   const glm::dvec3 before = glm::mix(glm::dvec3(1.0), glm::dvec3(0.5), first);
@@ -84,7 +84,7 @@ ProbeGrid ProbeGrid::Part(const glm::dvec3& low, const glm::dvec3& high, int pro
   {
     const glm::dvec3 cells = CellsOf(size, cell);
     const glm::dvec3 counts = cells + glm::ceil(before + behind) + 1.0;
-    if (counts.x * counts.y * counts.z <= std::max(probes, 64))
+    if (counts.x * counts.y * counts.z <= std::max(probes, LeastPart))
     {
       ProbeGrid grid;
       grid.Counts = glm::ivec3(counts);

@@ -37,16 +37,19 @@ struct ProbeGrid
     return cell.x + this->Counts.x * (cell.y + this->Counts.y * cell.z);
   }
   bool IsEmpty() const { return this->Size() == 0; }
+
+  static constexpr int LeastAround = 27; ///< probes: one within, and the outermost
+  static constexpr int LeastPart = 64;   ///< two along each axis, and the outermost
   glm::dvec3 Last() const { return this->First + this->Spacing * glm::dvec3(this->Counts - 1); }
 
-  /// Around bounds (as VTK's), with at most so many probes. The outermost stand half a cell outside, so
+  /// Around bounds (as VTK's), with at most so many probes, or LeastAround. The outermost stand half a cell outside, so
   /// that surfaces at the bounds have probes on both sides.
   static ProbeGrid Around(const std::array<double, 6>& bounds, int probes);
 
   /// Likewise, with at most such distances between neighbours; empty where that takes more probes than most.
   static ProbeGrid Spaced(const std::array<double, 6>& bounds, double spacing, int most);
 
-  /// Finer, with at most so many probes, around a box within the bounds that this one is around. The outermost stand a
+  /// Finer, with at most so many probes, or LeastPart, around a box within the bounds that this one is around. The outermost stand a
   /// cell outside, over which the light of a part fades, but not farther out of the bounds than half a cell.
   ProbeGrid Part(const glm::dvec3& low, const glm::dvec3& high, int probes) const;
 

@@ -28,8 +28,6 @@ constexpr double Margin = 0.25;
 constexpr double MostOffset = 0.4;
 constexpr int Moves = 3;
 
-// Among so many backs a probe may be within something solid.
-constexpr double ManyBacks = 0.25;
 // What lets so many times more light in is not the other side of a surface turned inside out.
 constexpr double MuchBrighter = 4.0;
 
@@ -102,6 +100,28 @@ Outlook LookFrom(const glm::vec3* map)
     outlook.Nearest = map[texel].x < map[outlook.Nearest].x ? texel : outlook.Nearest;
   }
   return outlook;
+}
+
+/// Of each pair of points, 1 where nothing is between them.
+std::vector<float> SeeEachOther(GatherStage& stage, const std::vector<shared::GatherPoint>& pairs)
+{
+  constexpr std::size_t most = 1 << 20; // at once: buffers may be limited to 128 MB
+  std::vector<float> seen;
+  for (std::size_t first = 0; first < pairs.size(); first += most)
+  {
+    const std::size_t count = std::min(pairs.size() - first, most);
+    std::vector<float> found(count, 0.0f);
+    stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, &pairs[first], count * sizeof(pairs[0]));
+    stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, found.data(), count * sizeof(found[0]));
+    const Program& program = stage.Use("gathering/sight.comp", {});
+    stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
+    stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
+    glUniform1i(program.Location("pointCount"), static_cast<GLint>(count));
+    GatherStage::Dispatch((count + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
+    GatherStage::Read(stage.Results, found);
+    seen.insert(seen.end(), found.begin(), found.end());
+  }
+  return seen;
 }
 
 /// Bring an offset, in cells, back to where its probe may stand.
@@ -222,15 +242,7 @@ bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbePr
     }
   }
   std::fill_n(field.Sight.begin() + first, count, 0);
-  std::vector<float> seen(pairs.size(), 0.0f);
-  stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, pairs.data(), pairs.size() * sizeof(pairs[0]));
-  stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, seen.data(), seen.size() * sizeof(seen[0]));
-  const Program& program = stage.Use("gathering/sight.comp", {});
-  stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
-  stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
-  glUniform1i(program.Location("pointCount"), static_cast<GLint>(pairs.size()));
-  GatherStage::Dispatch((pairs.size() + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
-  GatherStage::Read(stage.Results, seen);
+  const std::vector<float> seen = SeeEachOther(stage, pairs);
   for (std::size_t i = 0; i < bits.size(); ++i)
   {
     field.Sight[bits[i].first] |= seen[i] > 0.5f ? 1 << bits[i].second : 0;

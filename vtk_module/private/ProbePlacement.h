@@ -13,6 +13,9 @@ namespace penumbra
 {
 class GatherStage;
 
+/// Among so many backs, of all that is met, a place may be within something solid.
+constexpr double ManyBacks = 0.25;
+
 /// Called with the part that is done; false ends the work.
 using ProbeProgress = std::function<bool(double)>;
 

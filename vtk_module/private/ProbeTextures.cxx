@@ -4,6 +4,8 @@
 
 #include "private/Harmonics.h"
 
+#include "vtkGIProbeBaker.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,11 @@ namespace
 constexpr int LightTexels = 7; // as glsl/sh_probes/light.glsl
 constexpr int Inner = ProbeField::DistanceTexels;
 constexpr int Outer = Inner + 2; // with its border
+
+// Every OpenGL that has compute shaders has textures of so many texels a side.
+constexpr int MostTexels = 16384;
+static_assert(
+  vtkGIProbeBaker::MostProbes == (MostTexels / Outer) * (MostTexels / Outer), "as many as fit");
 
 void Fill(const Texture& texture, GLenum channels, const std::vector<float>& texels)
 {
@@ -44,11 +51,10 @@ glm::ivec2 Source(glm::ivec2 texel)
 ProbeTextures::ProbeTextures(const ProbeField& field, bool window)
   : Grids(field.Grids)
   , Columns(ProbeUniforms::Columns(field.Grids.Size()))
-  , LightTexture(
-      { GL_RGBA16F, this->Columns * LightTexels, ProbeUniforms::Rows(field.Grids.Size()), 0 })
-  , DistanceTexture(
-      { GL_RG32F, this->Columns * Outer, ProbeUniforms::Rows(field.Grids.Size()) * Outer, 0 })
-  , ProbeTexture({ GL_RGBA32F, this->Columns, ProbeUniforms::Rows(field.Grids.Size()), 0 })
+  , Rows(ProbeUniforms::Rows(field.Grids.Size(), this->Columns))
+  , LightTexture({ GL_RGBA16F, this->Columns * LightTexels, this->Rows, 0 })
+  , DistanceTexture({ GL_RG32F, this->Columns * Outer, this->Rows * Outer, 0 })
+  , ProbeTexture({ GL_RGBA32F, this->Columns, this->Rows, 0 })
 {
   this->FillLight(field, window);
   this->FillDistance(field);
@@ -59,7 +65,7 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
 {
   constexpr int n = ProbeField::Harmonics;
   const std::size_t width = static_cast<std::size_t>(this->Columns) * LightTexels * 4;
-  std::vector<float> texels(width * ProbeUniforms::Rows(this->Grids.Size()), 0.0f);
+  std::vector<float> texels(width * this->Rows, 0.0f);
   std::vector<float> all = field.Light;
   double most = 0.0;
   for (int probe = 0; probe < this->Grids.Size(); ++probe)
@@ -91,7 +97,7 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
 void ProbeTextures::FillDistance(const ProbeField& field)
 {
   const std::size_t width = static_cast<std::size_t>(this->Columns) * Outer;
-  std::vector<float> texels(2 * width * ProbeUniforms::Rows(this->Grids.Size()) * Outer, 0.0f);
+  std::vector<float> texels(2 * width * this->Rows * Outer, 0.0f);
   for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
     const auto reach = static_cast<float>(field.Reach(this->Grids.Of(probe)));
@@ -117,8 +123,7 @@ void ProbeTextures::FillDistance(const ProbeField& field)
 
 void ProbeTextures::FillProbes(const ProbeField& field)
 {
-  std::vector<float> texels(
-    static_cast<std::size_t>(this->Columns) * ProbeUniforms::Rows(this->Grids.Size()) * 4, 0.0f);
+  std::vector<float> texels(static_cast<std::size_t>(this->Columns) * this->Rows * 4, 0.0f);
   for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
     const glm::dvec3& spacing = this->Grids.Get(this->Grids.Of(probe)).Spacing;

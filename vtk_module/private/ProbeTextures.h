@@ -43,6 +43,7 @@ private:
 
   ProbeGrids Grids;
   int Columns;
+  int Rows;
   double Scale = 1.0;
   Texture LightTexture;
   Texture DistanceTexture;

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/ProbeUniforms.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace penumbra
 {
-namespace
-{
-// So that textures of 16,384 maps of 18 texels a side stay below 8192.
-constexpr int MostColumns = 64;
-}
-
 int ProbeUniforms::Columns(int probes)
 {
-  return std::min(probes, MostColumns);
+  return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(probes))));
 }
 
-int ProbeUniforms::Rows(int probes)
+int ProbeUniforms::Rows(int maps, int columns)
 {
-  return (probes + MostColumns - 1) / MostColumns;
+  return (maps + columns - 1) / columns;
 }
 
 Defines ProbeUniforms::Variant() const

@@ -22,8 +22,9 @@ struct ProbeUniforms
   /// Of shaders that ask probes.
   Defines Variant() const;
 
-  /// Maps in a row of the textures that hold so many.
+  /// Maps in a row of the textures that hold so many: in a square, as textures are limited by their sides.
   static int Columns(int probes);
-  static int Rows(int probes);
+  /// Rows that so many maps take.
+  static int Rows(int maps, int columns);
 };
 }

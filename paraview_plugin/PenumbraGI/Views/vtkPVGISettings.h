@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * What BakeProbes() takes: probes at most (27 to 1048576, by default 1024), and paths from each (1 to 16777216,
-   * by default 256).
+   * What BakeProbes() takes: probes at most (27 to vtkGIProbeBaker's MostProbes, by default 1024), and paths from
+   * each (1 to 16777216, by default 256).
    */
   void SetProbesToBake(int probes);
   void SetSamplesToBake(int samples);

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of baked probes: what Python writes it reads, and what was altered since it refuses."""
+import pathlib
+import re
+import tempfile
+import unittest
+
+import penumbra
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+
+
+def write(field, path):
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(field)
+    writer.SetDataModeToBinary()  # some versions of VTK cannot read appended data
+    writer.Write()
+
+
+def read(path):
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+class Probes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.renderer = vtkRenderer()
+        cls.window = penumbra.window(cls.renderer, size=(32, 24))
+        cls.cube, mapper, actor = vtkCubeSource(), vtkPolyDataMapper(), vtkActor()
+        mapper.SetInputConnection(cls.cube.GetOutputPort())
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetAmbient(0.5)
+        cls.renderer.AddActor(actor)
+        cls.gi = penumbra.enable(cls.renderer, "off")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.window.Finalize()
+        cls.scratch.cleanup()
+
+    def bake(self, name):
+        baker, field = penumbra.vtkGIProbeBaker(), vtkImageData()
+        baker.SetProbes(200)
+        baker.SetSamples(2)
+        self.assertTrue(baker.Bake(self.renderer, field), baker.GetLastError())
+        baker.ReleaseGraphicsResources(self.window)
+        write(field, self.folder / name)
+        return self.folder / name
+
+    def refused(self, path, *words):
+        technique = self.gi.GetTechnique("sh-probes")
+        technique.SetBake(None)
+        technique.EnabledOff()
+        with self.assertRaises(ValueError) as caught:
+            penumbra.load_bake(self.gi, path)
+        for word in (str(path), *words):
+            self.assertIn(word, str(caught.exception))
+        self.assertFalse(technique.HasBake())
+        self.assertFalse(technique.GetEnabled())
+
+    def test_no_more_than_can_be_shown(self):
+        baker = penumbra.vtkGIProbeBaker()
+        baker.SetProbes(2 ** 30)
+        self.assertEqual(baker.GetProbes(), baker.MostProbes)
+
+    def test_what_was_written_is_read(self):
+        for size in ((2, 2, 2), (1 / 3, 0.1, 2 ** 0.5), (1e-7 / 3, 7e-8, 9e-8), (1e6 / 7, 2e5 / 3, 1e6)):
+            self.cube.SetXLength(size[0])
+            self.cube.SetYLength(size[1])
+            self.cube.SetZLength(size[2])
+            self.cube.SetCenter(size[1] / 3, size[2] / 7, 5 * size[0] / 9)
+            technique = penumbra.load_bake(self.gi, self.bake("room.vti"))
+            self.assertTrue(technique.HasBake())
+            self.assertTrue(technique.GetEnabled())
+
+    def test_altered_files_are_refused(self):
+        path = self.bake("room.vti")
+        content, altered = path.read_text("latin-1"), self.folder / "altered.vti"
+        for attribute in ("Spacing", "Origin"):
+            digits = re.search(f' {attribute}="[^"]*[0-9]', content)
+            last = str((int(content[digits.end() - 1]) + 1) % 10)
+            altered.write_text(content[:digits.end() - 1] + last + content[digits.end():], "latin-1")
+            self.refused(altered, "checksum")
+        for name in ("light", "distance", "offset", "backs"):
+            field = read(path)
+            values = vtk_to_numpy(field.GetPointData().GetArray(name))
+            values.flat[-1] = 1 - (values.flat[-1] != 0)
+            write(field, altered)
+            self.refused(altered, "checksum")
+        field.GetFieldData().RemoveArray("checksum")  # as earlier versions wrote them
+        write(field, altered)
+        self.assertTrue(penumbra.load_bake(self.gi, altered).HasBake())
+
+    def test_damaged_and_foreign_files_are_refused(self):
+        path = self.bake("room.vti")
+        content, other = path.read_bytes(), self.folder / "other.vti"
+        other.write_bytes(content[:len(content) // 2])
+        self.refused(other)
+        other.write_bytes(b'<VTKFile type="Something">')
+        self.refused(other, "holds no baked light")
+        image = vtkImageData()
+        image.SetDimensions(2, 2, 2)
+        write(image, other)
+        self.refused(other, "no field of probes")
+        with self.assertRaises(FileNotFoundError):
+            penumbra.load_bake(self.gi, self.folder / "none.vti")
+
+
+if __name__ == "__main__":
+    unittest.main()
