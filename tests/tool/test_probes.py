@@ -3,10 +3,7 @@
 """penumbra bake probes: its files, its sentences, its life."""
 import json
 import math
-import os
 import pathlib
-import signal
-import subprocess
 import time
 import unittest
 
