@@ -130,6 +130,7 @@ class Radiosity(command.CommandTest):
         self.assertIn(b" left", said)
         self.assertEqual((self.folder / "solution.vtp").read_bytes(), before)
         self.assertFalse(list(self.folder.glob("*.part")))
+        (self.folder / "solution.vtp.baking").unlink()  # what it traced is for no other test
 
     def test_a_killed_bake_is_gone_on_with(self):
         """To the solution of one that was not killed, to the last byte; whatever was cut off or damaged is traced again."""
