@@ -372,10 +372,7 @@ private:
   const ErrorTable& Table;
   double Probes;
 };
-}
 
-namespace
-{
 /// The grids of a choice, each around its box but the first; those that are of no use are empty.
 std::vector<ProbeGrid> GridsOf(const Choice& choice, const std::vector<double>& shares,
   const ErrorTable& table, const std::array<double, 6>& bounds, int probes)

@@ -25,7 +25,8 @@ namespace
 constexpr int LargestSide = 16384; // of a texture that every OpenGL 4.3 has
 
 // How far behind the depth that VTK left a surface may be, which another program rounds otherwise: fractions of a pixel
-// on a slope, steps of the depth buffer. As in lightmap/surface.frag.
+// on a slope, steps of the depth buffer. About as far as lightmap/surface.frag allows, which goes by the sum of the slopes
+// along both axes: this is of the steeper one alone.
 constexpr GLfloat Pixels = 0.03f;
 constexpr GLfloat Digits = 4.0f;
 
