@@ -2,7 +2,8 @@
 //   0 albedo:   rgb diffuse reflectance, a coverage
 //   1 normal:   xy octahedral normal in view coordinates, z material / 65535
 //   2 ambient:  rgb radiance reflected from ambient light or surroundings; of a surface that is
-//               shown as drawn, its colour
+//               shown as drawn, its colour. a: where nothing is blended, 0: in frames in which
+//               no surface has any of this, the target starts resource::Irradiance
 // and, where the scene holds textures or PBR (GI_EXTENDED):
 //   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
@@ -26,5 +27,6 @@ const vec3 giDisplacement = vec3(0.0);
 #endif
 uniform int giMaterial;
 uniform int giBackMaterial;
+uniform float giAmbientAlpha;
 #include "lib/octahedral.glsl"
 #include "capture/coverage.glsl"

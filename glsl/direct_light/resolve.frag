@@ -1,7 +1,8 @@
 #version 430 core
 // The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
 // highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
-// GI_POSITIONAL (a positional light somewhere), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
+// GI_POSITIONAL (a positional light somewhere), GI_AMBIENT (some surface may have an ambient
+// term), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (and what highlights reflect of the environment
 // apart), GI_LAMP_LIGHT (of lamps that do not follow the camera, what matter reflects is known), GI_INTERREFLECTION (what hides a surface from ambient light reflects it too),
 // GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
@@ -67,7 +68,10 @@ void main()
     discard;
   }
   vec4 packedNormal = texelFetch(normalTexture, pixel, 0);
-  vec3 ambient = texelFetch(ambientTexture, pixel, 0).rgb;
+  vec3 ambient = vec3(0.0);
+#ifdef GI_AMBIENT
+  ambient = texelFetch(ambientTexture, pixel, 0).rgb;
+#endif
 #ifdef GI_COVERAGE
   // Blended over black, so multiplied by the coverage.
   albedo.rgb /= albedo.a;

@@ -5,6 +5,15 @@
 #include "Cases.h"
 #include "Picture.h"
 
+#include "vtkGILightmap.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkTriangleFilter.h>
+
 #include <cstdio>
 
 namespace penumbra_test
@@ -66,6 +75,31 @@ protected:
   }
 };
 
+// Baked light of every scene that knows nothing: its one triangle is out of sight.
+void AddEmptyMaps(Stage& stage, const std::vector<vtkSmartPointer<vtkGIPass>>& passes)
+{
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    vtkNew<vtkPlaneSource> far;
+    far->SetCenter(1e6, 1e6, 1e6);
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputConnection(far->GetOutputPort());
+    triangles->Update();
+    vtkObject* renderer = stage.Window->GetRenderers()->GetItemAsObject(static_cast<int>(i));
+    vtkNew<vtkStringArray> scene;
+    scene->SetName("scene");
+    scene->InsertNextValue(vtkGILightmap::DescribeScene(static_cast<vtkRenderer*>(renderer)));
+    triangles->GetOutput()->GetFieldData()->AddArray(scene);
+    vtkNew<vtkImageData> light;
+    light->SetDimensions(1, 1, 1);
+    light->AllocateScalars(VTK_FLOAT, 3);
+    light->GetPointData()->GetScalars()->Fill(1.0);
+    auto* map = vtkGILightmap::SafeDownCast(passes[i]->GetTechnique("lightmap"));
+    ASSERT_TRUE(map->SetBake(triangles->GetOutput(), light));
+    map->EnabledOn();
+  }
+}
+
 TEST_P(Parity, EqualsStock)
 {
   const ParityCase& row = GetParam();
@@ -87,6 +121,14 @@ TEST_P(Parity, EqualsStock)
   // A second frame, with the radiance kept: the same picture, and what was captured in it.
   const Picture again = Shoot(stage.Window);
   const double captured = CapturedShare(stage, passes);
+  // Indirect light of which nothing is known changes nothing, whatever it shares its target with.
+  AddEmptyMaps(stage, passes);
+  const Picture mapped = Shoot(stage.Window);
+  for (const auto& pass : passes)
+  {
+    EXPECT_STREQ("", pass->GetLastError());
+    EXPECT_EQ(std::string("") + pass->GetNotes(), "");
+  }
 
   const Difference found = Compare(stock, ours, 2);
   Table.push_back({ row.Name, found, captured });
@@ -94,6 +136,7 @@ TEST_P(Parity, EqualsStock)
   EXPECT_GE(found.Within, row.Share);
   EXPECT_GE(found.DepthWithin, row.Share);
   EXPECT_GE(Compare(ours, again, 1).Within, row.Share) << "the second frame differs";
+  EXPECT_GE(Compare(again, mapped, 1).Within, row.Share) << "empty maps change the picture";
   EXPECT_EQ(row.Captured, captured > 0.001) << "captured share: " << captured;
   if (HasFailure())
   {

@@ -114,6 +114,31 @@ TEST(FrameGraph, ModifiersRunByOrderBeforeReaders)
   EXPECT_TRUE(graph.Versions()[graph.Steps()[2].Outputs.at("color")].IsFinal);
 }
 
+TEST(FrameGraph, WhatIsDrawnOverKeepsItsTexture)
+{
+  FrameGraph graph;
+  graph.AddPass("present").Read("light").SideEffect();
+  graph.AddPass("sharpen").Modify("light", 20);
+  graph.AddPass("map").DrawOver("light", 10);
+  graph.AddPass("capture").Write("light", Small);
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "capture", "map", "sharpen", "present" }));
+  const auto& steps = graph.Steps();
+  const auto& versions = graph.Versions();
+  const int first = steps[0].Outputs.at("light");
+  const int second = steps[1].Outputs.at("light");
+  const int third = steps[2].Outputs.at("light");
+  EXPECT_EQ(steps[1].Inputs.at("light"), first);
+  EXPECT_EQ(versions[first].Over, FrameGraph::None);
+  EXPECT_EQ(versions[second].Over, first);
+  EXPECT_EQ(versions[third].Over, FrameGraph::None);
+  EXPECT_EQ(versions[first].Last, versions[second].First);
+
+  FrameGraph nothing;
+  nothing.AddPass("map").DrawOver("light", 0).SideEffect();
+  EXPECT_EQ(ErrorOf(nothing), "frame graph: the pass 'map' needs 'light', which no pass writes");
+}
+
 TEST(FrameGraph, KnowsHowLongEachVersionLives)
 {
   FrameGraph graph;

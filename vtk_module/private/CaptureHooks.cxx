@@ -181,6 +181,10 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
     program->SetUniform2i("giAnchor", &this->Anchor[0]);
     program->SetUniformi("giLayer", this->Layer);
   }
+  if (program->IsUniformUsed("giAmbientAlpha"))
+  {
+    program->SetUniformf("giAmbientAlpha", this->Materials->CoverInPart() ? 1.0f : 0.0f);
+  }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   if (actor && program->IsUniformUsed("giDeforms"))
   {

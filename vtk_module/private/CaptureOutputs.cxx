@@ -21,7 +21,7 @@ std::vector<const CaptureOutputs::Optional*> CaptureOutputs::Chosen() const
 
 std::vector<const char*> CaptureOutputs::Resources() const
 {
-  std::vector<const char*> resources = { resource::Albedo, resource::Normal, resource::Ambient };
+  std::vector<const char*> resources = { resource::Albedo, resource::Normal, this->Third };
   if (this->Extended)
   {
     resources.push_back(resource::Surface);

@@ -31,6 +31,8 @@ public:
   } };
 
   bool Extended = false; ///< textures or PBR
+  /// What the third target is. Shaders write the same, whatever it is.
+  const char* Third = resource::Ambient;
 
   void Request(const char* resource) { this->Requested.insert(resource); }
   bool Has(const char* resource) const { return this->Requested.count(resource) > 0; }

@@ -46,6 +46,7 @@ struct Resolve
     flag("GI_SPECULAR", this->Materials->HasSpecular());
     flag("GI_HEADLIGHT", this->Lights->IsSingleHeadlight());
     flag("GI_POSITIONAL", this->Lights->HasPositional());
+    flag("GI_AMBIENT", context.Input(resource::Ambient) != nullptr);
     flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
     flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
     flag("GI_IRRADIANCE", context.Input(resource::Irradiance) != nullptr);
@@ -144,7 +145,7 @@ void ContributeDirectLight(
     .Read(resource::WindowDepth)
     .Read(resource::Albedo)
     .Read(resource::Normal)
-    .Read(resource::Ambient)
+    .ReadIfPresent(resource::Ambient)
     .ReadIfPresent(resource::Surface)
     .ReadIfPresent(resource::Emission)
     .ReadIfPresent(resource::DirectVisibility)

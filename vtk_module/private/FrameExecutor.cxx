@@ -70,9 +70,14 @@ void FrameExecutor::Prepare(const FrameGraph::Step& step, int)
 {
   for (const auto& output : step.Outputs)
   {
-    if (!this->Find(output.second) && !this->IsWindow(output.second))
+    const auto& version = this->Graph->Versions()[output.second];
+    if (version.Over != FrameGraph::None)
     {
-      this->Lent[output.second] = this->Pool.Acquire(this->Graph->Versions()[output.second].Desc);
+      std::swap(this->Lent[output.second], this->Lent[version.Over]);
+    }
+    else if (!this->Find(output.second) && !this->IsWindow(output.second))
+    {
+      this->Lent[output.second] = this->Pool.Acquire(version.Desc);
     }
   }
 }
@@ -177,8 +182,7 @@ void FrameContext::BindTarget(const std::vector<const char*>& outputs, const cha
   this->BindTarget(colors, depthAttachment);
 }
 
-void FrameContext::BindTarget(
-  const std::vector<Attachment>& colors, const Attachment& depth) const
+void FrameContext::BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const
 {
   this->State()->vtkglBindFramebuffer(
     GL_FRAMEBUFFER, this->Executor->Pool.Framebuffer(colors, depth));

@@ -37,6 +37,12 @@ PassDeclaration& PassDeclaration::ModifyIfPresent(const std::string& resource, i
   return *this;
 }
 
+PassDeclaration& PassDeclaration::DrawOver(const std::string& resource, int order)
+{
+  this->Accesses.push_back({ resource, Kind::DrawOver, {}, order });
+  return *this;
+}
+
 PassDeclaration& PassDeclaration::SideEffect()
 {
   this->HasSideEffect = true;
@@ -57,7 +63,7 @@ PassDeclaration& FrameGraph::AddPass(const std::string& name)
 
 struct FrameGraph::Links
 {
-  std::vector<int> Maker; ///< by version
+  std::vector<int> Maker;                                  ///< by version
   std::vector<std::map<std::string, int>> Inputs, Outputs; ///< by pass
 };
 
@@ -83,7 +89,7 @@ FrameGraph::Links FrameGraph::Resolve()
     int Order;
     int Pass;
     std::string Resource;
-    bool Optional;
+    Kind How;
   };
   std::vector<Modifier> modifiers;
   const int count = static_cast<int>(this->Passes.size());
@@ -91,10 +97,10 @@ FrameGraph::Links FrameGraph::Resolve()
   {
     for (const auto& access : this->Passes[pass]->Accesses)
     {
-      if (access.How == Kind::Modify || access.How == Kind::ModifyIfPresent)
+      if (access.How == Kind::Modify || access.How == Kind::ModifyIfPresent ||
+        access.How == Kind::DrawOver)
       {
-        modifiers.push_back(
-          { access.Order, pass, access.Resource, access.How == Kind::ModifyIfPresent });
+        modifiers.push_back({ access.Order, pass, access.Resource, access.How });
       }
       if (access.How != Kind::Write)
       {
@@ -121,15 +127,17 @@ FrameGraph::Links FrameGraph::Resolve()
     const auto found = latest.find(modifier.Resource);
     if (found == latest.end())
     {
-      if (modifier.Optional)
+      if (modifier.How == Kind::ModifyIfPresent)
       {
         continue;
       }
       throw missing(modifier.Pass, modifier.Resource);
     }
     links.Inputs[modifier.Pass][modifier.Resource] = found->second;
-    const TextureDesc desc = this->Table[found->second].Desc;
+    const int before = found->second;
+    const TextureDesc desc = this->Table[before].Desc;
     addVersion(modifier.Resource, desc, modifier.Pass);
+    this->Table.back().Over = modifier.How == Kind::DrawOver ? before : None;
   }
   for (const auto& last : latest)
   {

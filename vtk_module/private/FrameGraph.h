@@ -25,6 +25,8 @@ class FrameContext;
 /// - Modify: reads one version and writes the next; modifiers run by rising order, all of them
 ///   before any reader. ModifyIfPresent does nothing where the resource has no writer, and the
 ///   pass is dropped with it.
+/// - DrawOver: as Modify, but the next version is drawn over the one before, in its texture, which
+///   the pass cannot read.
 class PassDeclaration
 {
 public:
@@ -37,6 +39,7 @@ public:
   PassDeclaration& Write(const std::string& resource, const TextureDesc& desc);
   PassDeclaration& Modify(const std::string& resource, int order);
   PassDeclaration& ModifyIfPresent(const std::string& resource, int order);
+  PassDeclaration& DrawOver(const std::string& resource, int order);
   /// The pass is needed although nobody reads what it writes.
   PassDeclaration& SideEffect();
   PassDeclaration& Execute(std::function<void(FrameContext&)> work);
@@ -49,7 +52,8 @@ private:
     ReadIfPresent,
     Write,
     Modify,
-    ModifyIfPresent
+    ModifyIfPresent,
+    DrawOver
   };
   struct Access
   {
@@ -77,6 +81,7 @@ public:
     int First = None;
     int Last = None;
     bool IsFinal = false; ///< no later version of the resource exists
+    int Over = None;      ///< the version in whose texture this one is drawn
   };
 
   /// A pass in order, with the versions that its names mean.

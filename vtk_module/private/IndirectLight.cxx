@@ -3,6 +3,7 @@
 #include "private/IndirectLight.h"
 
 #include "private/Frame.h"
+#include "private/SceneCapture.h"
 #include "private/ScopedState.h"
 
 #include <algorithm>
@@ -28,6 +29,18 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   const bool lamps = std::any_of(
     lights.begin(), lights.end(), [](const IndirectLight& light) { return light.KnowsLamps; });
   auto& pass = frame.AddPass("indirect-light");
+  // What the capture leaves needs neither a target of its own, nor clearing and reading that.
+  // Without lights VTK shows colours as they are.
+  const bool started =
+    !frame.Lights().Lights().empty() && frame.Capture().StartForAmbient(resource::Irradiance);
+  if (started)
+  {
+    pass.DrawOver(resource::Irradiance, 0);
+  }
+  else
+  {
+    pass.Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F));
+  }
   if (lamps)
   {
     pass.Write(resource::LampLight, frame.WindowTexture(GL_RGBA16F));
@@ -41,15 +54,14 @@ void ContributeIndirectLight(FrameBuilder& frame, std::vector<IndirectLight> lig
   }
   pass.Read(resource::Depth)
     .ReadIfPresent(resource::AmbientVisibility)
-    .Write(resource::Irradiance, frame.WindowTexture(GL_RGBA16F))
-    .Execute([lights = std::move(lights), lamps](FrameContext& context) {
+    .Execute([lights = std::move(lights), lamps, started](FrameContext& context) {
       const std::vector<const char*> irradiance = { resource::Irradiance };
       const std::vector<const char*> both = { resource::Irradiance, resource::LampLight };
       // Later passes draw to the framebuffer that was bound before.
       ScopedState outer(context.State());
       context.BindTarget(lamps ? both : irradiance, resource::Depth);
       constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
-      for (GLint target = 0; target < (lamps ? 2 : 1); ++target)
+      for (GLint target = started ? 1 : 0; target < (lamps ? 2 : 1); ++target)
       {
         glClearBufferfv(GL_COLOR, target, nothing);
       }

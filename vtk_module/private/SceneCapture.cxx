@@ -7,159 +7,24 @@
 #include "private/Frame.h"
 #include "private/Matrices.h"
 #include "private/MotionTable.h"
+#include "private/PropTraits.h"
 #include "private/ScopedState.h"
-#include "private/ShaderHooks.h"
 
 #include "vtkActor.h"
-#include "vtkAssembly.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
-#include "vtkMapper.h"
 #include "vtkOpenGLActor.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPropCollection.h"
-#include "vtkProp3DCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderWindow.h"
-#include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkTextureUnitManager.h"
 
 namespace penumbra
 {
-namespace
-{
-// Mappers that fill VTK's polydata shader template and call the hooks on every draw.
-constexpr std::array<const char*, 5> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
-  "vtkGlyph3DMapper", "vtkMoleculeMapper", "vtkCompositePolyDataMapper" } };
-// Among their subclasses, those that do not: splats have a template of their own, the low-memory
-// mapper never calls SetShaderParameters, and line integral convolution writes outputs of its own.
-constexpr std::array<const char*, 3> Unhooked = { { "vtkPointGaussianMapper",
-  "vtkOpenGLLowMemoryPolyDataMapper", "vtkSurfaceLICMapper" } };
-
-template <std::size_t N>
-bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
-{
-  return std::any_of(
-    classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
-}
-
-// Whether a user's own shader code says what the final colour is: there is no light to take apart.
-bool DecidesItsColor(vtkActor* actor)
-{
-  vtkShaderProperty* shader = actor->GetShaderProperty();
-  if (shader->HasFragmentShaderCode())
-  {
-    const std::string code = shader->GetFragmentShaderCode();
-    if (!Contains(code, "//VTK::Light::Impl") || !Contains(code, "//VTK::TCoord::Impl"))
-    {
-      return true;
-    }
-  }
-  for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
-  {
-    std::string tag;
-    std::string code;
-    bool first = false;
-    bool all = false;
-    shader->GetNthShaderReplacement(i, tag, first, code, all);
-    if (Contains(code, "gl_FragData") || Contains(code, "fragOutput"))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool NeedsExtended(vtkProp* prop)
-{
-  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
-  {
-    vtkProp3DCollection* parts = assembly->GetParts();
-    vtkCollectionSimpleIterator cookie;
-    parts->InitTraversal(cookie);
-    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
-    {
-      if (NeedsExtended(part))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor &&
-    (actor->GetTexture() || actor->GetProperty()->GetInterpolation() == VTK_PBR ||
-      actor->GetProperty()->GetNumberOfTextures() > 0);
-}
-}
-
-namespace
-{
-// The most that a property's highlight reflects of light from all around, facing the eye.
-double HighlightOf(vtkProperty* property)
-{
-  if (!property || !property->GetLighting())
-  {
-    return 0.0;
-  }
-  if (property->GetInterpolation() == VTK_PBR)
-  {
-    const bool metal = property->GetMetallic() > 0.0 || property->GetNumberOfTextures() > 0;
-    return metal || property->GetBaseIOR() > 1.0 ? 1.0 : 0.0;
-  }
-  const double* color = property->GetSpecularColor();
-  return 2.0 * property->GetSpecular() * std::max(color[0], std::max(color[1], color[2])) /
-    (property->GetSpecularPower() + 1.0);
-}
-
-bool ReflectsShare(vtkProp* prop, double share)
-{
-  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
-  {
-    vtkProp3DCollection* parts = assembly->GetParts();
-    vtkCollectionSimpleIterator cookie;
-    parts->InitTraversal(cookie);
-    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
-    {
-      if (ReflectsShare(part, share))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor &&
-    std::max(HighlightOf(actor->GetProperty()), HighlightOf(actor->GetBackfaceProperty())) >=
-    std::max(share, 1e-6);
-}
-
-// Whether a prop's opaque fragments may have an alpha below one: VTK looks at neither where the
-// actor is forced opaque, nor at the textures of its property.
-bool MayCoverInPart(vtkProp* prop)
-{
-  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
-  {
-    vtkProp3DCollection* parts = assembly->GetParts();
-    vtkCollectionSimpleIterator cookie;
-    parts->InitTraversal(cookie);
-    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
-    {
-      if (MayCoverInPart(part))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor && (actor->GetForceOpaque() || actor->GetProperty()->GetNumberOfTextures() > 0);
-}
-}
-
 SceneCapture::SceneCapture(const ShaderLibrary& shaders)
   : Hooks(vtkSmartPointer<vtkGICaptureHooks>::New())
 {
@@ -172,31 +37,6 @@ void SceneCapture::ReloadShaders()
 {
   this->Hooks->CheckSnippets();
   this->Hooks->Renew();
-}
-
-bool SceneCapture::CanCapture(vtkProp* prop)
-{
-  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
-  {
-    vtkProp3DCollection* parts = assembly->GetParts();
-    vtkCollectionSimpleIterator cookie;
-    parts->InitTraversal(cookie);
-    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
-    {
-      if (!CanCapture(part))
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  if (!actor || !actor->GetMapper() || actor->IsA("vtkSkybox"))
-  {
-    return false;
-  }
-  return IsAny(actor->GetMapper(), Hooked) && !IsAny(actor->GetMapper(), Unhooked) &&
-    !DecidesItsColor(actor);
 }
 
 void SceneCapture::Collect(const vtkRenderState* state)
@@ -228,6 +68,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
     }
   }
   this->Table.SetCoverInPart(part);
+  this->Environment = state->GetRenderer()->GetUseImageBasedLighting();
   this->Outputs = CaptureOutputs();
   this->Outputs.Extended = extended;
 }
@@ -236,6 +77,20 @@ bool SceneCapture::Reflects(double share) const
 {
   return std::any_of(this->Captured.begin(), this->Captured.end(),
     [share](vtkProp* prop) { return ReflectsShare(prop, share); });
+}
+
+bool SceneCapture::MayHaveAmbient() const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(),
+    [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->Environment); });
+}
+
+bool SceneCapture::StartForAmbient(const char* resource)
+{
+  // Blending would take its target's alpha for coverage.
+  const bool free = !this->Table.CoverInPart() && !this->MayHaveAmbient();
+  this->Outputs.Third = free ? resource : resource::Ambient;
+  return free;
 }
 
 bool SceneCapture::CastsInPart() const
@@ -270,13 +125,13 @@ void SceneCapture::Contribute(FrameBuilder& frame)
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as VTK's are.
-  const bool wide =
-    this->Outputs.Extended || (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
+  const bool wide = this->Outputs.Extended || this->Outputs.Third != resource::Ambient ||
+    (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
-    .Write(resource::Ambient, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
+    .Write(this->Outputs.Third, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
     .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
   if (this->Outputs.Extended)
   {

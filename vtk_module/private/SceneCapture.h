@@ -50,6 +50,10 @@ public:
   /// Whether the highlight of any prop in view reflects this share of the incoming light or more.
   bool Reflects(double share) const;
 
+  /// Where no prop in view has an ambient term, have its target start another resource: rgb and a of 0 where something
+  /// was captured, anything elsewhere. False where some may have one: nothing is changed.
+  bool StartForAmbient(const char* resource);
+
   /// Whether any caster may cover what lies behind it in part.
   bool CastsInPart() const;
 
@@ -69,10 +73,8 @@ public:
   bool IsExtended() const { return this->Outputs.Extended; }
   int CapturedProps() const { return this->Drawn; }
 
-  /// Whether a prop's mapper writes the G-buffer through the render pass hooks.
-  static bool CanCapture(vtkProp* prop);
-
 private:
+  bool MayHaveAmbient() const;
   void Draw(FrameContext& context);
   /// Draw the props' opaque geometry by the hooks, and the translucent where asked for.
   int DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props, bool translucent);
@@ -84,6 +86,7 @@ private:
   std::vector<vtkProp*> All;
   CaptureOutputs Outputs;
   MotionTable* Motion = nullptr; ///< of this frame's view, where anybody asks
+  bool Environment = false;      ///< images light physically based materials
   int Drawn = 0;
 };
 }
