@@ -10,9 +10,24 @@ void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
   vec4 sums[LIGHT_TEXELS];
   addProbesAround(P, vec3(0.0), V, reach, sums);
-  for (int side = 0; side < 6; ++side)
+  vec3 colors[GI_HARMONICS];
+  for (int k = 0; k < GI_HARMONICS; ++k)
   {
-    cube[side] = harmonicLight(sums, turn * GI_CUBE_SIDES[side]);
+    colors[k] = harmonicColor(sums, k);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // On opposite sides band 1 differs by its sign alone.
+    float y[GI_HARMONICS];
+    giHarmonics(turn * GI_CUBE_SIDES[2 * axis], y);
+    vec3 even = y[0] * colors[0];
+    for (int k = 4; k < GI_HARMONICS; ++k)
+    {
+      even += y[k] * colors[k];
+    }
+    vec3 odd = y[1] * colors[1] + y[2] * colors[2] + y[3] * colors[3];
+    cube[2 * axis] = lightScale * max(even + odd, vec3(0.0));
+    cube[2 * axis + 1] = lightScale * max(even - odd, vec3(0.0));
   }
 }
 #include "probes/forward.glsl"

@@ -18,6 +18,13 @@ void addProbe(int probe, float weight, inout vec4 sums[LIGHT_TEXELS])
   }
 }
 
+// The coefficient of a harmonic.
+vec3 harmonicColor(vec4 sums[LIGHT_TEXELS], int k)
+{
+  int at = 3 * k;
+  return vec3(sums[at / 4][at % 4], sums[(at + 1) / 4][(at + 1) % 4], sums[(at + 2) / 4][(at + 2) % 4]);
+}
+
 // In a direction. Few harmonics can fall a little below zero there.
 vec3 harmonicLight(vec4 sums[LIGHT_TEXELS], vec3 N)
 {
@@ -26,9 +33,7 @@ vec3 harmonicLight(vec4 sums[LIGHT_TEXELS], vec3 N)
   vec3 light = vec3(0.0);
   for (int k = 0; k < GI_HARMONICS; ++k)
   {
-    int at = 3 * k;
-    light += y[k] *
-      vec3(sums[at / 4][at % 4], sums[(at + 1) / 4][(at + 1) % 4], sums[(at + 2) / 4][(at + 2) % 4]);
+    light += y[k] * harmonicColor(sums, k);
   }
   return lightScale * max(light, vec3(0.0));
 }

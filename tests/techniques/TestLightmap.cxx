@@ -3,6 +3,7 @@
 /**
  * Baked light on surfaces: where it shows and where not, and that it never outlives its scene.
  */
+#include "Cost.h"
 #include "LightmapStage.h"
 
 #include <vtkAppendPolyData.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
 using namespace penumbra_test;
 
@@ -69,43 +69,23 @@ protected:
   {
     this->Map->SetEnabled(map);
     this->Scene.Renderer->GetActiveCamera()->Azimuth(0.01); // nothing is averaged
-    const std::clock_t start = std::clock();
-    this->Scene.Window->Render();
-    this->Scene.Window->WaitForCompletion();
-    return double(std::clock() - start) / CLOCKS_PER_SEC;
+    return SecondsOf([this] {
+      this->Scene.Window->Render();
+      this->Scene.Window->WaitForCompletion();
+    });
   }
 
-  // The least of what several runs measure, until one is within the limit.
   double LeastCost(double limit)
   {
-    constexpr int tries = 8, pairs = 12;
-    double least = 1e30;
-    for (int i = 0; i < tries && least > limit; ++i)
-    {
-      least = std::min(least, this->CostOfTheMap(pairs));
-    }
-    return least;
-  }
-
-  // The median of what frames take with the map, of what those before and after them take without.
-  double CostOfTheMap(int pairs)
-  {
-    this->TimeOf(true);
-    std::vector<double> ratios;
-    double before = this->TimeOf(false);
-    const double first = before;
-    for (int i = 0; i < pairs; ++i)
-    {
-      const double with = this->TimeOf(true);
-      const double after = this->TimeOf(false);
-      ratios.push_back(2.0 * with / (before + after));
-      before = after;
-    }
-    std::sort(ratios.begin(), ratios.end());
-    const double ratio = ratios[ratios.size() / 2];
-    std::printf("a frame of 1280 x 720: some %.0f ms of processor time, with the map times %.3f\n",
-      1e3 * first, ratio);
-    return ratio;
+    return LeastOf(8, limit, [this] {
+      this->TimeOf(true);
+      const double ratio = CostRatio(
+        12, [this] { return this->TimeOf(true); }, [this] { return this->TimeOf(false); });
+      std::printf(
+        "a frame of 1280 x 720, some %.0f ms of processor time: with the map times %.3f\n",
+        1e3 * this->TimeOf(false), ratio);
+      return ratio;
+    });
   }
 };
 }
@@ -381,8 +361,6 @@ TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
   EXPECT_NEAR(picture.Grey(13, 32), 0.3 * 255.0, 2.0);
 }
 
-// By processor time, all threads together, of frames that take turns, each beside its neighbours. What other programs do
-// to the caches meanwhile makes the map's part larger, never smaller: the best of some tries is nearest to the truth.
 // The least that a frame can be, one matte wall and a lamp: any other pays less for the map in comparison.
 TEST_F(LightmapCost, AFetchIsBoundedOnASingleWall)
 {
