@@ -86,14 +86,14 @@ void Print(const ProbeGrids& grids)
     const ProbeGrid& grid = grids.Get(i);
     const glm::dvec3 last = grid.Last();
     std::printf("%d x %d x %d probes, %.2f apart, from %.2f to %.2f, %.2f to %.2f, %.2f to %.2f\n",
-      grid.Counts.x, grid.Counts.y, grid.Counts.z, 4.0 * grid.Detail(), grid.First.x, last.x,
+      grid.Counts.x, grid.Counts.y, grid.Counts.z, grid.CellSize(), grid.First.x, last.x,
       grid.First.y, last.y, grid.First.z, last.z);
   }
 }
 
 double CellOf(const ProbeGrid& grid)
 {
-  return 4.0 * grid.Detail();
+  return grid.CellSize();
 }
 }
 

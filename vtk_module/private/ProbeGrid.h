@@ -20,12 +20,12 @@ struct ProbeGrid
   glm::ivec3 Wrap{ 0 };
 
   int Size() const { return this->Counts.x * this->Counts.y * this->Counts.z; }
-  /// Occlusion nearer than this, a quarter of a cell, is not in the light that probes know (measured, see
-  /// docs/indirect-light.md).
-  double Detail() const
+  double CellSize() const
   {
-    return 0.25 * glm::min(this->Spacing.x, glm::min(this->Spacing.y, this->Spacing.z));
+    return glm::min(this->Spacing.x, glm::min(this->Spacing.y, this->Spacing.z));
   }
+  /// Occlusion nearer than this is not in the light that probes know (measured, see docs/indirect-light.md).
+  double Detail() const { return 0.125 * this->CellSize(); }
   /// The place of a probe among the others, and back. Not for probes that Wrap moves in storage.
   glm::ivec3 Cell(int probe) const
   {
