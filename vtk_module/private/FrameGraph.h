@@ -26,7 +26,7 @@ class FrameContext;
 ///   before any reader. ModifyIfPresent does nothing where the resource has no writer, and the
 ///   pass is dropped with it.
 /// - DrawOver: as Modify, but the next version is drawn over the one before, in its texture, which
-///   the pass cannot read.
+///   the pass cannot read. Not for what may be VTK's own: the picture and its depth.
 class PassDeclaration
 {
 public:
