@@ -11,7 +11,10 @@
 #include "vtkGIProbeBaker.h"
 #include "vtkGISHProbes.h"
 
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkSphereSource.h>
+#include <vtkTriangleFilter.h>
 
 #include <cmath>
 #include <cstdio>
@@ -38,6 +41,30 @@ protected:
     vtkActor* actor = Paint(this->Scene.Add(ball), 0.8);
     actor->SetPosition(x, y, z);
     return actor;
+  }
+
+  /// Which way a surface's triangles are wound: as made, all the other way, or every second one.
+  enum class Winding
+  {
+    AsMade,
+    Reversed,
+    Mixed
+  };
+  static void Wind(vtkActor* actor, Winding winding)
+  {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputConnection(actor->GetMapper()->GetInputConnection(0, 0));
+    triangles->Update();
+    vtkPolyData* data = triangles->GetOutput();
+    for (vtkIdType i = 0; i < data->GetNumberOfCells() && winding != Winding::AsMade; ++i)
+    {
+      if (winding == Winding::Reversed || i % 2 == 1)
+      {
+        data->ReverseCell(i);
+      }
+    }
+    data->GetPointData()->SetNormals(nullptr);
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
   }
 
   void Bake(int probes, int samples, bool adaptive = false)

@@ -80,6 +80,33 @@ TEST_F(ProbesBaker, SixtyThousandProbesAreShown)
   EXPECT_LT(most, 0.012);
 }
 
+// Where a surface is near enough to go through. (Of what is wound the other way nobody knows that it is solid: its probes
+// stay in the dark, and are seen from nowhere. See SHProbes.WindingMakesNoDifference.)
+TEST_F(ProbesBaker, ProbesLeaveSolids)
+{
+  this->AddRoom();
+  this->Lamp->SetPosition(0.3, 0.2, 0.8);
+  this->Lamp->SetIntensity(0.7);
+  constexpr double low = -0.185, high = -0.05, side = 0.6;
+  this->Baker->SetProbes(512); // a third apart
+  const auto countWithin = [&] {
+    EXPECT_TRUE(this->Baker->Place(this->Scene.Renderer, this->Field))
+      << this->Baker->GetLastError();
+    const penumbra::ProbeField field = penumbra::ProbeField::FromImage(this->Field);
+    int within = 0;
+    for (const glm::dvec3& at : field.Positions(0, field.Grids.Size()))
+    {
+      within += std::abs(at.x) < side && std::abs(at.y) < side && at.z > low && at.z < high;
+    }
+    return within;
+  };
+  this->AddBox(-side, side, -side, side, low, high, Albedo);
+  this->Baker->RelocateOff();
+  EXPECT_GT(countWithin(), 8);
+  this->Baker->RelocateOn();
+  EXPECT_EQ(countWithin(), 0);
+}
+
 // What a probe meets is drawn anew for each, however many are looked from at once.
 TEST_F(ProbesBaker, ProbesAtOnePlaceDrawRaysOfTheirOwn)
 {

@@ -7,10 +7,10 @@
 
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
-#include <vtkReverseSense.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -127,34 +127,31 @@ TEST_F(SHProbes, AMovingBallIsLitAsThePathTracerLightsIt)
 }
 
 // A room is a box seen from inside, a block one seen from outside: which side is which says nothing of light.
-TEST_F(SHProbes, SurfacesTurnedInsideOutMakeNoDifference)
+TEST_F(SHProbes, WindingMakesNoDifference)
 {
   this->Lamp->SetPosition(0.4, -0.3, 0.8);
   this->Lamp->SetIntensity(0.7);
   this->LookFrom(0.9, 0.8, 0.8, -0.7, -0.6, -0.3);
   std::vector<double> means;
-  for (int turned = 0; turned < 4; ++turned)
+  const std::array<Winding, 2> windings[] = { { Winding::AsMade, Winding::AsMade },
+    { Winding::Reversed, Winding::AsMade }, { Winding::AsMade, Winding::Reversed },
+    { Winding::Reversed, Winding::Reversed }, { Winding::Mixed, Winding::Mixed } };
+  for (const auto& winding : windings)
   {
     vtkActor* parts[2] = { this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.6),
       this->AddBox(-0.9, -0.2, -0.9, -0.2, -1.0, 0.1, 0.6) };
     for (int i = 0; i < 2; ++i)
     {
-      if ((turned >> i & 1) != 0)
-      {
-        vtkNew<vtkReverseSense> reverse;
-        reverse->SetInputConnection(parts[i]->GetMapper()->GetInputConnection(0, 0));
-        reverse->ReverseCellsOn();
-        reverse->ReverseNormalsOn();
-        parts[i]->GetMapper()->SetInputConnection(reverse->GetOutputPort());
-      }
+      Wind(parts[i], winding[i]);
     }
     this->Bake(512, 1024);
     const double with = Mean(this->After(1));
     this->Probes->EnabledOff();
     means.push_back(with - Mean(this->After(1)));
     this->Probes->EnabledOn();
-    std::printf("room %s, block %s: indirect light %.4f\n", turned & 1 ? "turned" : "as it is",
-      turned & 2 ? "turned" : "as it is", means.back());
+    constexpr const char* names[] = { "as made", "reversed", "mixed" };
+    std::printf("room %s, block %s: indirect light %.4f\n", names[static_cast<int>(winding[0])],
+      names[static_cast<int>(winding[1])], means.back());
     for (vtkActor* part : parts)
     {
       this->Scene.Renderer->RemoveActor(part);
