@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What an update of DDGI's probes costs in a Cornell box whose lamp moves: by probes and rays, and by triangles, which a
 ball in the room is made of. Prints tables, and draws the second one. Exit code 1 where the default update takes longer
-than --limit."""
+than --limit, where a ray costs more or less the more there are, or where the cost grows faster than the logarithm of
+the triangles."""
 import argparse
 import math
 import os
@@ -26,6 +27,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer  # noqa: E402
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: E402,F401
 
 PROBES, RAYS = 1024, 128  # the defaults
+UNEVEN = 1.25  # how many times the least a ray's cost may be in another table's row: noise, and what updates cost beside rays
 WARM = 10  # updates before those that count: shaders compile, distances settle
 
 
@@ -102,15 +104,31 @@ def plot(points, path):
     Image.fromarray(penumbra.render(window)).save(path)
 
 
+def excesses(default, limit, rays, points):
+    """Sentences on what is more than it may be, of milliseconds of the default update and their limit or None, nanoseconds
+    a ray, and pairs of triangles and milliseconds."""
+    said = []
+    if limit and default > limit:
+        said.append(f"the default update takes {default:.1f} ms, more than {limit:g}")
+    if max(rays) > UNEVEN * min(rays):
+        said.append(f"a ray costs from {min(rays):.0f} to {max(rays):.0f} ns: not linear")
+    (few, least), (many, most) = points[0], points[-1]
+    if most / least > max(1.1, math.log(many) / math.log(few)):
+        said.append(f"{many / few:.0f} times the triangles cost {most / least:.2f} times as much: more than logarithmic growth")
+    return said
+
+
 def main():
     """Both tables."""
     args = options()
     started = time.monotonic()
+    each = []
     base = update_cost(args.updates)
     print(f"{'probes':>8} {'rays':>6} {'ms':>8} {'ns a ray':>9}")
     for probes, rays in ((512, 128), (1024, 64), (1024, 128), (2048, 128)):
         made, _, milliseconds = base if (probes, rays) == (PROBES, RAYS) else update_cost(args.updates, probes, rays)
-        print(f"{made:8d} {rays:6d} {milliseconds:8.1f} {1e6 * milliseconds / (made * rays):9.0f}", flush=True)
+        each.append(1e6 * milliseconds / (made * rays))
+        print(f"{made:8d} {rays:6d} {milliseconds:8.1f} {each[-1]:9.0f}", flush=True)
     print(f"\n{'triangles':>9} {'ms':>8}")
     points = []
     size = 1e4
@@ -123,7 +141,10 @@ def main():
         plot(points, args.plot)
     print(f"\n{time.monotonic() - started:.0f} s; the default update: {base[2]:.1f} ms"
           + (f" (at most {args.limit:g})" if args.limit else ""))
-    sys.exit(1 if args.limit and base[2] > args.limit else 0)
+    said = excesses(base[2], args.limit, each, points)
+    for sentence in said:
+        print(sentence)
+    sys.exit(1 if said else 0)
 
 
 if __name__ == "__main__":
