@@ -27,7 +27,8 @@ from vtkmodules.vtkRenderingCore import vtkRenderer  # noqa: E402
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: E402,F401
 
 PROBES, RAYS = 1024, 128  # the defaults
-UNEVEN = 1.25  # how many times the least a ray's cost may be in another table's row: noise, and what updates cost beside rays
+UNEVEN = 1.25  # how many times the least cost of a ray the greatest may be: noise, and what updates cost beside rays
+LEAST = 1e4  # triangles of the smallest ball
 WARM = 10  # updates before those that count: shaders compile, distances settle
 
 
@@ -38,7 +39,10 @@ def options():
     parser.add_argument("--most", type=float, default=4e6, help="triangles of the largest scene")
     parser.add_argument("--limit", type=float, help="milliseconds that the default update may take")
     parser.add_argument("--plot", metavar="FILE.png", help="draw the cost by triangles there")
-    return parser.parse_args()
+    args = parser.parse_args()
+    if args.most < LEAST:
+        parser.error(f"--most is at least {LEAST:g}")
+    return args
 
 
 def ball(triangles):
@@ -131,7 +135,7 @@ def main():
         print(f"{made:8d} {rays:6d} {milliseconds:8.1f} {each[-1]:9.0f}", flush=True)
     print(f"\n{'triangles':>9} {'ms':>8}")
     points = []
-    size = 1e4
+    size = LEAST
     while size <= 1.01 * args.most:
         _, triangles, milliseconds = update_cost(args.updates, triangles=size)
         points.append((triangles, milliseconds))

@@ -127,7 +127,7 @@ TEST_P(Parity, EqualsStock)
   for (const auto& pass : passes)
   {
     EXPECT_STREQ("", pass->GetLastError());
-    EXPECT_EQ(std::string("") + pass->GetNotes(), "");
+    EXPECT_STREQ("", pass->GetNotes());
   }
 
   const Difference found = Compare(stock, ours, 2);

@@ -11,6 +11,7 @@
 #include "vtkGIProbeBaker.h"
 #include "vtkGISHProbes.h"
 
+#include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkSphereSource.h>
@@ -43,7 +44,7 @@ protected:
     return actor;
   }
 
-  /// Which way a surface's triangles are wound: as made, all the other way, or every second one.
+  /// Which way a surface's triangles are wound: as made, all the other way with their normals, or every second one.
   enum class Winding
   {
     AsMade,
@@ -63,7 +64,13 @@ protected:
         data->ReverseCell(i);
       }
     }
-    data->GetPointData()->SetNormals(nullptr);
+    vtkDataArray* normals = data->GetPointData()->GetNormals();
+    for (vtkIdType i = 0;
+         normals && winding == Winding::Reversed && i < normals->GetNumberOfTuples(); ++i)
+    {
+      const double* normal = normals->GetTuple3(i);
+      normals->SetTuple3(i, -normal[0], -normal[1], -normal[2]);
+    }
     vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
   }
 

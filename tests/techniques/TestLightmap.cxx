@@ -10,6 +10,8 @@
 #include <vtkPlane.h>
 #include <vtkTriangleFilter.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -193,6 +195,28 @@ TEST_F(LightmapTechnique, WhatGlowsByItselfStaysBesideTheMap)
   this->Wall->GetProperty()->LightingOff();
   this->Bake();
   EXPECT_NEAR(this->At(0.2, 0.5), 0.5, 0.005) << "drawn as it is";
+}
+
+// By memory: of two frames that are alike but for a glow, the one without has a target less.
+TEST_F(LightmapTechnique, TheMapSharesATargetWhereNothingGlows)
+{
+  vtkActor* beside = this->AddWall(0.1, 0.5);
+  this->Bake();
+  this->Pass->CollectStatisticsOn();
+  const auto bytes = [this, beside](double ambient) {
+    beside->GetProperty()->SetAmbient(ambient);
+    this->Bake();
+    for (int i = 0; i < 40; ++i) // what is not used any more goes
+    {
+      this->Scene.Window->Render();
+    }
+    EXPECT_STREQ("", this->Pass->GetNotes());
+    return nlohmann::json::parse(this->Pass->GetStatistics())["bytes"].get<int>();
+  };
+  const int without = bytes(0.0);
+  constexpr int target = 64 * 64 * 8; // four half floats a pixel
+  EXPECT_EQ(bytes(0.1), without + target);
+  EXPECT_EQ(bytes(0.0), without);
 }
 
 TEST_F(LightmapTechnique, AMovedWallIsReportedAtOnce)

@@ -91,10 +91,6 @@ void Print(const ProbeGrids& grids)
   }
 }
 
-double CellOf(const ProbeGrid& grid)
-{
-  return grid.CellSize();
-}
 }
 
 TEST(AdaptiveGrids, ErrorsSpreadEvenlyNeedNoOthers)
@@ -113,7 +109,7 @@ TEST(AdaptiveGrids, ErrorsSpreadEvenlyNeedNoOthers)
 TEST(AdaptiveGrids, AFinerOneStandsAroundASmallRoom)
 {
   const Bounds room = { 30.0, 34.0, 5.0, 10.0, 0.0, 3.0 };
-  const double cell = CellOf(ProbeGrid::Around(Hall, 1000));
+  const double cell = ProbeGrid::Around(Hall, 1000).CellSize();
   for (const double noise : { 0.0, 0.001 })
   {
     const Errors errors = Errors().In(Hall, 0.2).In(room, 0.8).Shaken(noise);
@@ -123,8 +119,8 @@ TEST(AdaptiveGrids, AFinerOneStandsAroundASmallRoom)
     EXPECT_GT(grids.Size(), 700);
     const ProbeGrid& finest = grids.Get(grids.Count() - 1);
     Print(grids);
-    EXPECT_LT(CellOf(finest), 0.4 * cell);
-    EXPECT_LT(CellOf(grids.Get(0)), 2.0 * cell);
+    EXPECT_LT(finest.CellSize(), 0.4 * cell);
+    EXPECT_LT(grids.Get(0).CellSize(), 2.0 * cell);
     bool covered = false;
     for (int i = 1; i < grids.Count(); ++i)
     {
