@@ -3,9 +3,10 @@
 /**
  * Frame times of the pass beside stock VTK's on the same scene, drawn in turn in random order so
  * that the machine's moods meet all of them alike. What it does not measure: reading, surfacing,
- * first frames with their shader compilation, and read-back.
+ * first frames with their shader compilation, and read-back. Or updates of DDGI's probes.
  */
 #include "FrameScenes.h"
+#include "ProbeCost.h"
 #include "Report.h"
 
 #include "vtkHeadlessRenderWindow.h"
@@ -21,7 +22,7 @@
 
 namespace
 {
-struct Options
+struct FrameOptions
 {
   std::string Volume = "/usr/share/mricron/templates/ch2.nii.gz";
   double Isovalue = 10.0; // the skin, and little of what lies inside
@@ -32,7 +33,7 @@ struct Options
   int Height = 720;
 };
 
-void Declare(CLI::App& app, Options& options)
+void Declare(CLI::App& app, FrameOptions& options)
 {
   app.description(
     "Times frames of the pass and of stock VTK on the surface of a volume, and prints medians and "
@@ -49,7 +50,27 @@ void Declare(CLI::App& app, Options& options)
   app.add_option("--height", options.Height, "pixels")->check(CLI::Range(16, 16384));
 }
 
-bool Run(const Options& options)
+CLI::App* Declare(CLI::App& app, bench::ProbeCostOptions& options)
+{
+  CLI::App* ddgi = app.add_subcommand("ddgi",
+    "Times updates of DDGI's probes instead, in a Cornell box whose lamp moves: by probes and "
+    "rays, and by triangles. "
+    "Exit code 1 where the default update takes longer than --limit, where rays of different "
+    "numbers cost unlike "
+    "amounts, or where the cost grows faster than the logarithm of the triangles.");
+  ddgi->add_option("--updates", options.Updates, "that are timed in each scene")
+    ->check(CLI::Range(1, 10000))
+    ->capture_default_str();
+  ddgi->add_option("--most", options.Most, "triangles of the largest scene")
+    ->check(CLI::Range(bench::LeastTriangles, 1e8))
+    ->capture_default_str();
+  ddgi->add_option("--limit", options.Limit, "milliseconds that the default update may take")
+    ->check(CLI::PositiveNumber);
+  ddgi->add_option("--plot", options.Plot, "draw the cost by triangles to this PNG file");
+  return ddgi;
+}
+
+bool Run(const FrameOptions& options)
 {
   const auto head = bench::ReadHead(options.Volume, options.Isovalue);
   std::vector<std::unique_ptr<bench::Stage>> stages;
@@ -102,13 +123,15 @@ bool Run(const Options& options)
 
 int main(int argc, char* argv[])
 {
-  Options options;
+  FrameOptions frames;
+  bench::ProbeCostOptions probes;
   CLI::App app;
-  Declare(app, options);
+  Declare(app, frames);
+  const CLI::App* ddgi = Declare(app, probes);
   CLI11_PARSE(app, argc, argv);
   try
   {
-    return Run(options) ? 0 : 1;
+    return (ddgi->parsed() ? bench::ReportProbeCost(probes) : Run(frames)) ? 0 : 1;
   }
   catch (const std::exception& error)
   {

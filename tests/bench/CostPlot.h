@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bench
+{
+struct CostPoint
+{
+  double Triangles;
+  double Milliseconds;
+};
+
+/// Draw milliseconds over the logarithm of triangles to a PNG file. Throws std::runtime_error where it cannot be written.
+void PlotCost(const std::vector<CostPoint>& points, const std::string& file);
+}

@@ -1,0 +1,37 @@
+# The bundle's programs take every library but glibc and the driver's own from the bundle, and run.
+file(REMOVE_RECURSE "${WORK}")
+execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --component bundle --prefix "${WORK}" --strip
+  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+file(GLOB _programs "${WORK}/bin/*")
+list(LENGTH _programs _count)
+if(_count LESS 10)
+  message(FATAL_ERROR "only ${_count} programs are in the bundle")
+endif()
+file(GLOB _here "${WORK}/lib/libvtkRenderingGI*")
+file(GLOB _elsewhere "${WORK}/fallback/libvtk*")
+if(NOT _here OR _elsewhere)
+  message(FATAL_ERROR "libraries of the project and of VTK belong to lib/: ${_here}, ${_elsewhere}")
+endif()
+foreach(_program IN LISTS _programs)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${WORK}/lib:${WORK}/fallback" ldd "${_program}"
+    OUTPUT_VARIABLE _libraries COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" _libraries "${_libraries}")
+  list(FILTER _libraries EXCLUDE REGEX "${WORK}/(lib|fallback)/|ld-linux|linux-vdso|lib(c|dl|m|pthread|resolv|rt)\\.so|^$")
+  if(_libraries)
+    message(FATAL_ERROR "${_program} needs what is not in the bundle: ${_libraries}")
+  endif()
+endforeach()
+
+function(expect_run result expression)
+  execute_process(COMMAND "${WORK}/run" ${ARGN}
+    RESULT_VARIABLE _result OUTPUT_VARIABLE _output ERROR_VARIABLE _output)
+  if(NOT _result EQUAL result OR NOT _output MATCHES "${expression}")
+    message(FATAL_ERROR "run ${ARGN} ended with ${_result}:\n${_output}")
+  endif()
+endfunction()
+expect_run(2 "penumbra_bench.*penumbra_gpu_tests")
+expect_run(2 "of the programs" no_such_program)
+expect_run(0 "PASSED" penumbra_gpu_tests "--gtest_filter=GeometryLib*")
+expect_run(1 "cannot be read" penumbra_bench --volume no_such_file.nii)
+file(REMOVE_RECURSE "${WORK}")
