@@ -34,9 +34,10 @@ public:
    * Take a baked map, or none (nullptr). surfaces: triangles in world coordinates, counter-clockwise from the
    * side that the light is for, with normals and texture coordinates (0 to 1, rows of the picture from the first
    * on) at points, and a field array of strings "scene" with DescribeScene() of what was baked. light: a float
-   * image of 3 components, irradiance divided by pi, or of 12, followed by the means over the hemisphere of
-   * radiance times x, y and z of its direction in the world, each in red, green and blue. As many components may
-   * follow with the same of the light that arrives straight from the lamps: matter there is not lit by these again,
+   * image of 3 components, irradiance divided by pi, or of 12, followed by first moments for normals that pictures
+   * bend: the means over the hemisphere of radiance times x, y and z of its direction in the world, each in red,
+   * green and blue. Along the surface's normal they may be less, by a quarter of the radiance near the horizon,
+   * which a normal keeps as it turns: the baker's are. As many components may follow with the same of the light that arrives straight from the lamps: matter there is not lit by these again,
    * but by lamps that follow the camera. Both are copied. Returns false, with an error that says why, and keeps the
    * former map where they are not so.
    */

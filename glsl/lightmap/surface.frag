@@ -38,10 +38,28 @@ vec3 layer(int number)
 }
 
 #ifdef GI_LIGHTMAP_DIRECTIONAL
-// By how much more light along the bent normal than along the baked one, by first moments.
-vec3 turned(vec3 bent, int first)
+// The first moments along a vector.
+vec3 along(vec3 direction, int first)
 {
-  return bent.x * layer(first + 1) + bent.y * layer(first + 2) + bent.z * layer(first + 3);
+  return direction.x * layer(first + 1) + direction.y * layer(first + 2) + direction.z * layer(first + 3);
+}
+
+// What a normal meets more than the baked one. To first order that is twice the moments along its turn, as what sinks below
+// the horizon had no share in the baked light. To second order the cosine takes from it, and light near the horizon on the
+// side that rises gives back, which the moment along the baked normal knows: no more than if there were no such light.
+vec3 gained(vec3 now, vec3 baked, vec3 light, int first)
+{
+  float cosine = dot(now, baked);
+  vec3 lost = 2.0 * clamp(along(baked, first), vec3(0.0), 0.5 * light);
+  return 2.0 * along(now - cosine * baked, first) - (1.0 - cosine) * lost;
+}
+
+// Light with what it gains. It never falls below 0: between a straight line, as a point's light falls, and a parabola, as that of
+// half the sky does.
+vec3 turned(vec3 light, vec3 gain)
+{
+  vec3 kept = max(light + min(gain, 0.0) / 1.5, 0.0);
+  return kept * sqrt(kept / max(light, 1e-9)) + max(gain, 0.0);
 }
 #endif
 
@@ -61,14 +79,12 @@ void main()
   vec3 lamps = layer(LAYERS);
 #endif
 #ifdef GI_LIGHTMAP_DIRECTIONAL
+  vec3 baked = normalize(normalWC);
   vec3 now = viewToWorld * giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  vec3 bent = now - normalize(normalWC);
-  // Of irradiance in spherical harmonics, bands 0 and 1 differ between two normals by the mean of radiance times
-  // its direction (Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps).
-  light = max(light + turned(bent, 0), vec3(0.0));
+  light = turned(light, gained(now, baked, light, 0));
 #ifdef GI_LIGHTMAP_LAMPS
-  // A lamp's grows with the cosine: by twice the mean, as long as the lamp is above the surface.
-  lamps = max(lamps + 2.0 * turned(bent, LAYERS), vec3(0.0));
+  // A lamp's light falls with the cosine until it is gone.
+  lamps = max(lamps + gained(now, baked, lamps, LAYERS), vec3(0.0));
 #endif
 #endif
   irradiance = vec4(intensity * light, 1.0);

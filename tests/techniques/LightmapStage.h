@@ -172,8 +172,8 @@ protected:
   }
   std::string Notes() { return this->Pass->GetNotes(); }
 
-  // The wall with normals that lean to x by 30 degrees.
-  void LeanNormals()
+  // The wall with normals that lean to x, by an angle of this sine.
+  void LeanNormals(double sine)
   {
     vtkNew<vtkPlaneSource> source;
     source->SetOrigin(-2.0, -2.0, 0.0);
@@ -186,7 +186,7 @@ protected:
     normals->SetNumberOfComponents(3);
     for (int i = 0; i < 4; ++i)
     {
-      normals->InsertNextTuple3(0.5, 0.0, std::sqrt(0.75));
+      normals->InsertNextTuple3(sine, 0.0, std::sqrt(1.0 - sine * sine));
     }
     leaning->GetPointData()->SetNormals(normals);
     vtkPolyDataMapper::SafeDownCast(this->Wall->GetMapper())->SetInputData(leaning);

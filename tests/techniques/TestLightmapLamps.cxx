@@ -141,10 +141,15 @@ TEST_F(LightmapLamps, DirectionalMapsFollowBentNormals)
   this->Bake(24);
   EXPECT_NEAR(this->At(0.2, 0.5), Indirect + Baked, 0.002)
     << "as baked where the normal is as baked";
-  this->LeanNormals();
+  const double gain = 2.0 * 0.1 * 0.5; // twice the moment along the turn
+  this->LeanNormals(0.5);
   this->Bake(24);
-  // A lamp's light changes by twice its moment, other light by its moment.
-  EXPECT_NEAR(this->At(0.2, 0.5), Half * (0.6 + 0.1 * 0.5 + 0.5 + 2.0 * 0.1 * 0.5), 0.002);
+  EXPECT_NEAR(this->At(0.2, 0.5), Half * (0.6 + gain + 0.5 + gain), 0.002);
+  this->LeanNormals(-0.5);
+  this->Bake(24);
+  EXPECT_NEAR(this->At(0.2, 0.5),
+    Half * (0.6 * std::pow(1.0 - gain / (1.5 * 0.6), 1.5) + 0.5 - gain), 0.002)
+    << "a lamp's light falls with the cosine";
 }
 
 TEST_F(LightmapLamps, AMultisampledWindowShowsThem)

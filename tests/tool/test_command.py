@@ -46,6 +46,25 @@ class Rendered(command.CommandTest):
             self.assertTrue(least <= measured["maximum"] <= most, measured)
             self.assertEqual(measured["non-finite-pixels"], 0)
 
+    def test_pictures_of_normals(self):
+        """Faces of any number of corners show them; what has no texture coordinates is told."""
+        Image.new("RGB", (4, 4), (128, 128, 255)).save(self.folder / "even.png")
+        matter = {"shading": "pbr", "roughness": 1, "ior": 1}
+        quad = {"mesh": {"points": [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], "polygons": [[0, 1, 2, 3]],
+                         "texture-coordinates": [[0, 0], [1, 0], [1, 1], [0, 1]]}}
+        pentagon = {"mesh": {"points": [[-1, -1, 0], [1, -1, 0], [1, 0.5, 0], [0, 1, 0], [-1, 0.5, 0]],
+                             "polygons": [[0, 1, 2, 3, 4]],
+                             "texture-coordinates": [[0, 0], [1, 0], [1, 0.7], [0.5, 1], [0, 0.7]]}}
+        ball = {"sphere": {}, "name": "ball"}
+        for shape, notes in ((quad, ()), (pentagon, ()), ({"plane": {}}, ()), ({"box": {}}, ()),
+                             (ball, ("'ball' has no texture coordinates",))):
+            for name, material in (("plain", matter), ("even", {**matter, "normal-texture": "even.png"})):
+                scene = self.scene({"objects": [{**shape, "material": material}], "lights": [{"type": "head"}],
+                                    "background": [0, 0, 0]})
+                self.succeeds("render", scene, *command.TINY, "--preset", "off", "-o", f"{name}.exr",
+                              notes=notes if name == "even" else ())
+            self.assertLess(self.compare("even.exr", "plain.exr")["maximum"], 0.02, shape)
+
     def test_stats(self):
         stats = json.loads(self.render("out.png", "--stats").stdout)
         self.assertEqual(stats["size"], [64, 48])

@@ -3,6 +3,7 @@
 """penumbra bake lightmap: against known light and the path tracer, its files, its life."""
 import copy
 import json
+import math
 import pathlib
 import time
 import unittest
@@ -20,6 +21,31 @@ def room(reflectance, emission):
                          "material": {"color": [reflectance] * 3, "shading": "flat", "emission": [emission] * 3}}],
             "lights": [OFF], "background": [0, 0, 0],
             "camera": {"position": [0.7, 0.6, 0.8], "focal": [-0.5, -0.6, -0.3], "up": [0, 0, 1], "angle": 75}}
+
+
+def write_ripples(path, slope=0.5, waves=4, width=64):
+    """A picture of normals that lean along both axes, by arctan(slope) at most."""
+    wave = [slope * math.sin(2 * math.pi * waves * (i + 0.5) / width) for i in range(width)]
+    pixels = bytearray()
+    for y in wave:
+        for x in wave:
+            length = math.sqrt(x * x + y * y + 1)
+            pixels += bytes(round(255 * (0.5 + 0.5 * part / length)) for part in (x, y, 1))
+    path.write_bytes(b"P6 %d %d 255\n" % (width, width) + pixels)
+
+
+def rippled_corner():
+    """A floor and a wall whose normals a picture bends, beside a wall that glows."""
+    rippled = {"color": [0.7, 0.7, 0.7], "shading": "pbr", "roughness": 1, "ior": 1, "normal-texture": "ripples.ppm"}
+    glowing = {"color": [0.1, 0.1, 0.1], "shading": "flat", "emission": [0.9, 0.5, 0.3]}
+    walls = [([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1]], rippled),
+             ([[-1, 1, -1], [1, 1, -1], [1, 1, 1], [-1, 1, 1]], rippled),
+             ([[-1, -1, -1], [-1, 1, -1], [-1, 1, 1], [-1, -1, 1]], glowing)]
+    return {"objects": [{"mesh": {"points": points, "polygons": [[0, 1, 2, 3]],
+                                  "texture-coordinates": [[0, 0], [1, 0], [1, 1], [0, 1]]}, "material": material}
+                        for points, material in walls],
+            "background": [0, 0, 0], "lights": [OFF],
+            "camera": {"position": [0.4, -4, 1.3], "focal": [0, 0, -0.1], "up": [0, 0, 1], "angle": 35}}
 
 
 def lamp_room():
@@ -207,6 +233,24 @@ class Lightmap(command.LightmapTest):
         self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "plain.exr")
         difference = self.compare("with.exr", "plain.exr")["maximum"]
         self.assertLess(difference, 0.01 * 0.4, "normals are as baked, other directions are sampled")
+
+    def test_normals_that_a_picture_bends(self):
+        """Against the path tracer, with moments and without."""
+        write_ripples(self.folder / "ripples.ppm")
+        scene = self.scene(rippled_corner())
+        size = ("--size", "64x64")
+        self.succeeds("render", scene, "--preset", "reference", "--spp", 512, *size, "-o", "traced.exr")
+        errors = {}
+        for name, options in (("plain", ()), ("directional", ("--directional",))):
+            self.bake(scene, "--texel-size", 0.1, "--samples", 256, *options, "--anew")
+            self.succeeds("render", scene, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.exr", *size, "-o",
+                          "lit.exr")
+            compared = self.compare("lit.exr", "traced.exr", "--mask-above", 0.4)
+            errors[name] = compared["relmse"]
+            print(f"\nbent normals, {name} map: relMSE {compared['relmse']:.5f}, signed mean "
+                  f"{compared['signed-mean']:+.5f}")
+        self.assertGreater(errors["plain"], 0.03, "else there is nothing to gain")
+        self.assertLess(errors["directional"], 0.002)
 
     def test_what_is_refused(self):
         scene = self.scene(lamp_room())

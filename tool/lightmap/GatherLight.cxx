@@ -25,6 +25,22 @@ void Fill(vtkDoubleArray* array, const std::vector<Vec3>& values)
     array->SetTypedTuple(static_cast<vtkIdType>(i), &values[i][0]);
   }
 }
+
+// Of light that comes alike from everywhere above a surface, a normal that turns away loses half of what it would lose if
+// all came from straight above: it keeps what lies near the horizon on the side that it turns to. How much lies there is
+// told by irradiance and the mean of radiance, as if radiance were linear in the cosine. The moment along the normal, which
+// is half of irradiance divided by pi and so would tell nothing new, has that part less.
+void SpareHorizon(float* values, const float* meanRadiance, const Vec3& normal)
+{
+  for (int color = 0; color < 3; ++color)
+  {
+    const float horizon = 4.0f * meanRadiance[color] - 3.0f * values[color];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      values[3 + 3 * axis + color] -= 0.25f * horizon * static_cast<float>(normal[axis]);
+    }
+  }
+}
 }
 
 GatherLight::GatherLight(vtkRenderer* renderer, int bounces, bool directional)
@@ -42,6 +58,7 @@ GatherLight::~GatherLight()
 
 void GatherLight::Count(bool indirect, bool lamps)
 {
+  this->Indirect = indirect;
   this->Gatherer->SetIncludeIndirect(indirect);
   this->Gatherer->SetIncludeLamps(lamps);
 }
@@ -70,7 +87,8 @@ void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<
   const auto channels = static_cast<std::size_t>(this->Channels());
   this->Light.resize(points.size() * channels);
   this->Backs.resize(points.size());
-  constexpr int meanRadiance = 3; // values that are of no use here, between irradiance and moments
+  constexpr int meanRadiance = 3; // values between irradiance and moments
+  const int components = light->GetNumberOfComponents();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const auto tuple = static_cast<vtkIdType>(i);
@@ -79,6 +97,11 @@ void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<
       const int from = static_cast<int>(c) + (c < 3 ? 0 : meanRadiance);
       const float value = light->GetTypedComponent(tuple, from);
       this->Light[i * channels + c] = std::isfinite(value) ? value : 0.0f;
+    }
+    if (this->Directional && this->Indirect)
+    {
+      SpareHorizon(&this->Light[i * channels], light->GetPointer(tuple * components) + meanRadiance,
+        normals[i]);
     }
     this->Backs[i] = around->GetTypedComponent(tuple, 0);
   }

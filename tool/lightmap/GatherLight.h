@@ -38,6 +38,7 @@ public:
 private:
   vtkRenderer* Renderer;
   bool Directional;
+  bool Indirect = true; // counts
   vtkNew<vtkGILightGatherer> Gatherer;
 };
 }

@@ -10,6 +10,7 @@
 #include <vtkPolyDataTangents.h>
 #include <vtkProperty.h>
 #include <vtkTexture.h>
+#include <vtkTriangleFilter.h>
 
 namespace penumbra::tool
 {
@@ -18,6 +19,18 @@ namespace
 bool Emits(const Material& material)
 {
   return material.Emission != Vec3{ 0, 0, 0 } || !material.EmissionTexture.empty();
+}
+
+// For the points of faces of any number of corners: vtkPolyDataTangents knows triangles alone, and leaves the points of
+// others without, which makes them black.
+vtkSmartPointer<vtkDataArray> MakeTangents(vtkPolyData* geometry)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(geometry);
+  vtkNew<vtkPolyDataTangents> tangents;
+  tangents->SetInputConnection(triangles->GetOutputPort());
+  tangents->Update();
+  return tangents->GetOutput()->GetPointData()->GetTangents();
 }
 
 void ApplyShading(const Material& material, vtkProperty* property)
@@ -129,27 +142,30 @@ Material DefaultMaterial(std::size_t index, bool underEnvironment)
   return material;
 }
 
+bool ShowsPictures(const Material& material)
+{
+  return !(material.Texture.empty() && material.NormalTexture.empty() &&
+    material.OrmTexture.empty() && material.EmissionTexture.empty());
+}
+
 vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* geometry)
 {
-  vtkSmartPointer<vtkPolyData> prepared = geometry;
-  const bool textured = geometry->GetPointData()->GetTCoords() != nullptr;
-  if (!textured && Emits(material) && material.Model == Shading::Pbr)
+  vtkPointData* known = geometry->GetPointData();
+  auto prepared = vtkSmartPointer<vtkPolyData>::New();
+  prepared->ShallowCopy(geometry);
+  if (!known->GetTCoords() && Emits(material) && material.Model == Shading::Pbr)
   {
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetName("texture coordinates");
     coordinates->SetNumberOfComponents(2);
     coordinates->SetNumberOfTuples(geometry->GetNumberOfPoints());
     coordinates->Fill(0.5);
-    prepared = vtkSmartPointer<vtkPolyData>::New();
-    prepared->ShallowCopy(geometry);
     prepared->GetPointData()->SetTCoords(coordinates);
   }
-  if (textured && !material.NormalTexture.empty() && !geometry->GetPointData()->GetTangents())
+  if (!material.NormalTexture.empty() && known->GetTCoords() && known->GetNormals() &&
+    !known->GetTangents())
   {
-    vtkNew<vtkPolyDataTangents> tangents;
-    tangents->SetInputData(prepared);
-    tangents->Update();
-    prepared = tangents->GetOutput();
+    prepared->GetPointData()->SetTangents(MakeTangents(geometry));
   }
   return prepared;
 }

@@ -15,7 +15,10 @@ namespace penumbra::tool
 /// A pleasing material for the index-th surface of a scene: each of the first few has its own colour.
 Material DefaultMaterial(std::size_t index, bool underEnvironment);
 
-/// The geometry with what the material needs (tangents for normal maps, texture coordinates for
+/// Whether the material wants texture coordinates.
+bool ShowsPictures(const Material& material);
+
+/// A shallow copy of the geometry with what the material needs (tangents for normal maps, texture coordinates for
 /// emission without a picture).
 vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* geometry);
 

@@ -8,6 +8,7 @@
 #include "Formats.h"
 #include "Materials.h"
 #include "Molecules.h"
+#include "Reporter.h"
 #include "Shapes.h"
 
 #include <vtkCellArray.h>
@@ -19,7 +20,10 @@
 #include <vtkProperty.h>
 #include <vtkTubeFilter.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <utility>
 
 namespace penumbra::tool
 {
@@ -107,12 +111,13 @@ vtkSmartPointer<vtkPolyData> AsBalls(vtkPolyData* points, const Object& object, 
 class Maker
 {
 public:
-  Maker(
-    const Object& object, bool underEnvironment, std::size_t& paletteIndex, FramedPoints& points)
+  Maker(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
+    FramedPoints& points, Reporter& reporter)
     : Described(object)
     , UnderEnvironment(underEnvironment)
     , PaletteIndex(paletteIndex)
     , Points(points)
+    , Told(reporter)
   {
   }
 
@@ -138,7 +143,7 @@ public:
       {
         geometry = AsTubes(geometry, this->Described);
       }
-      geometry = PrepareFor(material, geometry);
+      geometry = this->Prepared(material, geometry);
       vtkSmartPointer<vtkPolyDataMapper> mapper = ballRadius > 0
         ? vtkSmartPointer<vtkPolyDataMapper>(MakeBallMapper(geometry, "ball radius"))
         : vtkSmartPointer<vtkPolyDataMapper>::New();
@@ -193,6 +198,11 @@ public:
         continue;
       }
       vtkSmartPointer<vtkPolyData> geometry = DropNonFinite(given, dropped);
+      if (geometry->GetNumberOfCells() > 0 && this->Described.Look)
+      {
+        geometry = this->Prepared(*this->Described.Look, geometry);
+        ApplyMaterial(*this->Described.Look, actor);
+      }
       if (geometry != given)
       {
         mapper->SetInputData(geometry);
@@ -200,10 +210,6 @@ public:
       if (geometry->GetNumberOfCells() == 0)
       {
         continue;
-      }
-      if (this->Described.Look)
-      {
-        ApplyMaterial(*this->Described.Look, actor);
       }
       this->Made.Triangles += CountTriangles(geometry);
       this->Finish(actor, geometry, 0);
@@ -222,6 +228,18 @@ private:
       material.Opacity = opacities[std::min(part, opacities.size() - 1)];
     }
     return material;
+  }
+
+  vtkSmartPointer<vtkPolyData> Prepared(const Material& material, vtkPolyData* geometry)
+  {
+    if (ShowsPictures(material) && !geometry->GetPointData()->GetTCoords() &&
+      !std::exchange(this->ToldOfPictures, true))
+    {
+      this->Told.Note(
+        fmt::format("{} has no texture coordinates: the pictures of its material are not shown",
+          Describe(this->Described)));
+    }
+    return PrepareFor(material, geometry);
   }
 
   /// Bytes of three or four components are colours; other arrays colour nothing unless asked to.
@@ -254,6 +272,8 @@ private:
   bool UnderEnvironment;
   std::size_t& PaletteIndex;
   FramedPoints& Points;
+  Reporter& Told;
+  bool ToldOfPictures = false;
 };
 
 /// Terrain that is not told how to be coloured shows its elevation.
@@ -278,7 +298,7 @@ ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t
   FramedPoints& points, const TriangleBudget& budget, Reporter& reporter)
 {
   const Loaded loaded = Obtain(object, reporter);
-  Maker maker(object, underEnvironment, paletteIndex, points);
+  Maker maker(object, underEnvironment, paletteIndex, points, reporter);
   if (auto* molecule = vtkMolecule::SafeDownCast(loaded.Data))
   {
     if (molecule->GetNumberOfAtoms() == 0)

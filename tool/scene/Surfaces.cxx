@@ -5,6 +5,7 @@
 #include "CleanGeometry.h"
 #include "Failure.h"
 #include "Isosurfaces.h"
+#include "Materials.h"
 #include "TerrainSurface.h"
 
 #include <vtkCellArray.h>
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkPolyData> InWorld(vtkPolyData* geometry, vtkMatrix4x4* matrix
 /// to place, texture coordinates are not needed.
 vtkSmartPointer<vtkPolyData> Joined(vtkPolyData* geometry, const Object& object, Step& step)
 {
-  if (geometry->GetPointData()->GetNormals() || (object.Look && !object.Look->Texture.empty()))
+  if (geometry->GetPointData()->GetNormals() || (object.Look && ShowsPictures(*object.Look)))
   {
     return geometry;
   }
