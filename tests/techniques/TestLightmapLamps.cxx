@@ -147,8 +147,8 @@ TEST_F(LightmapLamps, DirectionalMapsFollowBentNormals)
   EXPECT_NEAR(this->At(0.2, 0.5), Half * (0.6 + gain + 0.5 + gain), 0.002);
   this->LeanNormals(-0.5);
   this->Bake(24);
-  EXPECT_NEAR(this->At(0.2, 0.5),
-    Half * (0.6 * std::pow(1.0 - gain / (1.5 * 0.6), 1.5) + 0.5 - gain), 0.002)
+  EXPECT_NEAR(
+    this->At(0.2, 0.5), Half * (0.6 * std::pow(1.0 - gain / (1.5 * 0.6), 1.5) + 0.5 - gain), 0.002)
     << "a lamp's light falls with the cosine";
 }
 
