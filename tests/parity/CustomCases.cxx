@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cases.h"
+#include "TestData.h"
 
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
@@ -26,7 +27,7 @@ vtkActor* AddTorus(Stage& stage)
 // What a user wrote, in shader_code/.
 std::string ShaderCode(const std::string& name)
 {
-  std::ifstream file(PENUMBRA_SHADER_CODE_DIR "/" + name + ".glsl");
+  std::ifstream file(TestData("parity/shader_code/" + name + ".glsl"));
   std::stringstream text;
   text << file.rdbuf();
   EXPECT_FALSE(text.str().empty()) << name;

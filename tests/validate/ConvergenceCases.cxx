@@ -3,6 +3,7 @@
 // How fast the error falls, and what a picture of indirect light costs.
 #include "Case.h"
 #include "Cornell.h"
+#include "TestData.h"
 
 #include <cstdio>
 
@@ -117,7 +118,7 @@ std::vector<Case> ConvergenceCases()
   const std::string group = "error against samples, a Cornell box: slope in a log-log diagram";
   return {
     { group, "independent random numbers", -0.5, { Rule::Absolute, 0.05 }, 4096, 0,
-      slope(PENUMBRA_INDEPENDENT_SAMPLES), "", {}, {},
+      slope(penumbra_test::TestData("validate/independent")), "", {}, {},
       "4096 paths a pixel are the reference. Random errors fall as the square root of the samples. "
       "The "
       "path tracer's own numbers are spread evenly over those of a pixel (Owen-scrambled Sobol "
