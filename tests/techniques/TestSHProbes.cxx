@@ -165,6 +165,29 @@ TEST_F(SHProbes, WindingMakesNoDifference)
 }
 
 // What is kept of radiance is drawn apart from what the window shows.
+// Light from one side rings: beside it there is too little, cut off at 0, unless it is windowed.
+TEST_F(SHProbes, TheWindowLeavesNoLightBelowZero)
+{
+  constexpr double glow = 20.0;
+  this->AddBox(-0.1, 0.1, -0.1, 0.1, 0.9, 1.0, 0.0)->GetProperty()->SetAmbient(glow);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0);
+  this->Bake(64, 16384);
+  this->AddBall(0.0, 0.0, 0.0, 0.3);
+  this->LookFrom(0.0, -0.99, 0.0, 0.0, 0.0, 0.0);
+  const auto lit = [this](int window) { // down the ball's middle, of 36 rows
+    this->Probes->SetWindow(window);
+    const Values values = this->After(1);
+    int above = 0;
+    for (int row = 12; row < 24; ++row)
+    {
+      above += values[48 * row + 24] > 1e-5 ? 1 : 0;
+    }
+    return above;
+  };
+  EXPECT_LT(lit(0), 6);
+  EXPECT_EQ(lit(1), 12);
+}
+
 TEST_F(SHProbes, WindowsShowTheLightMultisampledOrNot)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5);
