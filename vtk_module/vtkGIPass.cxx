@@ -211,6 +211,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   this->Impl->Forward->Attach(state);
   stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
   this->Impl->Forward->Detach();
+  this->Impl->Dark.Remove();
   this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
 }
 

@@ -9,6 +9,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkOpenGLRenderer.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
@@ -136,7 +137,12 @@ TEST_P(Parity, EqualsStock)
   EXPECT_GE(found.Within, row.Share);
   EXPECT_GE(found.DepthWithin, row.Share);
   EXPECT_GE(Compare(ours, again, 1).Within, row.Share) << "the second frame differs";
-  EXPECT_GE(Compare(again, mapped, 1).Within, row.Share) << "empty maps change the picture";
+  // Without any lamp a map is all the light that there is: colours are no longer shown as they are.
+  if (vtkOpenGLRenderer::SafeDownCast(stage.Renderer)->GetLightingComplexity() > 0 ||
+    stage.Renderer->GetEnvironmentTexture())
+  {
+    EXPECT_GE(Compare(again, mapped, 1).Within, row.Share) << "empty maps change the picture";
+  }
   EXPECT_EQ(row.Captured, captured > 0.001) << "captured share: " << captured;
   if (HasFailure())
   {

@@ -366,6 +366,21 @@ TEST_F(LightmapTechnique, ProbesLightWhatTheMapDoesNotKnow)
   }
 }
 
+// There VTK shows colours as they are; light from elsewhere must be seen nevertheless.
+TEST_F(LightmapTechnique, NoLampIsNeeded)
+{
+  this->Scene.Renderer->RemoveAllLights();
+  this->Scene.Renderer->AutomaticLightCreationOff();
+  this->Bake();
+  EXPECT_NEAR(this->At(0.2, 0.5), 0.5 * 0.6, 0.002);
+  EXPECT_EQ(this->Notes(), "");
+  EXPECT_EQ(this->Scene.Renderer->GetLights()->GetNumberOfItems(), 0);
+  this->Scene.Window->Render();
+  EXPECT_GT(this->Pass->GetAccumulatedFrames(this->Scene.Renderer), 1) << "nothing changes";
+  this->Map->EnabledOff();
+  EXPECT_NEAR(this->At(0.2, 0.5), 0.5, 0.003) << "as VTK draws it";
+}
+
 TEST_F(LightmapTechnique, DirectionalMapsFollowBentNormals)
 {
   this->Bake(12);

@@ -46,6 +46,22 @@ class Rendered(command.CommandTest):
             self.assertTrue(least <= measured["maximum"] <= most, measured)
             self.assertEqual(measured["non-finite-pixels"], 0)
 
+    def test_no_lamp_is_needed(self):
+        """What glows lights surfaces, translucent ones and those of balls as beside a lamp that is dark."""
+        objects = [
+            {"plane": {"size": [4, 4]}, "material": {"color": [0.7, 0.7, 0.7]}},
+            {"sphere": {"center": [0.6, 0, 0.4], "radius": 0.4}, "material": {"color": [0.3, 0.5, 0.8], "opacity": 0.5}},
+            {"mesh": {"points": [[0, 1, 0.4]]}, "points-as-balls": True, "radius": 0.3, "material": {"shading": "phong"}},
+            {"box": {"center": [-0.8, 0, 0.6], "size": [0.2, 1, 1.2]}, "material": {"color": "black", "emission": [3, 2, 1]}}]
+        scene = {"size": [64, 48], "objects": objects, "background": [0, 0, 0], "camera": {"azimuth": 15, "elevation": 30}}
+        dark = {"type": "directional", "position": [0, 0, -1], "intensity": 0}
+        lit = ("--preset", "off", "--on", "ddgi", "--set", "ddgi.updates=4", "--frames", 6)
+        for name, lights in (("none", []), ("dark", [dark])):
+            self.succeeds("render", self.scene({**scene, "lights": lights}), *lit, "-o", f"{name}.exr")
+        self.assertEqual(self.compare("none.exr", "dark.exr")["maximum"], 0)
+        self.succeeds("render", self.scene({**scene, "lights": []}), "--preset", "off", "-o", "flat.exr")
+        self.assertGreater(self.compare("none.exr", "flat.exr")["relmse"], 0.1, "VTK shows colours as they are")
+
     def test_pictures_of_normals(self):
         """Faces of any number of corners show them; what has no texture coordinates is told."""
         Image.new("RGB", (4, 4), (128, 128, 255)).save(self.folder / "even.png")

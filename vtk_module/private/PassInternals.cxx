@@ -156,7 +156,7 @@ SceneSignature vtkGIPass::Internals::Sign(vtkOpenGLRenderer* renderer, const Vie
   {
     time = std::max(time, technique->GetMTime());
   }
-  return SceneSignature::Of(renderer, view, time);
+  return SceneSignature::Of(renderer, view, time, this->Dark);
 }
 
 std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderState* state)
@@ -259,6 +259,10 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
     this->Notes += (this->Notes.empty() ? "" : "\n") + note;
   }
   ContributeIndirectLight(builder, builder.GetIndirectLights());
+  if (!builder.GetIndirectLights().empty())
+  {
+    this->Dark.Add(renderer);
+  }
   this->Capture.Contribute(builder);
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     this->Capture.IsExtended(), self->GetKeepRadiance());

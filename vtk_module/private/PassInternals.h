@@ -8,6 +8,7 @@
 
 #include "vtkGIPass.h"
 
+#include "private/DarkLamp.h"
 #include "private/ForwardHooks.h"
 #include "private/FrameExecutor.h"
 #include "private/MotionTable.h"
@@ -63,6 +64,7 @@ public:
   std::string Notes;
   std::string Statistics = "{}";
   int CapturedProps = 0;
+  penumbra::DarkLamp Dark; ///< while a picture is drawn
   vtkSmartPointer<vtkGIForwardHooks> Forward = vtkSmartPointer<vtkGIForwardHooks>::New();
   const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
 

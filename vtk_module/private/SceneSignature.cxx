@@ -58,7 +58,7 @@ void SceneSignature::AddProp(vtkProp* prop)
 }
 
 SceneSignature SceneSignature::Of(
-  vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques)
+  vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques, const DarkLamp& dark)
 {
   SceneSignature signature;
   for (const auto* matrix : { &view.WorldToView, &view.ViewToClip })
@@ -87,8 +87,11 @@ SceneSignature SceneSignature::Of(
   lights->InitTraversal(cookie);
   while (vtkLight* light = lights->GetNextLight(cookie))
   {
-    signature.Values[Lights].push_back(AsNumber(light->GetMTime()));
-    signature.Values[Lights].push_back(light->GetSwitch());
+    if (!dark.Is(light))
+    {
+      signature.Values[Lights].push_back(AsNumber(light->GetMTime()));
+      signature.Values[Lights].push_back(light->GetSwitch());
+    }
   }
   vtkPropCollection* props = renderer->GetViewProps();
   props->InitTraversal(cookie);

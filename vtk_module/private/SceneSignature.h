@@ -6,6 +6,7 @@
  */
 #pragma once
 
+#include "private/DarkLamp.h"
 #include "private/Frame.h"
 
 #include <vtkType.h>
@@ -20,8 +21,9 @@ namespace penumbra
 class SceneSignature
 {
 public:
-  /// Of a frame about to be drawn. techniques: their latest modification time.
-  static SceneSignature Of(vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques);
+  /// Of a frame about to be drawn, or drawn. techniques: their latest modification time. dark is left out.
+  static SceneSignature Of(
+    vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques, const DarkLamp& dark);
 
   /// What differs between two frames.
   SceneChanges ChangesSince(const SceneSignature& before) const;
