@@ -45,8 +45,8 @@ vec3 along(vec3 direction, int first)
 }
 
 // What a normal meets more than the baked one. To first order that is twice the moments along its turn, as what sinks below
-// the horizon had no share in the baked light. To second order the cosine takes from it, and light near the horizon on the
-// side that rises gives back, which the moment along the baked normal knows: no more than if there were no such light.
+// the horizon had no share in the baked light. To second order the cosine takes from it, but nothing from light that has
+// sunk: the moment along the baked normal knows how much, at most as if none could sink.
 vec3 gained(vec3 now, vec3 baked, vec3 light, int first)
 {
   float cosine = dot(now, baked);

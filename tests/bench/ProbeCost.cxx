@@ -24,8 +24,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
 #include <vector>
 
@@ -34,10 +36,11 @@ namespace bench
 namespace
 {
 constexpr int Probes = 1024, Rays = 128; // the defaults
-constexpr int Warm = 10; // updates before those that count: shaders compile, distances settle
-constexpr double Uneven =
-  1.25; // how many times the least cost of a ray the greatest may be: noise, and what updates cost
-        // beside rays
+// Before the updates that count, at least: shaders compile, distances settle, and graphics cards wake up.
+constexpr int WarmUpdates = 10;
+constexpr double WarmSeconds = 0.5;
+// How many times as much as among fewer a ray may cost among more: noise.
+constexpr double Uneven = 1.25;
 constexpr double White[3] = { 0.73, 0.73, 0.73 };
 
 struct Update
@@ -151,16 +154,24 @@ Update MeasureUpdate(int updates, int probes, int rays, double triangles)
   window->SetSize(64, 64);
   window->SetMultiSamples(0);
   window->AddRenderer(renderer);
-  std::vector<double> times;
-  for (int update = 0; update < Warm + updates; ++update)
-  {
-    lamp->SetPosition(
-      0.5 + 0.3 * std::cos(0.02 * update), 0.5 + 0.3 * std::sin(0.02 * update), 0.8);
+  int update = 0;
+  const auto next = [&] {
+    const double turn = 0.02 * update++;
+    lamp->SetPosition(0.5 + 0.3 * std::cos(turn), 0.5 + 0.3 * std::sin(turn), 0.8);
     window->Render();
-    if (update >= Warm)
-    {
-      times.push_back(MillisecondsOfUpdate(pass));
-    }
+    return MillisecondsOfUpdate(pass);
+  };
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  while (update < WarmUpdates ||
+    std::chrono::duration<double>(Clock::now() - begin).count() < WarmSeconds)
+  {
+    next();
+  }
+  std::vector<double> times;
+  for (int i = 0; i < updates; ++i)
+  {
+    times.push_back(next());
   }
   int counts[3];
   ddgi->GetGrid(renderer, counts);
@@ -214,6 +225,10 @@ std::vector<CostPoint> ReportByTriangles(int updates, double most)
 
 bool ReportProbeCost(const ProbeCostOptions& options)
 {
+  if (!options.Plot.empty() && !std::ofstream(options.Plot, std::ios::app))
+  {
+    throw std::runtime_error(options.Plot + " cannot be written.");
+  }
   vtkNew<vtkHeadlessRenderWindow> window;
   window->Render();
   if (!window->GetDescription()[0])
@@ -235,11 +250,15 @@ bool ReportProbeCost(const ProbeCostOptions& options)
     std::printf("More than %g ms.\n", options.Limit);
     good = false;
   }
-  const auto range = std::minmax_element(rays.Nanoseconds.begin(), rays.Nanoseconds.end());
-  if (*range.second > Uneven * *range.first)
+  double least = rays.Nanoseconds.front();
+  for (const double each : rays.Nanoseconds)
   {
-    std::printf("A ray costs from %.2f to %.2f ns: not linear.\n", *range.first, *range.second);
-    good = false;
+    if (each > Uneven * least)
+    {
+      std::printf("A ray costs %.2f ns, %.2f among fewer: more than linear growth.\n", each, least);
+      good = false;
+    }
+    least = std::min(least, each);
   }
   const double growth = points.back().Milliseconds / points.front().Milliseconds;
   const double logarithmic = std::log(points.back().Triangles) / std::log(points.front().Triangles);

@@ -21,7 +21,7 @@ struct ProbeCostOptions
 /// Of the smallest ball.
 constexpr double LeastTriangles = 1e4;
 
-/// Print tables of medians. True where the default update keeps the limit, a ray costs the same however many there are, and
+/// Print tables of medians. True where the default update keeps the limit, a ray costs no more the more there are, and
 /// the cost grows no faster than the logarithm of the triangles. Throws std::runtime_error where the plot cannot be written.
 bool ReportProbeCost(const ProbeCostOptions& options);
 }

@@ -54,10 +54,9 @@ CLI::App* Declare(CLI::App& app, bench::ProbeCostOptions& options)
 {
   CLI::App* ddgi = app.add_subcommand("ddgi",
     "Times updates of DDGI's probes instead, in a Cornell box whose lamp moves: by probes and "
-    "rays, and by triangles. "
-    "Exit code 1 where the default update takes longer than --limit, where rays of different "
-    "numbers cost unlike "
-    "amounts, or where the cost grows faster than the logarithm of the triangles.");
+    "rays, and by triangles. Exit code 1 where the default update takes longer than --limit, where "
+    "rays cost more the more there are, or where the cost grows faster than the logarithm of the "
+    "triangles.");
   ddgi->add_option("--updates", options.Updates, "that are timed in each scene")
     ->check(CLI::Range(1, 10000))
     ->capture_default_str();

@@ -26,16 +26,16 @@ void Fill(vtkDoubleArray* array, const std::vector<Vec3>& values)
   }
 }
 
-// Of light that comes alike from everywhere above a surface, a normal that turns away loses half of what it would lose if
-// all came from straight above: it keeps what lies near the horizon on the side that it turns to. How much lies there is
-// told by irradiance and the mean of radiance, as if radiance were linear in the cosine. The moment along the normal, which
+// A normal that turns loses half as much of light that comes alike from everywhere above a surface as of light from straight
+// above: what sinks below the horizon of the one is gone, and takes nothing more away. How much lies near the horizon
+// is told by irradiance and the mean of radiance, as if radiance were linear in the cosine. The moment along the normal, which
 // is half of irradiance divided by pi and so would tell nothing new, has that part less.
 void SpareHorizon(float* values, const float* meanRadiance, const Vec3& normal)
 {
   for (int color = 0; color < 3; ++color)
   {
     const float horizon = 4.0f * meanRadiance[color] - 3.0f * values[color];
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3 && std::isfinite(horizon); ++axis)
     {
       values[3 + 3 * axis + color] -= 0.25f * horizon * static_cast<float>(normal[axis]);
     }
