@@ -197,6 +197,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   if (!problem.empty())
   {
     // Draw as VTK does rather than nothing, and say why once.
+    this->Impl->Dark.Remove();
     stages.RenderOpaque();
     if (problem != this->Impl->LastError)
     {
