@@ -72,7 +72,9 @@ class Rendered(command.CommandTest):
                              "polygons": [[0, 1, 2, 3, 4]],
                              "texture-coordinates": [[0, 0], [1, 0], [1, 0.7], [0.5, 1], [0, 0.7]]}}
         ball = {"sphere": {}, "name": "ball"}
-        for shape, notes in ((quad, ()), (pentagon, ()), ({"plane": {}}, ()), ({"box": {}}, ()),
+        (self.folder / "quad.obj").write_text("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                                              "f 1/1 2/2 3/3 4/4\n")
+        for shape, notes in ((quad, ()), (pentagon, ()), ({"file": "quad.obj"}, ()), ({"plane": {}}, ()), ({"box": {}}, ()),
                              (ball, ("'ball' has no texture coordinates",))):
             for name, material in (("plain", matter), ("even", {**matter, "normal-texture": "even.png"})):
                 scene = self.scene({"objects": [{**shape, "material": material}], "lights": [{"type": "head"}],
