@@ -160,7 +160,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
     vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
     return;
   }
-  window->MakeCurrent();
+  this->Impl->Enter(window);
   penumbra::RefreshState(window);
   this->CopiedTile = true;
   const auto draw = [this](const vtkRenderState* picture) {
@@ -218,10 +218,9 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
 
 void vtkGIPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (auto& technique : this->Impl->Techniques)
-  {
-    technique->ReleaseGraphicsResources(window);
-  }
   this->Impl->ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
+  if (window) // VTK's class insists
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
 }

@@ -16,7 +16,9 @@
  * filtering. Translucent props, volumes and annotations are drawn as VTK draws them, in VTK's
  * order. With every technique off the picture equals stock VTK's.
  *
- * One pass may serve several renderers of one window; each keeps its own history.
+ * One pass may serve several renderers of one window; each keeps its own history. It may also move between
+ * windows, or serve several, but has resources in one context at a time: each change of window begins again, shaders
+ * included. Give each window a pass of its own where both are drawn often.
  *
  * @sa vtkGITechnique
  */
@@ -40,6 +42,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void Render(const vtkRenderState* state) override;
+
+  /**
+   * Free what the pass has on the GPU, if it is in this window's context; nullptr: in whatever window's. May be called
+   * at any time, whatever context is current: the next Render() makes all again. Windows call it by themselves.
+   */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
@@ -76,7 +83,7 @@ public:
   /**
    * Copy the last frame's linear radiance of opaque surfaces and background into a float image of
    * four components (red, green, blue, and 1 where a surface was captured, 0 elsewhere), of the
-   * window's size. Needs KeepRadiance. Returns false where no frame of that renderer was kept.
+   * size that the window had then. Needs KeepRadiance. Returns false where the last frame of that renderer was not kept.
    */
   bool GetRadiance(vtkRenderer* renderer, vtkImageData* image);
 

@@ -11,6 +11,7 @@
 
 #include "vtkGenericRenderWindowInteractor.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLState.h"
 #include "vtkRect.h"
 
@@ -390,6 +391,29 @@ const char* vtkHeadlessRenderWindow::GetDescription()
 }
 
 //------------------------------------------------------------------------------
+namespace
+{
+// VTK asks what is bound for its sizes, and a surfaceless context has nothing of its own: bind what the window draws
+// to for as long as this lives.
+class DrawnBuffers
+{
+public:
+  DrawnBuffers(vtkOpenGLState* state, vtkOpenGLFramebufferObject* buffers)
+    : State(state)
+  {
+    state->PushDrawFramebufferBinding();
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, buffers->GetFBOIndex());
+  }
+  ~DrawnBuffers() { this->State->PopDrawFramebufferBinding(); }
+  DrawnBuffers(const DrawnBuffers&) = delete;
+  DrawnBuffers& operator=(const DrawnBuffers&) = delete;
+
+private:
+  vtkOpenGLState* State;
+};
+}
+
+//------------------------------------------------------------------------------
 int vtkHeadlessRenderWindow::GetColorBufferSizes(int* rgba)
 {
   if (rgba && !this->EnsureContext())
@@ -397,7 +421,19 @@ int vtkHeadlessRenderWindow::GetColorBufferSizes(int* rgba)
     std::fill(rgba, rgba + 4, 0);
     return 0;
   }
+  const DrawnBuffers drawn(this->GetState(), this->RenderFramebuffer);
   return this->Superclass::GetColorBufferSizes(rgba);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeadlessRenderWindow::GetDepthBufferSize()
+{
+  if (!this->Initialized || !this->EnsureContext() || this->RenderFramebuffer->GetFBOIndex() == 0)
+  {
+    return 24; // as VTK has it before there are buffers
+  }
+  const DrawnBuffers drawn(this->GetState(), this->RenderFramebuffer);
+  return this->Superclass::GetDepthBufferSize();
 }
 
 //------------------------------------------------------------------------------

@@ -144,6 +144,7 @@ public:
   vtkTypeBool IsDirect() override;
   const char* ReportCapabilities() override;
   int GetColorBufferSizes(int* rgba) override;
+  int GetDepthBufferSize() override;
   ///@}
 
   ///@{

@@ -49,6 +49,24 @@ TEST_P(HeadlessWindow, DrawsASphere)
   EXPECT_NEAR(64, Centre(image)[2], 3);
 }
 
+// A surfaceless context has no buffers of its own to ask.
+TEST_P(HeadlessWindow, KnowsTheSizesOfItsBuffers)
+{
+  Window window = MakeWindow(GetParam().Value);
+  EXPECT_EQ(24, window->GetDepthBufferSize());
+  window->AddRenderer(MakeScene());
+  Grab(window);
+  while (glGetError() != GL_NO_ERROR)
+  {
+  }
+  EXPECT_GE(window->GetDepthBufferSize(), 24);
+  int rgba[4];
+  EXPECT_EQ(32, window->GetColorBufferSizes(rgba));
+  EXPECT_EQ(8, rgba[0]);
+  EXPECT_EQ(8, rgba[3]);
+  EXPECT_EQ(static_cast<GLenum>(GL_NO_ERROR), glGetError());
+}
+
 TEST(HeadlessBackends, DrawTheSamePicture)
 {
   Window egl = MakeWindow(EGL.Value);

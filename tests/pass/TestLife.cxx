@@ -3,7 +3,10 @@
 // Windows come and go, passes are shared, set and removed, renders are aborted.
 #include "Scenes.h"
 
+#include "private/GL.h"
+
 #include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
 
 #include <chrono>
 #include <thread>
@@ -70,6 +73,73 @@ TEST(Life, PassOutlivesItsWindow)
   }
 }
 
+// The window goes while its renderer has no pass: whatever the pass had in its context is nobody's name afterwards.
+TEST(Life, WindowGoesWithoutItsPass)
+{
+  Scene kept;
+  SetQuietPreset(kept.SetPass(), "balanced");
+  const Picture before = Shoot(kept.Window);
+  auto pass = vtkSmartPointer<vtkGIPass>::New();
+  {
+    Scene scene;
+    scene.Renderer->SetPass(pass);
+    SetQuietPreset(pass, "balanced");
+    Shoot(scene.Window);
+    scene.Renderer->SetPass(nullptr);
+  }
+  kept.Window->Render(); // its context is current when the pass goes
+  pass = nullptr;
+  ExpectSame(before, Shoot(kept.Window));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+// Released for another window, or with another context current.
+TEST(Life, ReleaseLeavesOthersAlone)
+{
+  Scene one;
+  Scene two;
+  vtkGIPass* pass = one.SetPass();
+  pass->SetPreset("balanced");
+  two.SetPass()->SetPreset("balanced");
+  const Picture first = Shoot(one.Window);
+  const Picture second = Shoot(two.Window);
+  const int frames = pass->GetAccumulatedFrames(one.Renderer);
+  EXPECT_GT(frames, 0);
+  pass->ReleaseGraphicsResources(two.Window);
+  EXPECT_EQ(pass->GetAccumulatedFrames(one.Renderer), frames);
+  two.Window->MakeCurrent();
+  pass->ReleaseGraphicsResources(one.Window);
+  EXPECT_TRUE(two.Window->IsCurrent());
+  EXPECT_EQ(pass->GetAccumulatedFrames(one.Renderer), 0);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  ExpectSame(second, Shoot(two.Window));
+  ExpectSame(first, Shoot(one.Window));
+  pass->ReleaseGraphicsResources(nullptr);
+  EXPECT_EQ(pass->GetAccumulatedFrames(one.Renderer), 0);
+}
+
+TEST(Life, RadianceHasTheSizeOfItsFrame)
+{
+  Scene scene;
+  vtkGIPass* pass = scene.SetPass();
+  pass->KeepRadianceOn();
+  scene.Window->SetSize(512, 384);
+  scene.Window->Render();
+  scene.Window->SetSize(64, 48);
+  vtkNew<vtkImageData> radiance;
+  ASSERT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
+  EXPECT_EQ(radiance->GetDimensions()[0], 512);
+  EXPECT_EQ(radiance->GetDimensions()[1], 384);
+  // A frame that kept none leaves none of an earlier one.
+  pass->KeepRadianceOff();
+  scene.Window->Render();
+  EXPECT_FALSE(pass->GetRadiance(scene.Renderer, radiance));
+  pass->KeepRadianceOn();
+  scene.Window->Render();
+  ASSERT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
+  EXPECT_EQ(radiance->GetDimensions()[0], 64);
+}
+
 TEST(Life, PassTakenOffAndPutBack)
 {
   const Picture stock = Stock();
@@ -125,6 +195,27 @@ TEST(Life, SharedByTwoWindows)
     ExpectSame(stock, Shoot(one.Window));
     ExpectSame(stock, Shoot(two.Window));
   }
+}
+
+// The same with techniques that keep textures and buffers.
+TEST(Life, PresetsSharedByTwoWindows)
+{
+  Scene one;
+  Scene two;
+  vtkNew<vtkGIPass> pass;
+  SetQuietPreset(pass, "balanced");
+  one.Renderer->SetPass(pass);
+  Shoot(two.Window); // names in its context are others from now on
+  two.Renderer->SetPass(pass);
+  const Picture first = Shoot(one.Window);
+  const Picture second = Shoot(two.Window);
+  ExpectSame(first, second);
+  ExpectSame(first, Shoot(one.Window));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  two.Window->Finalize();
+  ExpectSame(first, Shoot(one.Window));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  EXPECT_STREQ(pass->GetLastError(), "");
 }
 
 TEST(Life, ResizedWindow)

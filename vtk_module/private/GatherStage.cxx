@@ -17,6 +17,7 @@ GatherStage::GatherStage()
 {
   const char* folder = std::getenv("PENUMBRA_SHADER_PATH");
   this->Shaders.SetOverrideFolder(folder ? folder : "");
+  this->Guard->SetFree([this] { this->FreeAll(); });
 }
 
 GatherStage::~GatherStage()
@@ -26,16 +27,16 @@ GatherStage::~GatherStage()
 
 void GatherStage::Release()
 {
-  if (this->Window)
-  {
-    this->Window->MakeCurrent();
-  }
+  this->Guard->Leave();
+}
+
+void GatherStage::FreeAll()
+{
   this->Rays.ReleaseGraphicsResources();
   this->Lamps.ReleaseGraphicsResources();
   this->Shaders.Release();
   this->Points = Buffer();
   this->Results = Buffer();
-  this->Window = nullptr;
   this->Renderer = nullptr;
 }
 
@@ -50,11 +51,9 @@ void GatherStage::Prepare(vtkRenderer* renderer)
       "light is gathered in a renderer that is shown in an OpenGL window: add the "
       "renderer to a render window.");
   }
-  if (this->Window != window || this->Renderer != renderer)
+  if (this->Renderer != renderer)
   {
     this->Release();
-    this->Window = window;
-    this->Renderer = renderer;
   }
   // A window of another program's context, as Qt's widgets have, does not know whether it supports OpenGL.
   if (window->GetNeverRendered() && !window->SupportsOpenGL())
@@ -62,7 +61,8 @@ void GatherStage::Prepare(vtkRenderer* renderer)
     throw std::runtime_error("light is gathered on the GPU, and no OpenGL context can be made.");
   }
   window->Initialize();
-  window->MakeCurrent();
+  this->Guard->Enter(window);
+  this->Renderer = renderer;
   GLint version[2] = { 0, 0 };
   glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
   glGetIntegerv(GL_MINOR_VERSION, &version[1]);
@@ -87,12 +87,16 @@ void GatherStage::Prepare(vtkRenderer* renderer)
 
 const Program& GatherStage::Use(const std::string& shader, Defines defines)
 {
+  if (!this->Guard->Window())
+  {
+    throw std::runtime_error("the window gave up its OpenGL context while light was gathered.");
+  }
   const Defines scene = this->Rays.ShaderDefines();
   defines.insert(scene.begin(), scene.end());
   defines.erase("GI_RAY_EDGES"); // lines over what the eye sees
   const Program& program = this->Shaders.Compute(shader, defines);
   // VTK remembers the program it bound last: make it forget, as ours is bound past it.
-  this->Window->GetShaderCache()->ReleaseCurrentShader();
+  this->Guard->Window()->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(program.Get());
   this->Rays.Bind(program);
   this->Lamps.BindWorld(0, this->Rays.Origin());

@@ -6,14 +6,14 @@
  */
 #pragma once
 
+#include "private/ContextGuard.h"
 #include "private/GLObjects.h"
 #include "private/LightTable.h"
 #include "private/ShaderLibrary.h"
 #include "private/rays/RayProps.h"
 
-#include "vtkSmartPointer.h"
+#include "vtkNew.h"
 
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
 
 namespace penumbra
@@ -53,7 +53,9 @@ public:
   Buffer Results;
 
 private:
-  vtkSmartPointer<vtkOpenGLRenderWindow> Window; ///< lives as long as what was made in its context
+  void FreeAll();
+
+  vtkNew<vtkGIContextGuard> Guard;
   vtkRenderer* Renderer = nullptr;
   RayProps Rays;
   LightTable Lamps;

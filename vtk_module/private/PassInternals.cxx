@@ -8,10 +8,8 @@
 #include "private/Matrices.h"
 
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkPointData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkTextureObject.h"
@@ -24,15 +22,19 @@ vtkGIPass::Internals::Internals()
   : Techniques(CreateTechniques())
 {
   this->Forward->SetShaders(&this->Shaders);
+  this->Guard->SetFree([this] { this->Free(); });
 }
 
-vtkGIPass::Internals::~Internals() = default;
+vtkGIPass::Internals::~Internals()
+{
+  this->Guard->Leave();
+}
 
 const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer* renderer) const
 {
   for (const auto& view : this->Views)
   {
-    if (view.first.first == renderer)
+    if (renderer && view.second.Renderer == renderer)
     {
       return &view.second;
     }
@@ -64,16 +66,13 @@ bool vtkGIPass::Internals::ShowTile(
   const vtkRenderState* state, bool join, const WholePicture::Draw& draw)
 {
   vtkRenderer* renderer = state->GetRenderer();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   if (join && !renderer->GetSelector() && WholePicture::IsTile(renderer))
   {
-    this->TakeWindow(window);
     return this->Remember(renderer).Whole.Show(state, draw);
   }
   for (auto& view : this->Views)
   {
-    // What another window holds goes with it.
-    if (view.first.first == renderer && this->Window == window)
+    if (view.first.first == renderer)
     {
       view.second.Whole = WholePicture();
     }
@@ -81,19 +80,8 @@ bool vtkGIPass::Internals::ShowTile(
   return false;
 }
 
-void vtkGIPass::Internals::TakeWindow(vtkOpenGLRenderWindow* window)
+std::string vtkGIPass::Internals::CheckContext()
 {
-  if (this->Window != window)
-  {
-    this->ReleaseGraphicsResources(this->Window);
-    this->Window = window;
-    window->MakeCurrent();
-  }
-}
-
-std::string vtkGIPass::Internals::CheckContext(vtkOpenGLRenderWindow* window)
-{
-  this->TakeWindow(window);
   GLint major = 0;
   GLint minor = 0;
   glGetIntegerv(GL_MAJOR_VERSION, &major);
@@ -141,7 +129,6 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
   const SceneSignature signature = this->Sign(renderer, view);
   view.Changes = signature.ChangesSince(memory.Signature);
   memory.StillFrames = view.Changes.Any ? 0 : memory.StillFrames;
-  memory.WindowSize = view.WindowSize;
   view.StillFrames = memory.StillFrames;
   view.Sequence = memory.StillFrames;
   view.FrameNumber = memory.FrameNumber;
@@ -162,9 +149,8 @@ SceneSignature vtkGIPass::Internals::Sign(vtkOpenGLRenderer* renderer, const Vie
 std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderState* state)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   this->CapturedProps = 0;
-  std::string problem = this->CheckContext(window);
+  std::string problem = this->CheckContext();
   if (!problem.empty())
   {
     return problem;
@@ -266,6 +252,7 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   this->Capture.Contribute(builder);
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     this->Capture.IsExtended(), self->GetKeepRadiance());
+  memory.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {
     this->KeepRadiance(builder, memory);
@@ -291,6 +278,21 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   }
 }
 
+namespace
+{
+// Four floats a pixel, bottom row first. Returns the first of them.
+float* ReadTexture(const Texture& texture, vtkImageData* image)
+{
+  image->SetDimensions(texture.Desc().Width, texture.Desc().Height, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  glBindTexture(GL_TEXTURE_2D, texture.Get());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return values;
+}
+}
+
 void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
 {
   frame.AddPass("keep-radiance")
@@ -299,19 +301,15 @@ void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
     .SideEffect()
     .Execute([&memory](FrameContext& context) {
       const Texture* radiance = context.Input(resource::Radiance);
-      const auto pixels =
-        static_cast<std::size_t>(radiance->Desc().Width) * radiance->Desc().Height;
-      memory.Radiance.resize(pixels * 4);
-      std::vector<float> albedo(pixels * 4);
-      glBindTexture(GL_TEXTURE_2D, radiance->Get());
-      glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, memory.Radiance.data());
-      glBindTexture(GL_TEXTURE_2D, context.Input(resource::Albedo)->Get());
-      glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, albedo.data());
-      glBindTexture(GL_TEXTURE_2D, 0);
-      for (std::size_t i = 3; i < albedo.size(); i += 4)
+      auto kept = vtkSmartPointer<vtkImageData>::New();
+      float* values = ReadTexture(*radiance, kept);
+      vtkNew<vtkImageData> albedo;
+      const float* captured = ReadTexture(*context.Input(resource::Albedo), albedo);
+      for (vtkIdType i = 3; i < 4 * kept->GetNumberOfPoints(); i += 4)
       {
-        memory.Radiance[i] = albedo[i];
+        values[i] = captured[i];
       }
+      memory.Radiance = kept;
     });
 }
 
@@ -322,30 +320,23 @@ bool vtkGIPass::Internals::ReadHistory(
   const Texture* texture = memory ? this->Pool.FindHistory(memory->Name, name) : nullptr;
   const bool readable = texture && texture->Target() == GL_TEXTURE_2D &&
     (texture->Desc().Format == GL_RGBA32F || texture->Desc().Format == GL_RGBA16F);
-  if (!readable || !image || !this->Window)
+  if (!readable || !image || !this->Guard->Window())
   {
     return false;
   }
-  this->Window->MakeCurrent();
-  image->SetDimensions(texture->Desc().Width, texture->Desc().Height, 1);
-  image->AllocateScalars(VTK_FLOAT, 4);
-  glBindTexture(GL_TEXTURE_2D, texture->Get());
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->GetScalarPointer());
-  glBindTexture(GL_TEXTURE_2D, 0);
+  this->Guard->Window()->MakeCurrent();
+  ReadTexture(*texture, image);
   return true;
 }
 
 bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* image)
 {
   const Memory* memory = this->FindMemory(renderer);
-  if (!memory || !image || memory->Radiance.empty())
+  if (!memory || !image || !memory->Radiance)
   {
     return false;
   }
-  image->SetDimensions(memory->WindowSize.x, memory->WindowSize.y, 1);
-  image->AllocateScalars(VTK_FLOAT, 4);
-  std::copy(memory->Radiance.begin(), memory->Radiance.end(),
-    static_cast<float*>(image->GetScalarPointer()));
+  image->DeepCopy(memory->Radiance);
   return true;
 }
 
@@ -371,10 +362,17 @@ void vtkGIPass::Internals::WriteStatistics(
 
 void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
 {
-  auto* context = vtkOpenGLRenderWindow::SafeDownCast(window);
-  if (context)
+  if (!window || window == this->Guard->Window())
   {
-    context->MakeCurrent();
+    this->Guard->Leave();
+  }
+}
+
+void vtkGIPass::Internals::Free()
+{
+  for (auto& technique : this->Techniques)
+  {
+    technique->ReleaseGraphicsResources(this->Guard->Window());
   }
   this->FxaaFilter->ReleaseGraphicsResources();
   this->Pool.Clear();
@@ -385,5 +383,4 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   this->Views.clear();
   this->DrawnByRays = nullptr;
   this->Worlds.clear();
-  this->Window = nullptr;
 }

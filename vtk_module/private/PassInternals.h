@@ -8,6 +8,7 @@
 
 #include "vtkGIPass.h"
 
+#include "private/ContextGuard.h"
 #include "private/DarkLamp.h"
 #include "private/ForwardHooks.h"
 #include "private/FrameExecutor.h"
@@ -18,6 +19,8 @@
 #include "private/WholePicture.h"
 #include "private/rays/RayProps.h"
 
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkWeakPointer.h"
 
@@ -27,6 +30,9 @@ public:
   Internals();
   ~Internals();
 
+  /// Everything is made in this window's context from now on, which becomes current.
+  void Enter(vtkOpenGLRenderWindow* window) { this->Guard->Enter(window); }
+
   /// Draw the opaque props of a frame. Returns the reason where that could not be done, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
@@ -34,6 +40,7 @@ public:
   /// that is not so or could not be done; what was kept for a renderer's tiles goes where it shows none.
   bool ShowTile(const vtkRenderState* state, bool join, const penumbra::WholePicture::Draw& draw);
 
+  /// Free what is in this window's context; nullptr: whatever window.
   void ReleaseGraphicsResources(vtkWindow* window);
   void Restart();
   bool ReadHistory(vtkRenderer* renderer, const std::string& name, vtkImageData* image);
@@ -50,10 +57,9 @@ public:
     int StillFrames = 0;
     bool Restarts = false; ///< the next frame knows nothing of those before
     int FrameNumber = 0;
-    int FirstFrame = 0; ///< since the last Restart()
-    glm::ivec2 WindowSize{ 0 };
-    std::vector<float> Radiance;  ///< rgba, bottom row first
-    penumbra::WholePicture Whole; ///< larger than the window, while tiles are shown
+    int FirstFrame = 0;                     ///< since the last Restart()
+    vtkSmartPointer<vtkImageData> Radiance; ///< of the last frame, where it was kept
+    penumbra::WholePicture Whole;           ///< larger than the window, while tiles are shown
   };
   const Memory* FindMemory(vtkRenderer* renderer) const;
 
@@ -69,9 +75,9 @@ public:
   const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
 
 private:
-  void TakeWindow(vtkOpenGLRenderWindow* window);
+  void Free();
   Memory& Remember(vtkRenderer* renderer); ///< of the eye that is drawn now
-  std::string CheckContext(vtkOpenGLRenderWindow* window);
+  static std::string CheckContext();
   penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
   penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
   void DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory);
@@ -88,5 +94,5 @@ private:
   penumbra::Buffer ViewBlock;
   int ViewsMade = 0;
   bool ShadersUnchecked = false; ///< the last folder's did not compile
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  vtkNew<vtkGIContextGuard> Guard;
 };
