@@ -16,7 +16,7 @@
   gl_FragData[GI_SURROUNDINGS] = vec4(0.0, 0.0, 0.0, giWhole);
 #endif
 #ifdef GI_FACET
-  gl_FragData[GI_FACET] = vec4(0.5, 0.5, 0.5, giWhole);
+  gl_FragData[GI_FACET] = vec4(0.5, 0.5, 0.0, giWhole);
 #endif
 #ifdef GI_DISPLACEMENT
   gl_FragData[GI_DISPLACEMENT] = vec4(giDisplacement, giWhole);

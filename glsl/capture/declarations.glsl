@@ -13,7 +13,8 @@
 //   surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
 //   displacement: xyz how far the point was from here one frame ago, within its prop, but in view
 //               coordinates
-//   facet:      rgb octahedral normal of the flat piece of surface, view coordinates, by giPack12
+//   facet:      xy octahedral normal of the flat piece of surface in view coordinates, z by how much the
+//               round surface that the shading normals stand for is above it, by giEncodeHeight
 // Where fragments may cover a pixel in part, all of them are blended by their alpha.
 // An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
 // is one.
@@ -29,4 +30,5 @@ uniform int giMaterial;
 uniform int giBackMaterial;
 uniform float giAmbientAlpha;
 #include "lib/octahedral.glsl"
+#include "lib/height.glsl"
 #include "capture/coverage.glsl"

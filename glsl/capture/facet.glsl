@@ -1,6 +1,7 @@
-#ifdef GI_FACET
-  // The normal of the flat piece that lies under the pixel, toward the eye. Variant: GI_FLAT, unless
-  // the normal is the surface's own. Here, as derivatives are not defined in branches.
+  // The normal of the flat piece that lies under the pixel, toward the eye, and how far below the round surface
+  // it is that the normals stand for: the mean of what it is below the planes at the corners (Hanika 2021,
+  // Hacking the Shadow Terminator). Variants: GI_FLAT, unless the normal is the surface's own; GI_ROUND, the
+  // vertex shader ends with capture/round.glsl. Here, as derivatives are not defined in branches.
   vec3 giFacet = normalVCVSOutput;
 #ifdef GI_FLAT
   vec3 giAcross = dFdx(vertexVC.xyz);
@@ -10,4 +11,8 @@
   float giLength = length(giAcross);
   giFacet = giLength > 0.0 ? giAcross / giLength : giFacet; // false of what is not a number
 #endif
+  float giBulge = 0.0;
+#ifdef GI_ROUND
+  giBulge = giRound.w - dot(giRound.xyz, vertexVC.xyz);
+  giBulge = max(dot(giRound.xyz, normalVCVSOutput) < 0.0 ? -giBulge : giBulge, 0.0);
 #endif

@@ -1,4 +1,6 @@
+#ifdef GI_FACET
 #include "capture/facet.glsl"
+#endif
   if (gl_FragData[0].a < giOpaque)
   {
 #include "capture/as_drawn.glsl"
@@ -19,7 +21,7 @@
     gl_FragData[GI_SURROUNDINGS] = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
 #ifdef GI_FACET
-    gl_FragData[GI_FACET] = vec4(giPack12(giEncodeOctahedral(giFacet)), 1.0);
+    gl_FragData[GI_FACET] = vec4(giEncodeOctahedral(giFacet), giEncodeHeight(giBulge), 1.0);
 #endif
 #ifdef GI_DISPLACEMENT
     gl_FragData[GI_DISPLACEMENT] = vec4(giDisplacement, 1.0);

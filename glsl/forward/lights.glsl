@@ -9,11 +9,11 @@ uniform int giLights;
 uniform int giShadowOf[GiMostLights]; // the light among the shadowed ones, -1 for none
 float giArrives[GiMostLights];
 
-void giArriveAt(vec3 P, vec3 N, vec3 facet)
+void giArriveAt(vec3 P, vec3 N, vec3 facet, float bulge)
 {
   for (int i = 0; i < giLights; ++i)
   {
-    giArrives[i] = giShadowOf[i] >= 0 ? giVisibility(giShadowOf[i], P, N, facet) : 1.0;
+    giArrives[i] = giShadowOf[i] >= 0 ? giVisibility(giShadowOf[i], P, N, facet, bulge) : 1.0;
   }
 }
 

@@ -11,22 +11,6 @@ vec2 giEncodeOctahedral(vec3 n)
   return p * 0.5 + 0.5;
 }
 
-// Two numbers in [0, 1], to twelve bits each, in three of eight bits, and back.
-vec3 giPack12(vec2 v)
-{
-  vec2 whole = floor(clamp(v, 0.0, 1.0) * 4095.0 + 0.5);
-  vec2 high = floor(whole / vec2(16.0, 256.0));
-  vec2 low = whole - high * vec2(16.0, 256.0);
-  return vec3(high.x, low.x * 16.0 + high.y, low.y) / 255.0;
-}
-
-vec2 giUnpack12(vec3 v)
-{
-  vec3 whole = floor(v * 255.0 + 0.5);
-  float high = floor(whole.y / 16.0);
-  return vec2(whole.x * 16.0 + high, (whole.y - high * 16.0) * 256.0 + whole.z) / 4095.0;
-}
-
 vec3 giDecodeOctahedral(vec2 e)
 {
   vec2 p = e * 2.0 - 1.0;

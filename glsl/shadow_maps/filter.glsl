@@ -28,6 +28,8 @@ struct GiReceiver
   vec3 P;         // moved by the bias
   vec3 U;         // two points of the plane, one unit across the light from P
   vec3 V;
+  vec3 L;         // toward the light
+  vec2 rise;      // how much farther toward the light U and V go in the plane of what is around
   float texel;    // width of the map's there, in world units
   float pixel;    // and the picture's
 };
@@ -40,8 +42,10 @@ vec3 giTap(ShadowLightData lamp, GiReceiver receiver, vec2 offset, inout GiSheet
   if (lamp.Maps.z == GI_SHADOW_CUBE && giIsOutside(sheet, at))
   {
     vec3 Q = receiver.P + offset.x * receiver.U + offset.y * receiver.V;
-    sheet = giSheet(lamp.Maps.x + giFaceOf(Q - lamp.Position.xyz), Q, receiver.U, receiver.V);
-    at = sheet.center.xyz / sheet.center.w;
+    Q += receiver.L * max(dot(offset, receiver.rise), 0.0);
+    sheet = giSheet(lamp.Maps.x + giFaceOf(Q - lamp.Position.xyz), Q, receiver.U, receiver.V, receiver.L,
+      receiver.rise);
+    at = sheet.middle;
   }
 #endif
   return at;
@@ -105,7 +109,7 @@ float giPenumbra(ShadowLightData lamp, GiReceiver receiver, GiSheet sheet, float
 
 float giReaching(ShadowLightData lamp, GiReceiver receiver, int map, float angle)
 {
-  GiSheet sheet = giSheet(map, receiver.P, receiver.U, receiver.V);
+  GiSheet sheet = giSheet(map, receiver.P, receiver.U, receiver.V, receiver.L, receiver.rise);
   float radius = max(filterRadius * receiver.texel, pixelRadius * receiver.pixel);
   int samples = filterSamples;
 #ifdef GI_SOFT

@@ -1,5 +1,5 @@
-// What of a shadowed light reaches a point of what VTK draws itself (see forward/lights.glsl). P, N and facet
-// in view coordinates. Variants: those of shadow_maps/receive.glsl.
+// What of a shadowed light reaches a point of what VTK draws itself (see forward/lights.glsl). P, N, facet
+// and bulge as capture/facet.glsl has them, in view coordinates. Variants: those of shadow_maps/receive.glsl.
 #include "shared/view.h"
 #include "shared/shadow.h"
 #include "lib/noise.glsl"
@@ -8,9 +8,9 @@ uniform sampler2D atlas;
 #include "shadow_maps/filter.glsl"
 #include "shadow_maps/receive.glsl"
 
-float giVisibility(int shadow, vec3 P, vec3 N, vec3 facet)
+float giVisibility(int shadow, vec3 P, vec3 N, vec3 facet, float bulge)
 {
-  GiShadowed surface = GiShadowed(P, N, facet, 0.0);
+  GiShadowed surface = GiShadowed(P, N, facet, bulge, 0.0);
   // The same noise in every frame, as nothing averages what VTK draws.
   float angle = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, 0);
   return giReached(shadowLights[shadow], surface, angle);
@@ -21,5 +21,5 @@ float giVisibility(int shadow, vec3 P)
 {
   vec4 lamp = shadowLights[shadow].Position;
   vec3 L = lamp.w > 0.5 ? normalize(lamp.xyz - P) : -shadowLights[shadow].Direction.xyz;
-  return giVisibility(shadow, P, L, L);
+  return giVisibility(shadow, P, L, L, 0.0);
 }

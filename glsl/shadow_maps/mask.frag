@@ -4,6 +4,7 @@
 #include "shared/view.h"
 #include "shared/shadow.h"
 #include "lib/octahedral.glsl"
+#include "lib/height.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/noise.glsl"
 
@@ -37,7 +38,9 @@ void main()
   GiShadowed surface;
   surface.P = giViewPosition(gl_FragCoord.xy, depth);
   surface.N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  surface.facet = giDecodeOctahedral(giUnpack12(texelFetch(facetTexture, pixel, 0).rgb));
+  vec3 facet = texelFetch(facetTexture, pixel, 0).xyz;
+  surface.facet = giDecodeOctahedral(facet.xy);
+  surface.bulge = giDecodeHeight(facet.z);
   surface.error =
     length(giViewPosition(gl_FragCoord.xy, max(depth - DepthError, 0.0)) - surface.P);
   float angle = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);

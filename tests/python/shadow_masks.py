@@ -100,9 +100,9 @@ def across(light, points, bounds, resolution):
     return toward / np.linalg.norm(toward, axis=1, keepdims=True) / texel
 
 
-def compare(rays, maps, lit, world, light, bounds, resolution, band=1.5):
-    """Pixels in the light's reach, and of those the ones whose masks differ, in all, and outside of a
-    band of so many texels or pixels around where the rays' shadows end."""
+def compare(rays, maps, lit, world, light, bounds, resolution, band=1.5, difference=0.5):
+    """Pixels in the light's reach, and of those the ones whose masks differ by more than a share of the
+    light, in all, and outside of a band of so many texels or pixels around where the rays' shadows end."""
     shadow = rays < 0.5
     edge = np.zeros_like(shadow)
     for axis in (0, 1):
@@ -113,7 +113,7 @@ def compare(rays, maps, lit, world, light, bounds, resolution, band=1.5):
         first[axis], second[axis] = slice(None, -1), slice(1, None)
         edge[tuple(first)] |= change
         edge[tuple(second)] |= change
-    differ = lit & (np.abs(rays - maps) > 0.5)
+    differ = lit & (np.abs(rays - maps) > difference)
     pixels = cKDTree(np.argwhere(edge)) if edge.any() else None
     outside = np.argwhere(differ)
     if pixels and len(outside):

@@ -164,8 +164,33 @@ TEST(ForwardShaders, UnlitSurfacesStayAsTheyAre)
   std::string lit = marked;
   ShaderLibrary library;
   const ForwardLight light = Light(true, { DDGI });
-  ForwardShaders(library, light).LightSurface(lit);
+  std::string vertex;
+  std::string geometry;
+  ForwardShaders(library, light).LightSurface({ vertex, geometry, lit });
   EXPECT_EQ(lit, marked);
+}
+
+// Only what a mapper does tells whether a pixel lies on a flat piece, not what its template says of it.
+TEST(ForwardShaders, ShapesOfMappersAreKnown)
+{
+  const std::string head = "in vec3 normalVCVSOutput;\nin vec4 vertexVCVSOutput;\nvoid main()\n{\n"
+                           "  // Set gl_FragDepth here (gl_FragCoord.z by default)\n"
+                           "  vec4 vertexVC = vertexVCVSOutput;\n";
+  const std::string smooth = "out vec3 normalVCVSOutput;\nvoid main()\n{\n"
+                             "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n}\n";
+  const auto shape = [](std::string vertex, std::string geometry, std::string fragment) {
+    ShaderLibrary library;
+    const Defines variant = PassShape({ vertex, geometry, fragment }, library);
+    EXPECT_EQ(Has(vertex, "out vec4 giRound;"), variant.count("GI_ROUND") > 0);
+    EXPECT_EQ(Has(fragment, "in vec4 giRound;"), variant.count("GI_ROUND") > 0);
+    return std::to_string(variant.count("GI_FLAT")) + std::to_string(variant.count("GI_ROUND"));
+  };
+  EXPECT_EQ(shape(smooth, "", head + "}\n"), "11");
+  EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = gl_FragCoord.z + 0.01;\n}\n"), "11");
+  EXPECT_EQ(shape(smooth, "void main() {}\n", head + "}\n"), "10") << "nothing passes it on";
+  EXPECT_EQ(shape("void main()\n{\n}\n", "", head + "}\n"), "10") << "no normals at points";
+  EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;\n}\n"), "00")
+    << "an impostor";
 }
 
 // Each part's names are its own; those of others stay.

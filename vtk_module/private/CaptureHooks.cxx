@@ -16,6 +16,8 @@
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
+#include <regex>
+
 vtkStandardNewMacro(vtkGICaptureHooks);
 
 using penumbra::Contains;
@@ -25,6 +27,36 @@ namespace
 // VTK's template is filled in the order Color, Edges, Normal, Light, TCoord; a texture multiplies
 // the lit colour at TCoord. So the capture stands behind TCoord.
 const char* const Marker = "//PENUMBRA::Capture";
+
+// Impostors shade and place each pixel by themselves: their normal is the surface's. VTK's template names
+// gl_FragDepth in a comment, and what is drawn in front of coincident things moves its depth a little.
+bool PlacesPixels(const std::string& fragment)
+{
+  static const std::regex placed("gl_FragDepth\\s*=(?!\\s*gl_FragCoord)");
+  return std::regex_search(fragment, placed);
+}
+}
+
+penumbra::Defines penumbra::PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders)
+{
+  if (!Contains(texts.Fragment, "vertexVC") || PlacesPixels(texts.Fragment))
+  {
+    return {};
+  }
+  const std::string normal = " vec3 normalVCVSOutput;\n";
+  const std::string round = " vec4 giRound;\n";
+  const std::size_t end = texts.Vertex.rfind('}');
+  // A geometry shader in between would have to pass it on.
+  if (!texts.Geometry.empty() || !Contains(texts.Vertex, "vertexVCVSOutput =") ||
+    !Contains(texts.Vertex, ("out" + normal).c_str()) ||
+    !Contains(texts.Fragment, ("in" + normal).c_str()))
+  {
+    return { { "GI_FLAT", "1" } };
+  }
+  texts.Vertex.insert(end, shaders.Source("capture/round.glsl"));
+  vtkShaderProgram::Substitute(texts.Vertex, "out" + normal, "out" + normal + "out" + round);
+  vtkShaderProgram::Substitute(texts.Fragment, "in" + normal, "in" + normal + "in" + round);
+  return { { "GI_FLAT", "1" }, { "GI_ROUND", "1" } };
 }
 
 void vtkGICaptureHooks::SetTables(
@@ -129,12 +161,7 @@ void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp*
   {
     snippet = "phong.glsl";
   }
-  penumbra::Defines variant;
-  // Impostors shade and place each pixel by themselves: their normal is the surface's.
-  if (Contains(fragment, "vertexVC") && !Contains(fragment, "gl_FragDepth"))
-  {
-    variant["GI_FLAT"] = "1";
-  }
+  const penumbra::Defines variant = penumbra::PassShape(texts, *this->Shaders);
   vtkShaderProgram::Substitute(
     fragment, Marker, this->Snippet(snippet, this->Outputs, variant), false);
 }

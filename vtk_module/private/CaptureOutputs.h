@@ -26,8 +26,7 @@ public:
   static constexpr std::array<Optional, 3> All = { {
     { resource::Surroundings, "GI_SURROUNDINGS", GL_RGBA16F },
     { resource::Displacement, "GI_DISPLACEMENT", GL_RGBA32F },
-    // Packed: eight bits a channel are what software renderers write fastest.
-    { resource::Facet, "GI_FACET", GL_RGBA8 },
+    { resource::Facet, "GI_FACET", GL_RGBA16 },
   } };
 
   bool Extended = false; ///< textures or PBR

@@ -156,7 +156,7 @@ void vtkGIForwardHooks::AfterMapper(const ShaderTexts& texts, vtkProp* prop)
   }
   else
   {
-    shaders.LightSurface(texts.Fragment);
+    shaders.LightSurface(texts);
   }
 }
 

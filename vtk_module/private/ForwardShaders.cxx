@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "private/ForwardShaders.h"
 
-#include "private/ShaderHooks.h"
-
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
@@ -111,8 +109,9 @@ void ForwardShaders::AddAround(std::string& text) const
   Substitute(text, phong, phong + "\n" + this->Shaders.Source("forward/phong.glsl"));
 }
 
-void ForwardShaders::LightSurface(std::string& text) const
+void ForwardShaders::LightSurface(const ShaderTexts& texts) const
 {
+  std::string& text = texts.Fragment;
   const bool lit = Contains(text, "lightColor0") && Contains(text, "vertexVC") &&
     Contains(text, "normalVCVSOutput") && Contains(text, ShadeHere) && Contains(text, DeclareHere);
   if (!lit)
@@ -122,7 +121,7 @@ void ForwardShaders::LightSurface(std::string& text) const
   std::string before;
   if (!this->Light.Visibility.IsEmpty())
   {
-    before += this->Shaders.Source("forward/surface.glsl");
+    before += this->Shaders.Source("forward/surface.glsl", PassShape(texts, this->Shaders));
     this->DimLamps(text);
   }
   if (!this->Light.Indirect.empty())
@@ -193,6 +192,8 @@ std::vector<std::pair<std::string, std::string>> ForwardShaders::Examples() cons
   for (const char* kind : { "phong", "pbr", "volume" })
   {
     const std::string name = std::string("forward/like_") + kind + ".glsl";
+    std::string vertex =
+      "out vec3 normalVCVSOutput;\nvoid main()\n{\n  vertexVCVSOutput = vec4(0.0);\n}\n";
     std::string text = this->Shaders.Source(name);
     if (*kind == 'v')
     {
@@ -202,7 +203,8 @@ std::vector<std::pair<std::string, std::string>> ForwardShaders::Examples() cons
     else
     {
       MarkSurface(text);
-      this->LightSurface(text);
+      std::string geometry;
+      this->LightSurface({ vertex, geometry, text });
     }
     // As VTK does with its outputs.
     Substitute(text, "gl_FragData[0]", "fragOutput0");

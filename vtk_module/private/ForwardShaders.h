@@ -7,6 +7,7 @@
 #pragma once
 
 #include "private/ForwardPart.h"
+#include "private/ShaderHooks.h"
 
 #include <string>
 
@@ -29,7 +30,7 @@ public:
   static void MarkVolume(std::string& text);
 
   /// Light what the mapper has filled in; as it is where it is not lit.
-  void LightSurface(std::string& text) const;
+  void LightSurface(const ShaderTexts& texts) const;
   void LightVolume(std::string& text) const;
 
   /// What VTK would come to: small shaders like its own, lit; by name.

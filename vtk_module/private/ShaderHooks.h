@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include "private/ShaderLibrary.h"
+
 #include "vtkOpenGLRenderPass.h"
 
 #include <string>
@@ -23,6 +25,9 @@ struct ShaderTexts
   std::string& Geometry;
   std::string& Fragment;
 };
+
+/// Have a mapper's finished shaders pass on what capture/facet.glsl needs; which variant of it they take.
+Defines PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders);
 }
 
 class vtkGIShaderHooks : public vtkOpenGLRenderPass

@@ -1,0 +1,11 @@
+// A height of any scale in [0, 1], for unsigned normalized storage: by its logarithm, to a thousandth of
+// itself in 16 bits. Zero and less are zero.
+float giEncodeHeight(float height)
+{
+  return height > 0.0 ? clamp(log2(height) / 128.0 + 0.5, 1e-4, 1.0) : 0.0;
+}
+
+float giDecodeHeight(float code)
+{
+  return code > 0.0 ? exp2(128.0 * code - 64.0) : 0.0;
+}
