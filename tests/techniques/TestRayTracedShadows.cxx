@@ -8,6 +8,7 @@
 
 #include "vtkGITechnique.h"
 
+#include <vtkConeSource.h>
 #include <vtkCubeSource.h>
 #include <vtkPlaneSource.h>
 
@@ -187,4 +188,50 @@ TEST(RayTracedShadows, WinOverShadowMaps)
   EXPECT_LT(Compare(rays, shoot(false, true), 0).Within, 1.0);
   EXPECT_LT(Compare(rays, shoot(false, false), 0).Within, 0.999);
 }
+}
+
+// Mirrored, drawn out and flattened, even to nothing, a prop casts the shadow of what VTK draws of it.
+TEST(RayTracedShadows, scaled_props_cast_the_shadows_that_maps_show)
+{
+  const double scales[][3] = { { 1.0, 1.0, 1.0 }, { -1.0, 1.0, 1.0 }, { -1.0, -1.0, -1.0 },
+    { 3.0, 0.3, 0.3 }, { 1.0, 1.0, 0.01 }, { 1.0, 1.0, 1e-12 }, { 1.0, 1.0, 1e-60 },
+    { 1.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0 }, { 1.0, 0.0, 1.0 } };
+  for (const auto& scale : scales)
+  {
+    Stage stage;
+    stage.Window->SetSize(240, 240);
+    AddPlane(stage, -10.0, 10.0, 0.0);
+    AddLight(stage, 2.0, 1.0, 3.0);
+    vtkNew<vtkConeSource> cone;
+    cone->SetResolution(24);
+    vtkActor* actor = stage.Add(cone);
+    actor->SetOrientation(0.0, 0.0, -20.0);
+    actor->SetPosition(2.0, 1.0, 3.0); // its shadow is around the origin
+    actor->SetScale(scale[0], scale[1], scale[2]);
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(1.5);
+    camera->SetPosition(0.0, 0.0, 1.0); // below the cone
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetClippingRange(0.1, 2.0);
+    auto pass = stage.SetPasses().front();
+    int dark[2];
+    for (const bool rays : { false, true })
+    {
+      pass->GetTechnique("shadow-maps")->SetEnabled(!rays);
+      pass->GetTechnique("ray-traced-shadows")->SetEnabled(rays);
+      const Picture picture = Shoot(stage.Window);
+      dark[rays] = 0;
+      for (int i = 0; i < picture.Width * picture.Height; ++i)
+      {
+        dark[rays] += picture.Grey(i % picture.Width, i / picture.Width) < 100.0;
+      }
+    }
+    std::printf("scale %g %g %g: %d pixels in shadow by maps, %d by rays\n", scale[0], scale[1],
+      scale[2], dark[0], dark[1]);
+    EXPECT_GT(dark[0], 400);
+    EXPECT_NEAR(dark[1], dark[0], 0.05 * dark[0]);
+  }
+  EXPECT_TRUE(TakeMessages().empty());
 }

@@ -202,6 +202,48 @@ RayBounds Placement(const RayBounds& box, const glm::dmat4& meshToScene)
   const bool finite = bounds.LargestCoordinate() < RayCoordinateLimit;
   return finite ? bounds.Grown(std::ldexp(bounds.LargestCoordinate(), -21)) : RayBounds();
 }
+
+// The way back from the scene into a mesh, as rays go it; false where there is none in floats.
+bool Invert(const glm::dmat4& meshToScene, shared::RayInstance& record)
+{
+  const glm::dmat4 rows = glm::transpose(glm::inverse(meshToScene));
+  bool finite = true;
+  for (int row = 0; row < 3; ++row)
+  {
+    record.SceneToMesh[row] = glm::vec4(rows[row]);
+    for (int column = 0; column < 4; ++column)
+    {
+      finite = finite && std::isfinite(record.SceneToMesh[row][column]);
+    }
+  }
+  return finite;
+}
+
+// What is scaled to nothing along one axis is drawn as a flat thing, though there is no way back from it:
+// give it a thickness of a millionth of its width. What is left of two axes or three has no surface.
+glm::dmat4 Thickened(const glm::dmat4& meshToScene, const RayBounds& box)
+{
+  const glm::dvec3 size(box.Upper - box.Lower);
+  const double least = 1e-6 * std::max({ size.x, size.y, size.z });
+  glm::dmat3 m(meshToScene);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    m[axis] *= std::max(size[axis], least);
+  }
+  // Of a matrix of rank two: across what is left of it, times what became of that.
+  const glm::dmat3 cofactors(
+    glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  const auto norm = [](const glm::dmat3& a) {
+    return std::sqrt(glm::dot(a[0], a[0]) + glm::dot(a[1], a[1]) + glm::dot(a[2], a[2]));
+  };
+  m += cofactors * ((glm::determinant(m) < 0.0 ? -1e-6 : 1e-6) * norm(m) / norm(cofactors));
+  glm::dmat4 result(meshToScene);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = glm::dvec4(m[axis] / std::max(size[axis], least), 0.0);
+  }
+  return result;
+}
 }
 
 std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t end) const
@@ -225,18 +267,14 @@ std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t
     }
     meshToScene[3] = meshToScene * glm::dvec4(shape.Origin(), 1.0);
     meshToScene[3] -= glm::dvec4(this->Center, 0.0);
-    const glm::dmat4 rows = glm::transpose(glm::inverse(meshToScene));
-    group.Bounds[index] = Placement(margin, meshToScene);
-    bool usable = !group.Bounds[index].IsEmpty();
-    for (int row = 0; row < 3; ++row)
-    {
-      record.SceneToMesh[row] = glm::vec4(rows[row]);
-      for (int column = 0; column < 4; ++column)
-      {
-        usable = usable && std::isfinite(record.SceneToMesh[row][column]);
-      }
-    }
+    bool usable = Invert(meshToScene, record);
     if (!usable)
+    {
+      meshToScene = Thickened(meshToScene, shape.Tree().Bounds);
+      usable = Invert(meshToScene, record);
+    }
+    group.Bounds[index] = Placement(margin, meshToScene);
+    if (!usable || group.Bounds[index].IsEmpty())
     {
       group.Bounds[index] = RayBounds();
       ++unplaced;

@@ -58,7 +58,7 @@ public:
   /// The name of the instance that hits report as `index`; valid until the next Update().
   Key InstanceAt(std::int32_t index) const { return this->Names[index]; }
   std::size_t DroppedPrimitives() const;
-  /// Instances left out: of no volume, or not finite.
+  /// Instances left out: of no surface, or not finite.
   std::size_t DroppedInstances() const { return this->Unplaced; }
   std::size_t Bytes() const;
 
