@@ -3,7 +3,7 @@
 // VTK ends the program where they do not.
 #define GI_FLAT 1
 #define GI_ROUND 1
-vec4 giRound = vec4(0.0, 0.0, 1.0, 0.0);
+vec4 giRoundVSOutput = vec4(0.0, 0.0, 1.0, 0.0);
 vec4 vertexVC = vec4(gl_FragCoord.xyz, 1.0);
 vec3 normalVCVSOutput = vec3(0.0, 0.0, 1.0);
 vec3 diffuseColor = vec3(0.0);

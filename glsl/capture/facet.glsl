@@ -13,6 +13,6 @@
 #endif
   float giBulge = 0.0;
 #ifdef GI_ROUND
-  giBulge = giRound.w - dot(giRound.xyz, vertexVC.xyz);
-  giBulge = max(dot(giRound.xyz, normalVCVSOutput) < 0.0 ? -giBulge : giBulge, 0.0);
+  giBulge = giRoundVSOutput.w - dot(giRoundVSOutput.xyz, vertexVC.xyz);
+  giBulge = max(dot(giRoundVSOutput.xyz, normalVCVSOutput) < 0.0 ? -giBulge : giBulge, 0.0);
 #endif

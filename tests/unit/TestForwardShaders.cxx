@@ -181,13 +181,18 @@ TEST(ForwardShaders, ShapesOfMappersAreKnown)
   const auto shape = [](std::string vertex, std::string geometry, std::string fragment) {
     ShaderLibrary library;
     const Defines variant = PassShape({ vertex, geometry, fragment }, library);
-    EXPECT_EQ(Has(vertex, "out vec4 giRound;"), variant.count("GI_ROUND") > 0);
-    EXPECT_EQ(Has(fragment, "in vec4 giRound;"), variant.count("GI_ROUND") > 0);
+    EXPECT_EQ(Has(vertex, "out vec4 giRoundVSOutput;"), variant.count("GI_ROUND") > 0);
+    EXPECT_EQ(Has(fragment, "in vec4 giRoundVSOutput;"), variant.count("GI_ROUND") > 0);
     return std::to_string(variant.count("GI_FLAT")) + std::to_string(variant.count("GI_ROUND"));
   };
   EXPECT_EQ(shape(smooth, "", head + "}\n"), "11");
   EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = gl_FragCoord.z + 0.01;\n}\n"), "11");
   EXPECT_EQ(shape(smooth, "void main() {}\n", head + "}\n"), "10") << "nothing passes it on";
+  EXPECT_EQ(shape(smooth,
+              "in vec3 normalVCVSOutput[];\nout vec3 normalVCGSOutput;\nvoid main()\n{\n"
+              "normalVCGSOutput = normalVCVSOutput[i];\n}\n",
+              head + "}\n"),
+    "11");
   EXPECT_EQ(shape("void main()\n{\n}\n", "", head + "}\n"), "10") << "no normals at points";
   EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;\n}\n"), "00")
     << "an impostor";

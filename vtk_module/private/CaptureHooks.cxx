@@ -43,11 +43,15 @@ penumbra::Defines penumbra::PassShape(const ShaderTexts& texts, const ShaderLibr
   {
     return {};
   }
+  // Where there is a geometry shader, VTK puts GSOut for VSOut into the fragment shader's names.
   const std::string normal = " vec3 normalVCVSOutput;\n";
-  const std::string round = " vec4 giRound;\n";
+  const std::string round = " vec4 giRoundVSOutput;\n";
+  const std::string declared = "out vec3 normalVCGSOutput;\n";
+  const std::string passed = "normalVCGSOutput = normalVCVSOutput[i];";
   const std::size_t end = texts.Vertex.rfind('}');
-  // A geometry shader in between would have to pass it on.
-  if (!texts.Geometry.empty() || !Contains(texts.Vertex, "vertexVCVSOutput =") ||
+  const bool whole = texts.Geometry.empty() ||
+    (Contains(texts.Geometry, declared.c_str()) && Contains(texts.Geometry, passed.c_str()));
+  if (!whole || !Contains(texts.Vertex, "vertexVCVSOutput =") ||
     !Contains(texts.Vertex, ("out" + normal).c_str()) ||
     !Contains(texts.Fragment, ("in" + normal).c_str()))
   {
@@ -55,6 +59,10 @@ penumbra::Defines penumbra::PassShape(const ShaderTexts& texts, const ShaderLibr
   }
   texts.Vertex.insert(end, shaders.Source("capture/round.glsl"));
   vtkShaderProgram::Substitute(texts.Vertex, "out" + normal, "out" + normal + "out" + round);
+  vtkShaderProgram::Substitute(
+    texts.Geometry, declared, declared + "in vec4 giRoundVSOutput[];\nout vec4 giRoundGSOutput;\n");
+  vtkShaderProgram::Substitute(
+    texts.Geometry, passed, passed + "\ngiRoundGSOutput = giRoundVSOutput[i];");
   vtkShaderProgram::Substitute(texts.Fragment, "in" + normal, "in" + normal + "in" + round);
   return { { "GI_FLAT", "1" }, { "GI_ROUND", "1" } };
 }
