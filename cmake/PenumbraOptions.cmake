@@ -7,6 +7,9 @@ option(PENUMBRA_BUILD_PARAVIEW_PLUGIN "Build ParaView's plugin where ParaView's 
 option(PENUMBRA_BUILD_EXAMPLES "Build the examples" ON)
 option(PENUMBRA_BUILD_TESTS "Build the tests and benchmarks" ON)
 option(PENUMBRA_WRAP_PYTHON "Wrap the module for Python" ON)
+set(PENUMBRA_TEST_TIMEOUT 7200 CACHE STRING
+  "Seconds after which a test is taken for stuck: on a busy machine, with sanitizers, none that works takes as long")
+mark_as_advanced(PENUMBRA_TEST_TIMEOUT)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)

@@ -22,6 +22,7 @@ MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OM
 ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "DISPLAY"} | MPI
 PACKAGE = pathlib.Path(os.environ.get("PENUMBRA_PYTHON_PATH", HERE.parent.parent / "build" / "python"))
 PLUGIN = (PACKAGE / "penumbra" / runpy.run_path(PACKAGE / "penumbra" / "_plugin_path.py")["PLUGIN"]).resolve()
+STUCK = 3600  # seconds after which a program is taken for stuck
 ENVIRONMENT["PYTHONPATH"] = os.pathsep.join([str(PACKAGE), str(HERE)])
 
 
@@ -41,10 +42,10 @@ class Base(unittest.TestCase):
         if not kept:
             self.addCleanup(shutil.rmtree, self.folder)
 
-    def run_script(self, program, script, *arguments, timeout=500):
+    def run_script(self, program, script, *arguments):
         """What a script printed, where ParaView found nothing to complain of."""
         command = [*program.split(), str(HERE / script), *map(str, arguments)]
-        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=timeout)
+        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=STUCK)
         output = done.stdout + done.stderr
         self.messages = output
         self.assertEqual(done.returncode, 0, output)
@@ -189,7 +190,8 @@ class Server(Base):
         self.assertGreaterEqual(share, 0.995)
 
     def wait_for_server(self, server, log):
-        for _ in range(300):
+        until = time.monotonic() + STUCK
+        while time.monotonic() < until:
             if "Connection URL" in log.read_text():
                 return
             self.assertIsNone(server.poll(), log.read_text())

@@ -10,10 +10,9 @@ import subprocess
 import sys
 import unittest
 
-from test_paraview import ENVIRONMENT, HERE, PLUGIN, Base
+from test_paraview import ENVIRONMENT, HERE, PLUGIN, STUCK, Base
 
 SCENES = HERE.parent.parent / "examples" / "scenes.py"
-WORK = 200  # seconds after which the window is taken for stuck
 
 
 def missing():
@@ -72,7 +71,7 @@ class Window(Base):
                 "PV_PLUGIN_CONFIG_FILE": str(plugins), "PENUMBRA_WINDOW_DATA": str(data),
                 "PENUMBRA_WINDOW_OUTPUT": str(self.folder)}
             command = ["paraview", "--disable-registry", f"--script={HERE / 'window.py'}"]
-            done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=WORK)
+            done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=STUCK)
         self.messages = done.stdout + done.stderr
         result = json.loads((self.folder / "result.json").read_text())
         self.assertNotIn("failed", result, result.get("failed"))

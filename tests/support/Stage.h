@@ -6,8 +6,15 @@
 #include "vtkGIPass.h"
 #include "vtkHeadlessRenderWindow.h"
 
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkActor;
 class vtkAlgorithm;
 class vtkMapper;
+class vtkPolyData;
 
 namespace penumbra_test
 {

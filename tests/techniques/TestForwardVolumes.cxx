@@ -3,10 +3,11 @@
 /**
  * Indirect light in shaded volumes, and when mappers build their shaders.
  */
-#include "Cost.h"
 #include "ForwardStage.h"
 
 #include "vtkGIPathTracing.h"
+
+#include "private/ShaderLibrary.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkGPUVolumeRayCastMapper.h>
@@ -22,6 +23,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
 
 using namespace penumbra_test;
 
@@ -178,42 +183,53 @@ TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
   }
 }
 
-// Of a volume that every ray goes through to its end, on software as on hardware: by processor time.
-TEST_F(ForwardVolumes, IndirectLightCostsNotMuchMoreThanTheVolume)
+// Which probes light a sample is asked where its ray has gone an eighth of a cell, not at each. A shader in the place of
+// the real one shows the samples that ask in white, the others in black; another shows all of them.
+TEST_F(ForwardVolumes, FewSamplesAskTheProbes)
 {
   this->AddFurnace();
-  this->Scene.Window->SetSize(120, 120);
   auto volume = this->AddVolume(0.35, true);
   vtkNew<vtkPiecewiseFunction> faint;
   faint->AddPoint(0.0, 0.0);
   faint->AddPoint(1.0, 0.05);
   volume->GetProperty()->SetScalarOpacity(faint);
-  this->Probes->SetUpdates(2);
-  volume->VisibilityOff();
-  this->LightBy(false, true, volume);
-  volume->VisibilityOn();
-  const auto frame = [this](bool live, bool baked) {
-    this->Probes->SetEnabled(live);
-    this->Baked->SetEnabled(baked);
-    this->Middle(2);
-    std::vector<double> seconds;
-    for (int i = 0; i < 3; ++i)
-    {
-      seconds.push_back(SecondsOf([this] { this->Middle(1); }));
-    }
-    return MedianOf(seconds);
+  volume->GetProperty()->SetDiffuse(1.0);
+  const std::string folder =
+    testing::TempDir() + "penumbra_volume_shaders_" + std::to_string(getpid());
+  const std::string file = folder + "/forward/volume.glsl";
+  std::filesystem::create_directories(folder + "/forward");
+  const std::string begin = "vec3 giScattered(", ask = "giCubeKnown = true;";
+  const std::string text = penumbra::EmbeddedShaders().at("forward/volume.glsl");
+  ASSERT_NE(text.find(begin), std::string::npos);
+  ASSERT_NE(text.find(ask), std::string::npos);
+  const auto shown = [&](const std::string& result, vtkGITechnique* light) {
+    std::string changed = text;
+    changed.replace(changed.find(ask), ask.size(), ask + " asked = 1.0;");
+    changed.replace(changed.find(begin), begin.size(), "float asked;\nvec3 giLight(");
+    std::ofstream(file)
+      << changed
+      << "vec3 giScattered(vec4 place, vec4 gradient, mat4 textureToEye, vec3 spacing)\n"
+         "{\n  asked = 0.0;\n  vec3 light = giLight(place, gradient, textureToEye, spacing);\n"
+         "  return light * 1e-9 + vec3("
+      << result << ");\n}\n";
+    this->Pass->SetShaderPath("");
+    this->Pass->SetShaderPath(folder.c_str());
+    light->EnabledOff();
+    this->Middle(1); // the mapper builds its shader again when the light is back
+    light->EnabledOn();
+    return this->Middle(2);
   };
-  const auto cost = [&](bool live, double limit) {
-    return LeastOf(4, limit, [&] {
-      const double ratio = CostRatio(
-        2, [&] { return frame(live, !live); }, [&] { return frame(false, false); });
-      std::printf(
-        "a frame takes %.1f times as long by %s\n", ratio, live ? "DDGI" : "baked probes");
-      return ratio;
-    });
-  };
-  EXPECT_LT(cost(true, 4.0), 4.0);
-  EXPECT_LT(cost(false, 6.0), 6.0);
+  for (const bool live : { true, false })
+  {
+    this->LightBy(live, !live, volume);
+    vtkGITechnique* light = live ? static_cast<vtkGITechnique*>(this->Probes) : this->Baked;
+    const double share = shown("asked", light) / shown("1.0", light);
+    std::printf("%s: one of %.1f samples asks the probes\n", live ? "DDGI" : "baked", 1.0 / share);
+    EXPECT_LT(share, live ? 1.0 / 12.0 : 1.0 / 6.5);
+    EXPECT_GT(share, 0.02);
+  }
+  this->Pass->SetShaderPath("");
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(ForwardVolumes, MappersKeepTheirShaders)

@@ -3,12 +3,10 @@
 /**
  * Baked light on surfaces: where it shows and where not, and that it never outlives its scene.
  */
-#include "Cost.h"
 #include "LightmapStage.h"
+#include "Work.h"
 
-#include <vtkAppendPolyData.h>
 #include <vtkPlane.h>
-#include <vtkTriangleFilter.h>
 
 #include <nlohmann/json.hpp>
 
@@ -16,81 +14,6 @@
 #include <cstdio>
 
 using namespace penumbra_test;
-
-namespace
-{
-// A frame of 1280 x 720 under a lamp within the scene, with shadow maps.
-class LightmapCost : public LightmapTechnique
-{
-protected:
-  void SetUp() override
-  {
-    this->LightmapTechnique::SetUp();
-    this->Scene.Window->SetSize(1280, 720);
-    this->Pass->KeepRadianceOff();
-    this->Pass->GetTechnique("shadow-maps")->EnabledOn();
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(180.0);
-  }
-
-  // Six walls of a physically based look around the eye, all in the map.
-  void MoveIntoARoom()
-  {
-    this->Scene.Renderer->RemoveActor(this->Wall);
-    vtkNew<vtkAppendPolyData> all;
-    for (int side = 0; side < 6; ++side)
-    {
-      const int axis = side / 2;
-      const double at = side % 2 ? 2.0 : -2.0;
-      double corners[3][3];
-      for (int i = 0; i < 3; ++i)
-      {
-        corners[i][axis] = at;
-        corners[i][(axis + 1) % 3] = i == (side % 2 ? 2 : 1) ? 2.0 : -2.0;
-        corners[i][(axis + 2) % 3] = i == (side % 2 ? 1 : 2) ? 2.0 : -2.0;
-      }
-      vtkNew<vtkPlaneSource> wall;
-      wall->SetOrigin(corners[0]);
-      wall->SetPoint1(corners[1]);
-      wall->SetPoint2(corners[2]);
-      this->Scene.Add(wall)->GetProperty()->SetInterpolationToPBR();
-      vtkNew<vtkTriangleFilter> triangles;
-      triangles->SetInputConnection(wall->GetOutputPort());
-      all->AddInputConnection(triangles->GetOutputPort());
-    }
-    all->Update();
-    this->Lamp->SetPosition(0.0, 0.0, 1.5);
-    this->Scene.Renderer->GetActiveCamera()->SetPosition(-1.5, -1.5, -1.0);
-    vtkPolyData* surfaces = all->GetOutput();
-    this->Describe(surfaces);
-    ASSERT_TRUE(this->Map->SetBake(surfaces, Light()));
-  }
-
-  // Processor seconds of the next frame, with the map or without.
-  double TimeOf(bool map)
-  {
-    this->Map->SetEnabled(map);
-    this->Scene.Renderer->GetActiveCamera()->Azimuth(0.01); // nothing is averaged
-    return SecondsOf([this] {
-      this->Scene.Window->Render();
-      this->Scene.Window->WaitForCompletion();
-    });
-  }
-
-  double LeastCost(double limit)
-  {
-    return LeastOf(8, limit, [this] {
-      this->TimeOf(true);
-      const double ratio = CostRatio(
-        12, [this] { return this->TimeOf(true); }, [this] { return this->TimeOf(false); });
-      std::printf(
-        "a frame of 1280 x 720, some %.0f ms of processor time: with the map times %.3f\n",
-        1e3 * this->TimeOf(false), ratio);
-      return ratio;
-    });
-  }
-};
-}
 
 TEST_F(LightmapTechnique, LightLiesWhereItWasBaked)
 {
@@ -404,29 +327,61 @@ TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
   EXPECT_NEAR(picture.Grey(13, 32), 0.3 * 255.0, 2.0);
 }
 
-// The least that a frame can be, one matte wall and a lamp: any other pays less for the map in comparison.
-TEST_F(LightmapCost, AFetchIsBoundedOnASingleWall)
+namespace
 {
-  this->AddWall(0.5, 1.0);
-  this->Lamp->SetPosition(0.5, 0.5, 1.5);
-  this->Bake();
-  this->Scene.Renderer->GetActiveCamera()->SetViewAngle(35.0);
-  EXPECT_LE(this->LeastCost(1.05), 1.05);
+// Frames as users draw them; penumbra_bench lightmap takes their time.
+class LightmapWork : public LightmapTechnique
+{
+protected:
+  void SetUp() override
+  {
+    this->LightAsUsers();
+    this->Pass->GetTechnique("shadow-maps")->SetParameter("resolution", 128);
+    this->Scene.Window->SetSize(Side, Side);
+    this->Pass->CollectStatisticsOn();
+  }
+
+  // One draw that shades each pixel of the map's surface once, and no more than one target of four bytes a pixel.
+  void ExpectAdded(double pixels)
+  {
+    const FrameWork with = WorkOfFrame(this->Scene, this->Pass);
+    EXPECT_EQ(this->Notes(), "");
+    this->Map->EnabledOff();
+    FrameWork without = WorkOfFrame(this->Scene, this->Pass);
+    const long samples = with.Samples - without.Samples;
+    std::printf("the map adds %ld bytes and %ld shaded pixels, of %.0f\n",
+      with.Bytes - without.Bytes, samples, pixels);
+    without.Passes.insert("indirect-light");
+    EXPECT_EQ(with.Passes, without.Passes);
+    EXPECT_LE(with.Bytes, without.Bytes + 4L * Side * Side);
+    EXPECT_NEAR(samples, pixels, 0.02 * pixels);
+  }
+
+  static constexpr int Side = 96;
+};
 }
 
-TEST_F(LightmapCost, AFetchIsBoundedInARoom)
+// What stands before the wall hides a part of it, which is not shaded.
+TEST_F(LightmapWork, OfASingleWall)
 {
-  this->MoveIntoARoom();
-  EXPECT_LE(this->LeastCost(1.05), 1.05);
+  this->FillWithAWall();
+  constexpr double size = 1.8, distance = 4.4;
+  this->AddWall(5.0 - distance, size);
+  const double across = 2.0 * distance * std::tan(0.5 * vtkMath::RadiansFromDegrees(35.0));
+  this->ExpectAdded(Side * Side * (1.0 - std::pow(size / across, 2.0)));
 }
 
-// Its ambient term keeps indirect light in a target of its own.
-TEST_F(LightmapCost, AFetchIsBoundedWhereALampIsSeen)
+TEST_F(LightmapWork, OfARoom)
 {
-  vtkActor* lamp = this->AddWall(1.9, 0.2);
-  lamp->GetProperty()->SetAmbient(1.0);
   this->MoveIntoARoom();
-  EXPECT_LE(this->LeastCost(1.07), 1.07);
+  this->ExpectAdded(Side * Side);
+}
+
+TEST_F(LightmapWork, OfARoomWithWhatGlows)
+{
+  this->AddWall(1.9, 0.2)->GetProperty()->SetAmbient(1.0);
+  this->MoveIntoARoom();
+  this->ExpectAdded(Side * Side);
 }
 
 TEST_F(LightmapTechnique, WhatIsNoMapIsRefused)

@@ -150,7 +150,7 @@ class Radiosity(command.CommandTest):
             """There is more than the head, and nothing is being added."""
             sizes.append(log.stat().st_size if log.exists() else 0)
             return sizes[-1] > 1000 and len(sizes) > 5 and len(set(sizes[-5:])) == 1
-        self.assertTrue(self.killed(*bake, "-o", "broken.vtp", when=block_is_written))
+        self.killed_at_work(*bake, "-o", "broken.vtp", when=block_is_written, output="broken.vtp")
         kept = log.read_bytes()
 
         def goes_on(left, *more, notes=()):

@@ -3,11 +3,7 @@
 """penumbra bake lightmap --direct: the lamps' own light in the map, once, for what stands still."""
 import copy
 import json
-import os
 import pathlib
-import signal
-import subprocess
-import time
 import unittest
 
 import command
@@ -87,15 +83,9 @@ class DirectLightmap(command.LightmapTest):
         scene = self.scene(self.cornell)
         settings = ("--texel-size", 12, "--samples", 64)
         self.bake(scene, *settings, "--direct", "--anew", output="whole.exr")
-        process = subprocess.Popen(
-            [command.COMMAND, "bake", "lightmap", str(scene), "-o", "broken.exr", "--direct", *map(str, settings)],
-            cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
         progress = self.folder / "broken.exr.baking"
-        until = time.monotonic() + command.LONGEST
-        while not progress.exists() and time.monotonic() < until:
-            time.sleep(0.01)
-        os.killpg(process.pid, signal.SIGKILL)
-        process.wait()
+        self.killed_at_work("bake", "lightmap", scene, "-o", "broken.exr", "--direct", *settings, when=progress.exists,
+                            output="broken.exr")
         kept = progress.read_bytes()
         other = self.bake(scene, *settings, notes=("of other settings",), output="broken.exr")
         self.assertEqual(other["resumed"], 0)

@@ -183,7 +183,7 @@ class Lightmap(command.LightmapTest):
         seconds = time.monotonic() - start
         bake = ("bake", "lightmap", scene, "-o", "broken.exr", *settings)
         progress = self.folder / "broken.exr.baking"
-        self.assertTrue(self.killed(*bake, when=progress.exists))
+        self.killed_at_work(*bake, when=progress.exists, output="broken.exr")
         self.assertTrue(progress.exists())
         self.assertFalse((self.folder / "broken.exr").exists())
         kept = progress.read_bytes()

@@ -96,7 +96,7 @@ class Probes(command.CommandTest):
         self.assertEqual(json.loads(whole.stdout)["resumed-samples"], 0)
         arguments = ["bake", "probes", scene, "-o", "killed.vti", *settings]
         part = self.folder / "killed.vti.part"
-        self.assertTrue(self.killed(*arguments, when=part.exists))
+        self.killed_at_work(*arguments, when=part.exists, output="killed.vti")
         self.assertTrue(part.exists())
         self.assertFalse((self.folder / "killed.vti").exists())
         resumed = json.loads(self.succeeds(*arguments, "--stats").stdout)
