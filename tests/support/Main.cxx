@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
+#include "Skips.h"
 
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
   penumbra_test::WatchMessages();
-  return RUN_ALL_TESTS();
+  return penumbra_test::RunTests();
 }

@@ -1,0 +1,17 @@
+# How tests are run: what took endlessly is stuck, and what skipped all of its cases is skipped.
+set(PENUMBRA_SKIPPED 77) # tests/support/Skips.h
+
+# penumbra_test_cases(NAME FILE [ENVIRONMENT VARIABLE=VALUE...] [ARGUMENTS ...]): a Python file of unittest cases.
+function(penumbra_test_cases name file)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "ENVIRONMENT;ARGUMENTS")
+  if(NOT Python3_EXECUTABLE)
+    set(Python3_EXECUTABLE /usr/bin/python3)
+  endif()
+  add_test(NAME ${name}
+    COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/tests/support/run_cases.py" "${file}" ${arg_ARGUMENTS})
+  set_tests_properties(${name} PROPERTIES
+    ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;${arg_ENVIRONMENT}"
+    FAIL_REGULAR_EXPRESSION "ERR\\|;WARN\\|"
+    SKIP_RETURN_CODE ${PENUMBRA_SKIPPED}
+    TIMEOUT ${PENUMBRA_TEST_TIMEOUT})
+endfunction()
