@@ -12,6 +12,7 @@
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 
+#include <cstdint>
 #include <map>
 #include <tuple>
 

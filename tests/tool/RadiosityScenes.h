@@ -5,6 +5,8 @@
 
 #include "radiosity/Radiosity.h"
 
+#include <cstdint>
+
 namespace penumbra_test
 {
 using penumbra::radiosity::Color;

@@ -6,6 +6,8 @@
 
 #include "Charts.h"
 
+#include <cstdint>
+
 namespace penumbra::lightmap
 {
 /// One side of a chart. Texels' middles lie on the box around the chart, so that edges along it are met exactly;

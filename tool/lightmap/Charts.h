@@ -6,6 +6,8 @@
 
 #include "Surfaces.h"
 
+#include <cstdint>
+
 namespace penumbra::lightmap
 {
 /// Triangles projected to a plane, so that lengths in it are lengths in the world, shortened where a triangle

@@ -8,6 +8,7 @@
 
 #include <OpenImageIO/hash.h>
 
+#include <cstdint>
 #include <optional>
 
 namespace penumbra::lightmap

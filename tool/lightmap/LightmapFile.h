@@ -9,6 +9,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
+
 class vtkImageData;
 class vtkPolyData;
 

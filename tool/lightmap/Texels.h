@@ -6,6 +6,8 @@
 
 #include "Atlas.h"
 
+#include <cstdint>
+
 namespace penumbra::lightmap
 {
 struct Texel

@@ -7,6 +7,8 @@
 #include "Parallel.h"
 #include "Patches.h"
 
+#include <cstdint>
+
 namespace penumbra::radiosity
 {
 /// A light without extent, as vtkLight means it.

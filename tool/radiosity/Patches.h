@@ -7,6 +7,7 @@
 #include "PatchMesh.h"
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 
 namespace penumbra::radiosity

@@ -8,6 +8,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include <cstdint>
+
 namespace penumbra::radiosity
 {
 /// Steele, Lea, Flood 2014, Fast Splittable Pseudorandom Number Generators.

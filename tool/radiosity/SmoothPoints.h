@@ -6,6 +6,8 @@
 
 #include "DirectLight.h"
 
+#include <cstdint>
+
 namespace penumbra::radiosity
 {
 /// Patches that meet at less than 30 degrees, of one surface, share the points between them.

@@ -9,6 +9,7 @@
 #include "private/rays/GatherCache.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>

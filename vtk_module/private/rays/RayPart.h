@@ -13,6 +13,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>

@@ -13,6 +13,7 @@
 #include "private/rays/RayScene.h"
 #include "private/rays/RaySky.h"
 
+#include <cstdint>
 #include <set>
 
 namespace penumbra

@@ -13,6 +13,7 @@
 #include "private/rays/RayBuffer.h"
 #include "private/rays/RayMesh.h"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 

@@ -11,6 +11,8 @@
 #include "private/rays/RayGeometry.h"
 #include "private/rays/RayTree.h"
 
+#include <cstdint>
+
 namespace penumbra
 {
 /// bounds: of the geometry's primitives; those of triangles in pieces become those of their first

@@ -8,6 +8,7 @@
 
 #include "private/rays/RayTree.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace penumbra
