@@ -68,14 +68,27 @@ std::uint32_t PackNormal(glm::vec3 n)
   return glm::packUnorm2x16(p * 0.5f + 0.5f);
 }
 
+/// The key of the transform of texture coordinates: its name changed after VTK 9.3, and the old one is deprecated.
+template <typename Prop>
+auto TextureTransformKey(int) -> decltype(Prop::GENERAL_TEXTURE_TRANSFORM())
+{
+  return Prop::GENERAL_TEXTURE_TRANSFORM();
+}
+template <typename Prop>
+auto TextureTransformKey(long) -> decltype(Prop::GeneralTextureTransform())
+{
+  return Prop::GeneralTextureTransform();
+}
+
 /// What an actor's keys do to texture coordinates; the identity where there is no such key.
 glm::dmat4 TextureTransform(vtkActor* actor)
 {
   glm::dmat4 transform(1.0);
   vtkInformation* keys = actor->GetPropertyKeys();
-  if (keys && keys->Has(vtkProp::GeneralTextureTransform()))
+  const auto key = TextureTransformKey<vtkProp>(0);
+  if (keys && keys->Has(key))
   {
-    const double* values = keys->Get(vtkProp::GeneralTextureTransform());
+    const double* values = keys->Get(key);
     for (int i = 0; i < 16; ++i)
     {
       transform[i % 4][i / 4] = values[i];
