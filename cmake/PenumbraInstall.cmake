@@ -13,6 +13,7 @@ install(
   FILES
     "${CMAKE_BINARY_DIR}/${_package}/PenumbraConfig.cmake"
     "${CMAKE_BINARY_DIR}/${_package}/PenumbraConfigVersion.cmake"
+    "${CMAKE_CURRENT_SOURCE_DIR}/cmake/PenumbraPythonTargets.cmake"
   DESTINATION "${_package}"
   COMPONENT development)
 

@@ -1,4 +1,5 @@
 # Finds one VTK, ParaView's or the plain one, and builds the module against it.
+include(PenumbraPythonTargets)
 
 # Debian keeps ParaView's copy of VTK beside its CMake package, out of find_package's default path.
 function(_penumbra_find_paraview_vtk out)
@@ -39,6 +40,9 @@ if(PENUMBRA_WRAP_PYTHON)
   if(NOT Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
     set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The interpreter VTK was wrapped for")
   endif()
+endif()
+if(VTK_DIR)
+  penumbra_python_targets("${VTK_DIR}")
 endif()
 # Molecules can be traced where VTK was built with them.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${_vtk_components}
