@@ -5,6 +5,7 @@
 Each function gives a renderer with plain VTK actors, lights and camera; nothing here is Penumbra's.
 """
 import math
+import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -19,7 +20,12 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtk
                                          vtkPolyDataMapper, vtkRenderer)
 
 MRICRON = "/usr/share/mricron/templates/"
-PROTEIN = "/usr/share/pymol/data/demo/1tii.pdb"
+# The first that is installed: not every release of Debian has both.
+PROTEINS = {
+    "/usr/share/pymol/data/demo/1tii.pdb": "heat-labile enterotoxin (1TII)",
+    "/usr/share/EMBOSS/test/data/structure/2hhb.ent": "haemoglobin (2HHB)",
+}
+PROTEIN = next((path for path in PROTEINS if os.path.exists(path)), next(iter(PROTEINS)))
 ELEVATION = "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"
 
 
@@ -174,7 +180,7 @@ def read_atoms(path):
 
 
 def protein():
-    """A toxin's atoms as balls, a colour for each chain."""
+    """A protein's atoms as balls, a colour for each chain."""
     renderer = stage((0.93, 0.93, 0.95), (0.70, 0.72, 0.76))
     places, elements, chains = read_atoms(PROTEIN)
     radii = {"C": 1.7, "N": 1.55, "O": 1.52, "S": 1.8}
@@ -268,6 +274,6 @@ def terrain():
 
 SCENES = {
     "head": ("MRI head: skin and brain", head),
-    "protein": ("Protein: heat-labile enterotoxin (1TII)", protein),
+    "protein": (f"Protein: {PROTEINS[PROTEIN]}", protein),
     "terrain": ("Terrain: Jacksboro fault, Tennessee", terrain),
 }
