@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cases.h"
+#include "CompositeMapper.h"
 
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositePolyDataMapper.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkDataSetMapper.h"
@@ -72,7 +72,7 @@ void AddGlyphs(Stage& stage, bool scalars)
   Stage::LookAround(stage.Renderer);
 }
 
-vtkSmartPointer<vtkCompositePolyDataMapper2> AddBlocks(Stage& stage)
+vtkSmartPointer<CompositeMapper> AddBlocks(Stage& stage)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   for (unsigned int i = 0; i < 3; ++i)
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkCompositePolyDataMapper2> AddBlocks(Stage& stage)
     sphere->Update();
     blocks->SetBlock(i, sphere->GetOutput());
   }
-  auto mapper = vtkSmartPointer<vtkCompositePolyDataMapper2>::New();
+  auto mapper = vtkSmartPointer<CompositeMapper>::New();
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);

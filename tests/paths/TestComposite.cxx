@@ -13,13 +13,6 @@
 #include "vtkThreshold.h"
 #include "vtkLookupTable.h"
 
-#if __has_include("vtkCompositePolyDataMapper2.h")
-#include "vtkCompositePolyDataMapper2.h"
-using Mapper = vtkCompositePolyDataMapper2;
-#else
-using Mapper = vtkCompositePolyDataMapper;
-#endif
-
 using namespace penumbra_test;
 
 namespace
@@ -56,9 +49,9 @@ vtkSmartPointer<vtkMultiBlockDataSet> Tree(bool scalars)
   return tree;
 }
 
-vtkSmartPointer<Mapper> AddTree(Stage& stage, bool scalars)
+vtkSmartPointer<CompositeMapper> AddTree(Stage& stage, bool scalars)
 {
-  auto mapper = vtkSmartPointer<Mapper>::New();
+  auto mapper = vtkSmartPointer<CompositeMapper>::New();
   mapper->SetInputDataObject(Tree(scalars));
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
@@ -123,7 +116,7 @@ TEST(PathsComposite, the_plain_mapper_and_plain_data)
   vtkNew<vtkCompositePolyDataMapper> tree;
   tree->SetInputDataObject(Tree(true));
   stage.Add(tree);
-  vtkNew<Mapper> plain;
+  vtkNew<CompositeMapper> plain;
   plain->SetInputDataObject(Block(0.6, 2.4, false));
   stage.Add(plain);
   LightFromTheEye(stage);
