@@ -42,6 +42,12 @@ class CommandTest(unittest.TestCase):
             errors="replace", timeout=LONGEST, stdin=subprocess.DEVNULL,
             env={key: value for key, value in changed.items() if value is not None})
 
+    def needs(self, backend):
+        """Skips the test where there is no such backend: Mesa after 25.0 has no OSMesa."""
+        ended = self.penumbra("info", "--backend", backend)
+        if ended.returncode != 0 and "could not be loaded" in ended.stderr:
+            self.skipTest(ended.stderr.strip())
+
     def succeeds(self, *arguments, notes=(), env=None):
         """Ends with 0 and says nothing but notes with these words, one each."""
         ended = self.penumbra(*arguments, env=env)

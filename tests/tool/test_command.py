@@ -124,6 +124,7 @@ class Rendered(command.CommandTest):
         self.assertLess(self.compare("on.png", "again.png")["maximum"], 1.5 / 255)
 
     def test_backends_agree(self):
+        self.needs("osmesa")
         for backend in ("egl", "osmesa"):
             ended = self.render(f"{backend}.png", "--backend", backend, "--stats")
             self.assertEqual(json.loads(ended.stdout)["opengl"]["backend"].lower(), backend)

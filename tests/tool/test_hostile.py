@@ -278,6 +278,7 @@ class Graphics(Hostile):
         self.without("egl", "OpenGL", __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
 
     def test_opengl_too_old(self):
+        self.needs("osmesa")
         self.without("osmesa", "4.3", MESA_GL_VERSION_OVERRIDE="3.0")
 
     def test_no_display(self):

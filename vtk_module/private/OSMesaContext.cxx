@@ -96,7 +96,7 @@ private:
     if (!mesa)
     {
       this->Error = { "OSMesa could not be loaded (" + reason + ")",
-        "install libosmesa6 (part of Mesa up to 25.0)" };
+        "install libosmesa6, or use EGL where the distribution has none (Mesa after 25.0)" };
       return;
     }
     if (!(Find(mesa, "OSMesaCreateContextAttribs", this->CreateContextAttribs) &&
