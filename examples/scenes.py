@@ -174,7 +174,10 @@ def read_atoms(path):
     with open(path, encoding="ascii", errors="replace") as file:
         lines = [line for line in file if line.startswith("ATOM")]
     places = np.array([[float(line[30 + 8 * i:38 + 8 * i]) for i in range(3)] for line in lines])
-    elements = [line[76:78].strip() or line[12:16].strip(" 0123456789")[:1] for line in lines]
+    # Files of before 1996 have no column of elements: their atoms' names tell.
+    columns = [line[76:78].strip() for line in lines]
+    elements = [column if column.isalpha() else line[12:16].strip(" 0123456789")[:1]
+                for line, column in zip(lines, columns)]
     chains = [line[21] for line in lines]
     return places, elements, chains
 

@@ -12,7 +12,8 @@ namespace
 {
 bool HasOSMesa()
 {
-  return dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL) || dlopen("libOSMesa.so.6", RTLD_LAZY | RTLD_LOCAL) ||
+  return dlopen("libOSMesa.so.8", RTLD_LAZY | RTLD_LOCAL) ||
+    dlopen("libOSMesa.so.6", RTLD_LAZY | RTLD_LOCAL) ||
     dlopen("libOSMesa.so", RTLD_LAZY | RTLD_LOCAL);
 }
 }
