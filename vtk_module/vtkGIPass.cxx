@@ -162,6 +162,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
   }
   this->Impl->Enter(window);
   penumbra::RefreshState(window);
+  this->Impl->Held.Record(window);
   this->CopiedTile = true;
   const auto draw = [this](const vtkRenderState* picture) {
     this->CopiedTile = false;
@@ -193,6 +194,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   else
   {
     problem = this->Impl->RenderFrame(this, state);
+    this->Impl->Held.Restore(static_cast<vtkOpenGLRenderer*>(state->GetRenderer())->GetState());
   }
   if (!problem.empty())
   {

@@ -12,14 +12,15 @@
 namespace penumbra
 {
 FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const View& view,
-  vtkOpenGLRenderer* renderer, const WindowTarget& window, const std::string& viewName,
-  Buffer& viewBlock)
+  vtkOpenGLRenderer* renderer, const WindowTarget& window, const HeldTextures& held,
+  const std::string& viewName, Buffer& viewBlock)
   : Pool(pool)
   , Library(shaders)
   , CurrentView(view)
   , Renderer(renderer)
   , State(renderer->GetState())
   , Window(window)
+  , Held(held)
   , ViewName(viewName)
   , ViewBlock(viewBlock)
 {
@@ -105,6 +106,7 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     FrameContext context;
     context.Executor = this;
     context.Step = &step;
+    this->Held.Restore(this->State);
     if (timer)
     {
       timer->Begin(step.Name);
@@ -116,6 +118,7 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     }
     this->Retire(position);
   }
+  this->Held.Restore(this->State);
 }
 
 const View& FrameContext::GetView() const

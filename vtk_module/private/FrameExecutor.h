@@ -8,6 +8,7 @@
 
 #include "private/Frame.h"
 #include "private/GpuTimer.h"
+#include "private/HeldTextures.h"
 
 namespace penumbra
 {
@@ -23,11 +24,11 @@ class FrameExecutor
 {
 public:
   FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const View& view,
-    vtkOpenGLRenderer* renderer, const WindowTarget& window, const std::string& viewName,
-    Buffer& viewBlock);
+    vtkOpenGLRenderer* renderer, const WindowTarget& window, const HeldTextures& held,
+    const std::string& viewName, Buffer& viewBlock);
   ~FrameExecutor();
 
-  /// timer may be nullptr.
+  /// What VTK holds bound is so whenever a step begins, and at the end. timer may be nullptr.
   void Run(const FrameGraph& graph, GpuTimer* timer);
 
 private:
@@ -44,6 +45,7 @@ private:
   vtkOpenGLRenderer* Renderer;
   vtkOpenGLState* State;
   WindowTarget Window;
+  const HeldTextures& Held;
   std::string ViewName;
   const FrameGraph* Graph = nullptr;
   std::vector<Texture*> Lent; ///< by version

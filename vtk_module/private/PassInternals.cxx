@@ -266,7 +266,7 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   target.Depth = depth.get();
   GpuTimer timer;
   FrameExecutor executor(
-    this->Pool, this->Shaders, view, renderer, target, memory.Name, this->ViewBlock);
+    this->Pool, this->Shaders, view, renderer, target, this->Held, memory.Name, this->ViewBlock);
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
   this->Forward->SetLights(this->Lights, builder.GetForwardLight());

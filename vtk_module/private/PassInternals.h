@@ -12,6 +12,7 @@
 #include "private/DarkLamp.h"
 #include "private/ForwardHooks.h"
 #include "private/FrameExecutor.h"
+#include "private/HeldTextures.h"
 #include "private/MotionTable.h"
 #include "private/SceneCapture.h"
 #include "private/SceneSignature.h"
@@ -71,6 +72,7 @@ public:
   std::string Statistics = "{}";
   int CapturedProps = 0;
   penumbra::DarkLamp Dark; ///< while a picture is drawn
+  penumbra::HeldTextures Held;
   vtkSmartPointer<vtkGIForwardHooks> Forward = vtkSmartPointer<vtkGIForwardHooks>::New();
   const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
 

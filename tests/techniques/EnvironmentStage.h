@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A row of balls of physically based materials, lit by an environment alone.
+ */
+#pragma once
+
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include <vtkImageData.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkPBRIrradianceTexture.h>
+#include <vtkPBRLUTTexture.h>
+#include <vtkPBRPrefilterTexture.h>
+#include <vtkSphereSource.h>
+#include <vtkTexture.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace penumbra_test
+{
+/// A picture of one value, in which 1 is the largest of integers.
+template <typename Value>
+vtkSmartPointer<vtkTexture> EvenTexture(double value, bool srgb = false)
+{
+  const double one =
+    std::is_integral<Value>::value ? static_cast<double>(std::numeric_limits<Value>::max()) : 1.0;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(32, 16, 1);
+  image->AllocateScalars(vtkTypeTraits<Value>::VTK_TYPE_ID, 3);
+  auto* values = static_cast<Value*>(image->GetScalarPointer());
+  const double stored = std::is_integral<Value>::value ? std::round(value * one) : value;
+  std::fill_n(values, 3 * image->GetNumberOfPoints(), static_cast<Value>(stored));
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn(); // VTK insists
+  texture->SetUseSRGBColorSpace(srgb);
+  return texture;
+}
+
+class EnvironmentStage
+{
+public:
+  struct Ball
+  {
+    double Metallic;
+    double Roughness;
+  };
+  /// Of what is displayed in the middle of a ball.
+  struct Shown
+  {
+    double Mean = 0.0;
+    double Deviation = 0.0;
+  };
+
+  EnvironmentStage()
+  {
+    auto* renderer = this->Renderer();
+    renderer->SetBackground(0.0, 0.0, 0.0);
+    renderer->UseImageBasedLightingOn();
+    // VTK's own tables are large, and slow to make on a processor.
+    renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(16);
+    renderer->GetEnvMapIrradiance()->SetIrradianceSize(8);
+    renderer->GetEnvMapIrradiance()->SetIrradianceStep(0.1f);
+    renderer->GetEnvMapLookupTable()->SetLUTSize(64);
+    renderer->GetEnvMapLookupTable()->SetLUTSamples(256);
+    // A light that is too faint to count keeps VTK from drawing flat colours.
+    renderer->AutomaticLightCreationOff();
+    vtkNew<vtkLight> faint;
+    faint->SetIntensity(1e-9);
+    renderer->AddLight(faint);
+  }
+
+  vtkOpenGLRenderer* Renderer()
+  {
+    return static_cast<vtkOpenGLRenderer*>(this->Scene.Renderer.Get());
+  }
+
+  void SetEnvironment(vtkTexture* texture, bool srgb = false)
+  {
+    this->Renderer()->SetEnvironmentTexture(texture, srgb);
+  }
+
+  /// Balls side by side, each in a square of the picture.
+  std::vector<Ball> AddBalls(const std::vector<Ball>& balls, double opacity = 1.0)
+  {
+    this->Count = static_cast<int>(balls.size());
+    this->Scene.Window->SetSize(this->Count * Side, Side);
+    double place = 0.0;
+    for (const Ball& ball : balls)
+    {
+      vtkNew<vtkSphereSource> source;
+      source->SetThetaResolution(48);
+      source->SetPhiResolution(48);
+      source->SetRadius(0.45);
+      source->SetCenter(place, 0.0, 0.0);
+      place += 1.0;
+      vtkProperty* property = this->Scene.Add(source)->GetProperty();
+      property->SetInterpolationToPBR();
+      property->SetColor(0.8, 0.8, 0.8);
+      property->SetMetallic(ball.Metallic);
+      property->SetRoughness(ball.Roughness);
+      property->SetOpacity(opacity);
+      property->SetBackfaceCulling(opacity < 1.0);
+    }
+    // From so far that every ball is seen from its front.
+    vtkCamera* camera = this->Renderer()->GetActiveCamera();
+    const double middle = 0.5 * (this->Count - 1);
+    camera->SetFocalPoint(middle, 0.0, 0.0);
+    camera->SetPosition(middle, 0.0, 60.0);
+    camera->SetViewAngle(2.0 * std::atan(0.5 / 60.0) * 180.0 / vtkMath::Pi());
+    this->Renderer()->ResetCameraClippingRange();
+    return balls;
+  }
+
+  /// Draw by a preset, or by VTK alone ("stock").
+  std::vector<Shown> Measure(const std::string& preset, int frames)
+  {
+    this->Renderer()->SetPass(nullptr);
+    if (preset != "stock")
+    {
+      this->Pass = this->Scene.SetPasses().front();
+      EXPECT_TRUE(this->Pass->SetPreset(preset.c_str()));
+    }
+    for (int i = 1; i < frames; ++i)
+    {
+      this->Scene.Window->Render();
+    }
+    const Picture picture = Shoot(this->Scene.Window);
+    Save(picture,
+      std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" + preset);
+    EXPECT_TRUE(TakeMessages().empty());
+    std::vector<Shown> shown;
+    for (int ball = 0; ball < this->Count; ++ball)
+    {
+      double sum = 0.0;
+      double squares = 0.0;
+      for (int i = 0; i < Middle * Middle; ++i)
+      {
+        const double value = picture.Grey(
+          ball * Side + (Side - Middle) / 2 + i % Middle, (Side - Middle) / 2 + i / Middle);
+        sum += value;
+        squares += value * value;
+      }
+      const double mean = sum / (Middle * Middle);
+      shown.push_back(
+        { mean, std::sqrt(std::max(0.0, squares / (Middle * Middle) - mean * mean)) });
+    }
+    return shown;
+  }
+
+  static constexpr int Side = 40;   // pixels of a ball's square
+  static constexpr int Middle = 12; // of it that is measured
+  Stage Scene;
+  vtkSmartPointer<vtkGIPass> Pass;
+
+private:
+  int Count = 0;
+};
+}

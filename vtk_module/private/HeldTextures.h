@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The textures that VTK keeps bound while a render pass runs, as it does those of image-based light. Its mappers read
+ * them from the units that they were activated on, without binding them again. Passes of our own bind to fixed units,
+ * so these are put back before VTK draws.
+ */
+#pragma once
+
+#include "private/GL.h"
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkOpenGLState;
+
+namespace penumbra
+{
+class HeldTextures
+{
+public:
+  /// Note what is bound to the units that VTK has given away.
+  void Record(vtkOpenGLRenderWindow* window);
+
+  /// Bind that again.
+  void Restore(vtkOpenGLState* state) const;
+
+private:
+  struct Binding
+  {
+    GLenum Unit;
+    GLenum Target;
+    GLuint Name;
+  };
+  std::vector<Binding> Bindings;
+};
+}
