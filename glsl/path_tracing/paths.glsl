@@ -34,14 +34,14 @@ vec3 lampReflected(LightData lamp, GiReflector r, vec3 position, bool seen)
   {
     if (r.pbr)
     {
-      return lamp.Color.rgb * giReflect(r, r.V);
+      return lamp.Color.rgb * giReflectLamp(r, r.V);
     }
     float facing = max(0.000001, dot(r.N, -lamp.Direction.xyz));
     return lamp.Color.rgb * (r.albedo * facing + r.specular * pow(facing, r.power));
   }
   GiIncident incident = giIncident(lamp, position);
   vec3 reaching = lamp.Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI);
-  return reaching * giReflect(r, -incident.Travel);
+  return reaching * giReflectLamp(r, -incident.Travel);
 }
 
 float powerHeuristic(float a, float b)

@@ -3,6 +3,11 @@
 // How a surface reflects: the same formulas as direct_light/resolve.frag, with the densities by
 // which directions are sampled. Needs rays/surface.glsl, lib/pbr.glsl, lib/phong.glsl,
 // lib/sampling.glsl.
+
+// Below this roughness a lobe is as good as a mirror: its width, the square, is less than a pixel, and floats no longer
+// tell its half vectors apart.
+const float GI_MIRROR_ROUGHNESS = 0.0316;
+
 struct GiReflector
 {
   vec3 N;
@@ -13,6 +18,7 @@ struct GiReflector
   bool pbr;
   float metallic;
   float roughness;
+  float lobe; // roughness of the lobe that directions are sampled by
   vec3 f0;
   vec3 f90;
   float occlusion;
@@ -31,6 +37,7 @@ GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
   r.power = r.pbr ? 1.0 : at.specular.w;
   r.metallic = at.metallic;
   r.roughness = at.roughness;
+  r.lobe = max(at.roughness, GI_MIRROR_ROUGHNESS);
   r.occlusion = at.occlusion;
   r.f0 = mix(vec3(at.specular.w), at.color.rgb, r.metallic);
   r.f90 = mix(vec3(clamp(dot(r.f0, vec3(50.0 * 0.33)), 0.0, 1.0)), at.specular.rgb, r.metallic);
@@ -41,8 +48,8 @@ GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
   return r;
 }
 
-// Radiance toward V for unit radiance from a unit solid angle about L, the cosine included.
-vec3 giReflect(GiReflector r, vec3 L)
+// Radiance toward V for unit radiance from a unit solid angle about L, the cosine included. roughness: of PBR.
+vec3 giReflect(GiReflector r, vec3 L, float roughness)
 {
   float facing = dot(r.N, L);
   if (facing <= 0.0)
@@ -51,9 +58,21 @@ vec3 giReflect(GiReflector r, vec3 L)
   }
   if (r.pbr)
   {
-    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, r.roughness, r.f0, r.f90);
+    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90);
   }
   return (r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
+}
+
+// Of what has an extent: emitters, surfaces, the surroundings.
+vec3 giReflect(GiReflector r, vec3 L)
+{
+  return giReflect(r, L, r.lobe);
+}
+
+// Of a lamp, which is a point: a perfect mirror shows nothing of it, as VTK draws it.
+vec3 giReflectLamp(GiReflector r, vec3 L)
+{
+  return giReflect(r, L, r.roughness);
 }
 
 vec3 giSampleReflection(GiReflector r, float lobe, vec2 u)
@@ -64,7 +83,7 @@ vec3 giSampleReflection(GiReflector r, float lobe, vec2 u)
   }
   if (r.pbr)
   {
-    vec3 H = giBasis(r.N) * giSampleGGX(u, r.roughness * r.roughness);
+    vec3 H = giBasis(r.N) * giSampleGGX(u, r.lobe * r.lobe);
     return reflect(-r.V, H);
   }
   return giBasis(reflect(-r.V, r.N)) * giSamplePower(u, r.power);
@@ -79,7 +98,7 @@ float giReflectionDensity(GiReflector r, vec3 L)
   {
     vec3 H = normalize(r.V + L);
     float NdH = max(dot(r.N, H), 0.0);
-    shiny = giDistributionGGX(NdH, r.roughness) * NdH / max(4.0 * abs(dot(r.V, H)), 1e-6);
+    shiny = giDistributionGGX(NdH, r.lobe) * NdH / max(4.0 * abs(dot(r.V, H)), 1e-6);
   }
   else if (r.gloss > 0.0)
   {

@@ -52,7 +52,7 @@ bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
   {
     GiIncident incident = giIncident(lights[i], at.position);
     vec3 reflected = lights[i].Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI) *
-      giReflect(r, -incident.Travel);
+      giReflectLamp(r, -incident.Travel);
     if (dot(reflected, vec3(1.0)) > 0.0 && reaches(lights[i], at, state))
     {
       radiance += lampShare * reflected;
