@@ -130,12 +130,21 @@ Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
 }
 
 #ifdef GI_RAY_SKY
+// What a surface sends to its viewer of the surroundings' light from a direction, per solid angle.
+vec3 skyReflected(GiReflector r, vec3 L)
+{
+  vec3 even = raySkyRadiance(L);
+  vec3 gloss = raySkyGloss(L);
+  return even == gloss ? giReflect(r, L) * even
+                       : (giReflect(r, L) - giReflectGloss(r, L)) * even + giReflectGloss(r, L) * gloss;
+}
+
 Arrival fromSky(vec2 u, GiReflector r)
 {
   float density;
   vec3 L = raySkySample(u, density);
   float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
-  return Arrival(density > 0.0 ? giReflect(r, L) * raySkyRadiance(L) * weight / density : vec3(0.0),
+  return Arrival(density > 0.0 ? skyReflected(r, L) * weight / density : vec3(0.0),
     L, RAY_FAR, false);
 }
 #endif
@@ -225,6 +234,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     }
     vec3 L = giSampleReflection(r, giRandom(state), sample2D(bounce, 1));
     density = giReflectionDensity(r, L);
+    vec3 arriving = throughput / max(density, 1e-30); // times what is reflected of it
     throughput *= density > 0.0 ? giReflect(r, L) / density : vec3(0.0);
     float survive = bounce < 3 ? 1.0 : min(0.95, max(throughput.r, max(throughput.g, throughput.b)));
     bool closed;
@@ -243,7 +253,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
 #ifdef GI_RAY_SKY
       float other = raySkyDensity(L);
       float share = strategy == 0 ? powerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
-      radiance += throughput * raySkyRadiance(L) * share;
+      radiance += arriving / survive * skyReflected(r, L) * share;
 #endif
       break;
     }

@@ -48,8 +48,9 @@ GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
   return r;
 }
 
-// Radiance toward V for unit radiance from a unit solid angle about L, the cosine included. roughness: of PBR.
-vec3 giReflect(GiReflector r, vec3 L, float roughness)
+// Radiance toward V for unit radiance from a unit solid angle about L, the cosine included. roughness: of PBR. matter:
+// share of the light that is reflected by more than the highlight.
+vec3 giReflect(GiReflector r, vec3 L, float roughness, float matter)
 {
   float facing = dot(r.N, L);
   if (facing <= 0.0)
@@ -58,21 +59,27 @@ vec3 giReflect(GiReflector r, vec3 L, float roughness)
   }
   if (r.pbr)
   {
-    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90);
+    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90, matter);
   }
-  return (r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
+  return (matter * r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
 }
 
 // Of what has an extent: emitters, surfaces, the surroundings.
 vec3 giReflect(GiReflector r, vec3 L)
 {
-  return giReflect(r, L, r.lobe);
+  return giReflect(r, L, r.lobe, 1.0);
+}
+
+// Of that, the highlight's part.
+vec3 giReflectGloss(GiReflector r, vec3 L)
+{
+  return giReflect(r, L, r.lobe, 0.0);
 }
 
 // Of a lamp, which is a point: a perfect mirror shows nothing of it, as VTK draws it.
 vec3 giReflectLamp(GiReflector r, vec3 L)
 {
-  return giReflect(r, L, r.roughness);
+  return giReflect(r, L, r.roughness, 1.0);
 }
 
 vec3 giSampleReflection(GiReflector r, float lobe, vec2 u)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of the surroundings, a picture of longitude and latitude as VTK lays it out, and
 // directions picked in proportion to it. Needs shared/ray_surface.h.
-layout(binding = GI_RAY_SKY_UNIT) uniform sampler2D raySky;
+layout(binding = GI_RAY_SKY_UNIT) uniform sampler2DArray raySky; // for matter; for highlights where that differs
 layout(binding = GI_RAY_SKY_TABLE_UNIT) uniform sampler2D raySkyTable;
 uniform mat3 sceneToSky;
 uniform ivec2 skyCells;
@@ -17,7 +17,13 @@ vec2 raySkyPlace(vec3 direction)
 
 vec3 raySkyRadiance(vec3 direction)
 {
-  return textureLod(raySky, raySkyPlace(direction), 0.0).rgb;
+  return textureLod(raySky, vec3(raySkyPlace(direction), 0.0), 0.0).rgb;
+}
+
+// What highlights reflect: VTK may decode the picture otherwise for them. A layer that is not there is the last.
+vec3 raySkyGloss(vec3 direction)
+{
+  return textureLod(raySky, vec3(raySkyPlace(direction), 1.0), 0.0).rgb;
 }
 
 float raySkyCumulative(int row, int cell)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 
 using namespace penumbra_test;
@@ -55,5 +56,55 @@ TEST(ImageBasedLight, TranslucentBallsInAFurnace)
       balls[i].Roughness, stock[i].Mean, high[i].Mean, high[i].Deviation);
     EXPECT_NEAR(high[i].Mean, stock[i].Mean, 3.0);
     EXPECT_LE(high[i].Deviation, 4.0);
+  }
+}
+
+// A picture of eight bits is decoded, or not, as VTK's image-based light does it: apart for what matter reflects and for
+// what highlights do.
+TEST(ImageBasedLight, ColorSpacesOfEnvironments)
+{
+  struct Case
+  {
+    const char* Name;
+    vtkSmartPointer<vtkTexture> (*Make)(double value, bool srgb);
+    bool TextureSrgb;
+    bool RendererSrgb;
+  };
+  const std::array<Case, 9> cases = { {
+    { "8 bits", EvenTexture<unsigned char>, false, false },
+    { "8 bits, texture is sRGB", EvenTexture<unsigned char>, true, false },
+    { "8 bits, renderer is told so", EvenTexture<unsigned char>, false, true },
+    { "8 bits, both", EvenTexture<unsigned char>, true, true },
+    { "16 bits", EvenTexture<unsigned short>, false, false },
+    { "16 bits, texture is sRGB", EvenTexture<unsigned short>, true, false },
+    { "16 bits, renderer is told so", EvenTexture<unsigned short>, false, true },
+    { "float", EvenTexture<float>, false, false },
+    { "float, renderer is told so", EvenTexture<float>, false, true },
+  } };
+  EnvironmentStage stage;
+  stage.AddBalls({ { 0.0, 1.0 }, { 1.0, 0.0 } });
+  for (const bool harmonics : { true, false })
+  {
+    stage.Renderer()->SetUseSphericalHarmonics(harmonics);
+    for (const Case& row : cases)
+    {
+      if (!harmonics && row.Make != cases[0].Make)
+      {
+        continue;
+      }
+      stage.SetEnvironment(row.Make(Radiance, row.TextureSrgb), row.RendererSrgb);
+      const auto stock = stage.Measure("stock", 1);
+      const auto high = stage.Measure("high", 2);
+      const auto reference = stage.Measure("reference", 16);
+      std::printf("%-30s matte: stock %.1f, high %.1f, reference %.1f; mirror: %.1f, %.1f, %.1f\n",
+        row.Name, stock[0].Mean, high[0].Mean, reference[0].Mean, stock[1].Mean, high[1].Mean,
+        reference[1].Mean);
+      for (std::size_t i = 0; i < stock.size(); ++i)
+      {
+        EXPECT_GT(stock[i].Mean, 40.0) << row.Name;
+        EXPECT_NEAR(high[i].Mean, stock[i].Mean, 3.0) << row.Name;
+        EXPECT_NEAR(reference[i].Mean, stock[i].Mean, 3.0) << row.Name;
+      }
+    }
   }
 }

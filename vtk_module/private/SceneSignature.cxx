@@ -3,6 +3,7 @@
 #include "private/SceneSignature.h"
 
 #include "private/ChangeTimes.h"
+#include "private/rays/SkyPictures.h"
 #include "private/rays/TexturePixels.h"
 
 #include "vtkActor.h"
@@ -77,6 +78,11 @@ SceneSignature SceneSignature::Of(
   {
     signature.Values[Lights].push_back(AsNumber(TextureTime(environment)));
     signature.Values[Lights].push_back(renderer->GetUseImageBasedLighting());
+    const SkyDecoding decoding = SkyDecoding::Of(renderer);
+    for (const bool flag : { decoding.Harmonics, decoding.MatteToLinear, decoding.GlossToLinear })
+    {
+      signature.Values[Lights].push_back(flag);
+    }
     for (const double* axis : { renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight() })
     {
       signature.Add(Lights, axis, 3);

@@ -3,6 +3,7 @@
 #include "private/rays/RaySky.h"
 
 #include "private/Matrices.h"
+#include "private/rays/SkyPictures.h"
 #include "private/rays/TexturePixels.h"
 
 #include "ray_surface.h"
@@ -23,100 +24,6 @@ namespace
 // Finer tables cost memory and find hardly more.
 constexpr int MostColumns = 1024;
 constexpr int MostRows = 512;
-// Finer pictures are averaged: two gigabytes of sky would light no differently.
-constexpr int MostWidth = 8192;
-
-struct Sphere
-{
-  int Width = 0;
-  int Height = 0;
-  std::vector<glm::vec4> Pixels;
-};
-
-Sphere Unfold(const TexturePixels& pixels)
-{
-  const int step = (std::max(pixels.Width, pixels.Height) + MostWidth - 1) / MostWidth;
-  Sphere sphere{ pixels.Width / std::max(1, step), pixels.Height / std::max(1, step), {} };
-  sphere.Pixels.reserve(static_cast<std::size_t>(sphere.Width) * sphere.Height);
-  for (int y = 0; y < sphere.Height; ++y)
-  {
-    for (int x = 0; x < sphere.Width; ++x)
-    {
-      glm::vec4 sum(0.0f);
-      for (int i = 0; i < step * step; ++i)
-      {
-        sum += glm::max(pixels.At(x * step + i % step, y * step + i / step), 0.0f);
-      }
-      sphere.Pixels.push_back(sum / static_cast<float>(step * step));
-    }
-  }
-  return sphere;
-}
-
-/// A cube map's value in a direction, by OpenGL's rules for its faces.
-glm::vec4 Lookup(const TexturePixels (&faces)[6], const glm::vec3& d)
-{
-  const glm::vec3 size = glm::abs(d);
-  int face = 0;
-  glm::vec2 p;
-  float major = size.x;
-  if (size.x >= size.y && size.x >= size.z)
-  {
-    face = d.x > 0.0f ? 0 : 1;
-    p = glm::vec2(d.x > 0.0f ? -d.z : d.z, -d.y);
-  }
-  else if (size.y >= size.z)
-  {
-    major = size.y;
-    face = d.y > 0.0f ? 2 : 3;
-    p = glm::vec2(d.x, d.y > 0.0f ? d.z : -d.z);
-  }
-  else
-  {
-    major = size.z;
-    face = d.z > 0.0f ? 4 : 5;
-    p = glm::vec2(d.z > 0.0f ? d.x : -d.x, -d.y);
-  }
-  const TexturePixels& pixels = faces[face];
-  const glm::vec2 place = (p / major * 0.5f + 0.5f) * glm::vec2(pixels.Width, pixels.Height);
-  return pixels.At(std::clamp(static_cast<int>(place.x), 0, pixels.Width - 1),
-    std::clamp(static_cast<int>(place.y), 0, pixels.Height - 1));
-}
-
-Sphere Unfold(vtkTexture* cube, vtkRenderer* renderer)
-{
-  TexturePixels faces[6];
-  Sphere sphere;
-  for (int i = 0; i < 6; ++i)
-  {
-    faces[i] = ReadTexturePixels(cube, i);
-    if (faces[i].Width == 0)
-    {
-      return sphere;
-    }
-  }
-  // VTK turns the direction once more before it looks into a cube map.
-  const glm::vec3 right(ToVec3(renderer->GetEnvironmentRight()));
-  const glm::vec3 up(ToVec3(renderer->GetEnvironmentUp()));
-  const glm::vec3 front = glm::cross(up, right);
-  sphere.Width = std::min(4 * faces[0].Width, MostWidth);
-  sphere.Height = sphere.Width / 2;
-  for (int y = 0; y < sphere.Height; ++y)
-  {
-    const float latitude =
-      ((y + 0.5f) / static_cast<float>(sphere.Height) - 0.5f) * glm::pi<float>();
-    for (int x = 0; x < sphere.Width; ++x)
-    {
-      const float longitude =
-        ((x + 0.5f) / static_cast<float>(sphere.Width) - 0.5f) * glm::two_pi<float>();
-      const glm::vec3 d(std::cos(latitude) * std::cos(longitude), std::sin(latitude),
-        std::cos(latitude) * std::sin(longitude));
-      const glm::vec3 turned(glm::dot(d, right), glm::dot(d, up), glm::dot(d, front));
-      sphere.Pixels.push_back(glm::max(Lookup(faces, turned), 0.0f));
-    }
-  }
-  return sphere;
-}
 }
 
 std::vector<float> MakeSkyTable(
@@ -195,33 +102,39 @@ void RaySky::Update(vtkRenderer* renderer)
   const glm::vec3 up(ToVec3(renderer->GetEnvironmentUp()));
   const glm::mat3 toSky = glm::transpose(glm::mat3(right, up, glm::cross(right, up)));
   const vtkMTimeType time = TextureTime(texture);
-  if (texture == this->Source && time == this->Time && toSky == this->ToSky)
+  const SkyDecoding decoding = SkyDecoding::Of(renderer);
+  if (texture == this->Source && time == this->Time && toSky == this->ToSky &&
+    decoding == this->Decoding)
   {
     return;
   }
   this->ToSky = toSky;
   this->Source = texture;
   this->Time = time;
-  const Sphere sphere =
-    texture->GetCubeMap() ? Unfold(texture, renderer) : Unfold(ReadTexturePixels(texture));
+  this->Decoding = decoding;
   this->Radiance.reset();
   this->Table.reset();
-  if (sphere.Width == 0)
+  const SkyPictures sky = SkyPictures::Of(renderer, decoding);
+  if (sky.Width == 0)
   {
     return;
   }
+  const int layers = sky.Gloss.empty() ? 1 : 2;
   this->Radiance =
-    std::make_unique<Texture>(TextureDesc{ GL_RGBA32F, sphere.Width, sphere.Height, 0 });
+    std::make_unique<Texture>(TextureDesc{ GL_RGBA32F, sky.Width, sky.Height, layers });
   this->Radiance->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   this->Radiance->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   this->Radiance->SetParameter(GL_TEXTURE_WRAP_S, GL_REPEAT);
-  glBindTexture(GL_TEXTURE_2D, this->Radiance->Get());
-  glTexSubImage2D(
-    GL_TEXTURE_2D, 0, 0, 0, sphere.Width, sphere.Height, GL_RGBA, GL_FLOAT, sphere.Pixels.data());
-  const int columns = std::min(sphere.Width, MostColumns);
-  const int rows = std::min(sphere.Height, MostRows);
-  const std::vector<float> table =
-    MakeSkyTable(sphere.Pixels, sphere.Width, sphere.Height, columns, rows);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Radiance->Get());
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, layer, sky.Width, sky.Height, 1, GL_RGBA,
+      GL_FLOAT, (layer == 0 ? sky.Matte : sky.Gloss).data());
+  }
+  glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  const int columns = std::min(sky.Width, MostColumns);
+  const int rows = std::min(sky.Height, MostRows);
+  const std::vector<float> table = MakeSkyTable(sky.Matte, sky.Width, sky.Height, columns, rows);
   const int stride = std::max(columns, rows) + 1;
   this->Cells = glm::ivec2(columns, rows);
   this->Table = std::make_unique<Texture>(TextureDesc{ GL_R32F, stride, rows + 1, 0 });
@@ -235,7 +148,7 @@ void RaySky::Bind(const Program& program) const
   GLint active = 0; // VTK remembers it
   glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
   glActiveTexture(GL_TEXTURE0 + GI_RAY_SKY_UNIT);
-  glBindTexture(GL_TEXTURE_2D, this->Radiance->Get());
+  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Radiance->Get());
   glActiveTexture(GL_TEXTURE0 + GI_RAY_SKY_TABLE_UNIT);
   glBindTexture(GL_TEXTURE_2D, this->Table->Get());
   glActiveTexture(static_cast<GLenum>(active));

@@ -8,6 +8,7 @@
 
 #include "private/GLObjects.h"
 #include "private/ShaderLibrary.h"
+#include "private/rays/SkyPictures.h"
 
 #include <glm/glm.hpp>
 
@@ -32,12 +33,13 @@ public:
   void Release();
 
 private:
-  std::unique_ptr<Texture> Radiance;
+  std::unique_ptr<Texture> Radiance; ///< layers: for matter; for highlights where that differs
   std::unique_ptr<Texture> Table;
   glm::ivec2 Cells{ 0 };
   glm::mat3 ToSky{ 1.0f };
   vtkTexture* Source = nullptr;
   vtkMTimeType Time = 0;
+  SkyDecoding Decoding;
 };
 
 /// A table of chances for a picture of the whole sphere (longitude, latitude): a row of cumulative

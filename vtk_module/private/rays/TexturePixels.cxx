@@ -109,7 +109,38 @@ TexturePixels ReadTexturePixels(vtkTexture* texture, int face)
   const bool read = !pixels.Floats.empty() || !pixels.Bytes.empty();
   pixels.Width = read ? width : 0;
   pixels.Height = read ? height : 0;
+  pixels.Mapped = !direct && !(bytes && !mapped);
+  pixels.EightBits = scalars->GetDataTypeSize() == 1;
   pixels.Srgb = texture->GetUseSRGBColorSpace() && pixels.Floats.empty();
+  return pixels;
+}
+
+TexturePixels ReadPlainPixels(vtkTexture* texture)
+{
+  TexturePixels pixels;
+  vtkImageData* image = Input(texture, 0);
+  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  if (!scalars || scalars->GetNumberOfComponents() < 3)
+  {
+    return pixels;
+  }
+  const int type = scalars->GetDataType();
+  const bool real = type == VTK_FLOAT || type == VTK_DOUBLE;
+  const double one = real ? 1.0 : scalars->GetDataTypeMax();
+  int size[3];
+  image->GetDimensions(size);
+  pixels.Width = size[0];
+  pixels.Height = size[1];
+  pixels.EightBits = scalars->GetDataTypeSize() == 1;
+  pixels.Floats.resize(static_cast<std::size_t>(size[0]) * size[1], glm::vec4(1.0f));
+  for (std::size_t i = 0; i < pixels.Floats.size(); ++i)
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      pixels.Floats[i][channel] =
+        static_cast<float>(scalars->GetComponent(static_cast<vtkIdType>(i), channel) / one);
+    }
+  }
   return pixels;
 }
 

@@ -24,6 +24,8 @@ struct TexturePixels
   std::vector<std::uint32_t> Bytes;
   std::vector<glm::vec4> Floats;
   bool Srgb = false;
+  bool Mapped = false;    ///< colours of a lookup table, not the picture's numbers
+  bool EightBits = false; ///< the picture has that many
 
   /// A pixel in linear values, rgb and coverage.
   glm::vec4 At(int x, int y) const;
@@ -31,6 +33,9 @@ struct TexturePixels
 
 /// Brings the texture's input up to date. face: of a cube map.
 TexturePixels ReadTexturePixels(vtkTexture* texture, int face = 0);
+
+/// The numbers of a texture's picture of three or four components, integers from 0 to 1, whatever its colours are.
+TexturePixels ReadPlainPixels(vtkTexture* texture);
 
 /// When a texture or what it shows changed last.
 vtkMTimeType TextureTime(vtkTexture* texture);
