@@ -86,10 +86,15 @@ struct PathTracer
       glBindImageTexture(unit, sums[unit]->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     }
     Defines defines = this->Rays->ShaderDefines();
+    const Texture* sky = context.Input(resource::Sky);
+    if (sky)
+    {
+      defines["GI_VISIBLE_SKY"] = "1";
+    }
     const Program& program = context.Shaders().Compute("path_tracing/trace.comp", defines);
     context.Use(program,
       { context.Input(resource::Albedo), context.Input(resource::Normal),
-        context.Input(resource::WindowDepth), context.Input(resource::Color) });
+        context.Input(resource::WindowDepth), context.Input(resource::Color), sky });
     this->Rays->Bind(program);
     this->Materials->Bind(1);
     this->Lights->BindWorld(0, this->Rays->Origin());
@@ -273,6 +278,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::WindowDepth)
+    .ReadIfPresent(resource::Sky)
     .Modify(resource::Color, TraceOrder)
     .Write(Traced, { GL_R8, 1, 1, 0 })
     .Execute([this, eye, tracer, taken](FrameContext& context) {

@@ -1,6 +1,6 @@
 #version 430 core
 // One path through every pixel, added to sums. Variants: GI_RAY_EDGES (some surfaces show the edges of
-// their cells), and those of path_tracing/paths.glsl.
+// their cells), GI_VISIBLE_SKY (a skybox is behind everything), and those of path_tracing/paths.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
@@ -31,6 +31,10 @@ layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 layout(binding = 3) uniform sampler2D colorTexture;
+#ifdef GI_VISIBLE_SKY
+#include "lib/sky.glsl"
+layout(binding = 4) uniform sampler2D skyTexture;
+#endif
 
 uniform mat3 viewToScene;
 uniform int sampleIndex;   // samples in the sums already
@@ -74,6 +78,14 @@ void main()
   bool met = hit.instance >= 0 && !hidden;
   bool encoded = false;
   vec3 value = texelFetch(colorTexture, window, 0).rgb; // lines and points, background
+#ifdef GI_VISIBLE_SKY
+  if (!captured)
+  {
+    vec4 sky = texelFetch(skyTexture, window, 0);
+    encoded = sky.a > 0.5;
+    value = giSkyRadiance(sky);
+  }
+#endif
   vec4 albedo = vec4(0.0);
   vec4 normal = vec4(0.0);
   if (met)

@@ -127,12 +127,13 @@ public:
     {
       this->Pass = this->Scene.SetPasses().front();
       EXPECT_TRUE(this->Pass->SetPreset(preset.c_str()));
+      this->Pass->KeepRadianceOn();
     }
     for (int i = 1; i < frames; ++i)
     {
       this->Scene.Window->Render();
     }
-    const Picture picture = Shoot(this->Scene.Window);
+    const Picture picture = this->Last = Shoot(this->Scene.Window);
     Save(picture,
       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" + preset);
     EXPECT_TRUE(TakeMessages().empty());
@@ -159,6 +160,7 @@ public:
   static constexpr int Middle = 12; // of it that is measured
   Stage Scene;
   vtkSmartPointer<vtkGIPass> Pass;
+  Picture Last; ///< that was measured
 
 private:
   int Count = 0;

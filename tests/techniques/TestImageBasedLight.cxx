@@ -5,6 +5,8 @@
  */
 #include "EnvironmentStage.h"
 
+#include <vtkSkybox.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -105,6 +107,53 @@ TEST(ImageBasedLight, ColorSpacesOfEnvironments)
         EXPECT_NEAR(high[i].Mean, stock[i].Mean, 3.0) << row.Name;
         EXPECT_NEAR(reference[i].Mean, stock[i].Mean, 3.0) << row.Name;
       }
+    }
+  }
+}
+
+// A skybox is in linear pictures by its radiance, and displayed as VTK displays it.
+TEST(ImageBasedLight, VisibleSkiesHaveTheirRadiance)
+{
+  struct Case
+  {
+    const char* Name;
+    vtkSmartPointer<vtkTexture> Texture;
+    bool GammaCorrect;
+    double Expected;
+  };
+  const std::array<Case, 4> cases = { {
+    { "float, corrected", EvenTexture<float>(2.5), true, 2.5 },
+    { "float, as it is", EvenTexture<float>(0.25), false, 0.25 },
+    { "8 bits, as they are", EvenTexture<unsigned char>(0.5), false, std::pow(128.0 / 255.0, 2.2) },
+    { "8 bits, sRGB, corrected", EvenTexture<unsigned char>(0.5, true), true, 0.2159 },
+  } };
+  EnvironmentStage stage;
+  stage.AddBalls({ { 1.0, 0.0 } });
+  vtkNew<vtkSkybox> sky;
+  sky->SetProjectionToSphere();
+  stage.Renderer()->AddActor(sky);
+  for (const Case& row : cases)
+  {
+    stage.SetEnvironment(row.Texture);
+    sky->SetTexture(row.Texture);
+    sky->SetGammaCorrect(row.GammaCorrect);
+    stage.Measure("stock", 1);
+    const double stock = stage.Last.Grey(0, 0);
+    for (const char* preset : { "off", "balanced", "reference" })
+    {
+      stage.Measure(preset, 2);
+      EXPECT_NEAR(stage.Last.Grey(0, 0), stock, 1.0) << row.Name << ' ' << preset;
+      vtkNew<vtkImageData> radiance;
+      ASSERT_TRUE(stage.Pass->GetRadiance(stage.Renderer(), radiance));
+      const auto* corner = static_cast<const float*>(radiance->GetScalarPointer());
+      std::printf("%-24s %-9s %.4f of %.4f\n", row.Name, preset, corner[1], row.Expected);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        // OpenGL decodes by a table.
+        EXPECT_NEAR(corner[channel], row.Expected, 0.01 * row.Expected)
+          << row.Name << ' ' << preset;
+      }
+      EXPECT_EQ(corner[3], 1.0f) << row.Name << ' ' << preset;
     }
   }
 }

@@ -38,13 +38,16 @@ void SetEnvironment(const Environment& environment, const DefaultView& view, vtk
   renderer->SetEnvironmentRight(right.data());
   if (environment.Visible)
   {
+    // VTK's skybox begins a quarter turn from where its image-based light does.
+    Vec3 aside;
+    vtkMath::Cross(right.data(), up.data(), aside.data());
     vtkNew<vtkSkybox> sky;
     sky->SetProjectionToSphere();
     sky->SetTexture(texture);
     sky->SetFloorPlane(
       static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0);
     sky->SetFloorRight(
-      static_cast<float>(right[0]), static_cast<float>(right[1]), static_cast<float>(right[2]));
+      static_cast<float>(aside[0]), static_cast<float>(aside[1]), static_cast<float>(aside[2]));
     sky->GammaCorrectOn();
     renderer->AddActor(sky);
   }

@@ -70,7 +70,7 @@ struct Resolve
     // The radiance by a second drawing: the colour may go straight to the window, alone.
     if (this->Radiance)
     {
-      CopyWindow(context, resource::Radiance);
+      this->StartRadiance(context);
       this->Draw(context, { resource::Radiance });
     }
     if (this->Lit && this->Materials->CoverInPart())
@@ -81,6 +81,23 @@ struct Resolve
     this->Draw(context,
       this->Lit ? std::vector<const char*>{ resource::Color, resource::LitRadiance }
                 : std::vector<const char*>{ resource::Color });
+  }
+
+  // Behind what was captured: the sky's radiance, or what the window shows.
+  static void StartRadiance(FrameContext& context)
+  {
+    const Texture* sky = context.Input(resource::Sky);
+    if (!sky)
+    {
+      CopyWindow(context, resource::Radiance);
+      return;
+    }
+    ScopedState scope(context.State());
+    scope.Set(GL_BLEND, false);
+    scope.Set(GL_DEPTH_TEST, false);
+    context.BindTarget({ resource::Radiance });
+    context.Use(context.Shaders().Fragment("direct_light/sky.frag"), { sky });
+    context.DrawFullscreen();
   }
 
   void Draw(FrameContext& context, const std::vector<const char*>& targets) const
@@ -157,6 +174,7 @@ void ContributeDirectLight(
     .SideEffect();
   if (radiance)
   {
+    pass.ReadIfPresent(resource::Sky);
     pass.Write(resource::Radiance, frame.WindowTexture(GL_RGBA32F));
   }
   const bool lit = frame.WantsLitRadiance();

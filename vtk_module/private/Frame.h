@@ -47,6 +47,8 @@ constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: 0 closed to 1 open; see giOpen() for more
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
 constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
+/// A skybox behind everything, where there is one: rgb as its shader ends, unclamped; a: 1 where that is for display.
+constexpr const char* Sky = "sky";
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; where asked for
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed

@@ -6,6 +6,7 @@
 #include "private/CameraOverride.h"
 #include "private/DirectLight.h"
 #include "private/Matrices.h"
+#include "private/VisibleSky.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -250,6 +251,7 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
     this->Dark.Add(renderer);
   }
   this->Capture.Contribute(builder);
+  ContributeSky(builder, this->Capture.Skies());
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     this->Capture.IsExtended(), self->GetKeepRadiance());
   memory.Radiance = nullptr;
@@ -267,8 +269,9 @@ void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* stat
   GpuTimer timer;
   FrameExecutor executor(
     this->Pool, this->Shaders, view, renderer, target, this->Held, memory.Name, this->ViewBlock);
+  const int skies = DrawSkies(renderer, this->Capture.Skies());
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
-  this->CapturedProps = this->Capture.CapturedProps() + this->Capture.DrawOthers(renderer);
+  this->CapturedProps = this->Capture.CapturedProps() + skies + this->Capture.DrawOthers(renderer);
   this->Forward->SetLights(this->Lights, builder.GetForwardLight());
   // Signed after drawing, as drawing brings pipelines and lights up to date.
   memory.Signature = this->Sign(renderer, unshifted);
@@ -298,6 +301,7 @@ void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
   frame.AddPass("keep-radiance")
     .Read(resource::Radiance)
     .Read(resource::Albedo)
+    .ReadIfPresent(resource::Sky)
     .SideEffect()
     .Execute([&memory](FrameContext& context) {
       const Texture* radiance = context.Input(resource::Radiance);
@@ -307,7 +311,7 @@ void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
       const float* captured = ReadTexture(*context.Input(resource::Albedo), albedo);
       for (vtkIdType i = 3; i < 4 * kept->GetNumberOfPoints(); i += 4)
       {
-        values[i] = captured[i];
+        values[i] = context.Input(resource::Sky) ? 1.0f : captured[i];
       }
       memory.Radiance = kept;
     });

@@ -9,6 +9,7 @@
 #include "private/MotionTable.h"
 #include "private/PropTraits.h"
 #include "private/ScopedState.h"
+#include "private/VisibleSky.h"
 
 #include "vtkActor.h"
 #include "vtkInformation.h"
@@ -43,6 +44,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
 {
   this->Captured.clear();
   this->Others.clear();
+  this->Behind.clear();
   this->All.clear();
   this->Table.Clear();
   this->SetMotion(nullptr);
@@ -52,7 +54,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
   {
     vtkProp* prop = state->GetPropArray()[i];
     const bool captured = CanCapture(prop);
-    (captured ? this->Captured : this->Others).push_back(prop);
+    (captured ? this->Captured : (IsSky(prop) ? this->Behind : this->Others)).push_back(prop);
     extended |= captured && NeedsExtended(prop);
     part |= captured && MayCoverInPart(prop);
   }

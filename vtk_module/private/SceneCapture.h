@@ -68,6 +68,9 @@ public:
   /// Opaque geometry of the props that could not be captured, by VTK into its own framebuffer.
   int DrawOthers(vtkOpenGLRenderer* renderer);
 
+  /// Skyboxes behind everything, which are none of the others: see VisibleSky.h.
+  const std::vector<vtkProp*>& Skies() const { return this->Behind; }
+
   const std::vector<vtkProp*>& Casters() const { return this->All; }
   MaterialTable& Materials() { return this->Table; }
   bool IsExtended() const { return this->Outputs.Extended; }
@@ -83,6 +86,7 @@ private:
   MaterialTable Table;
   std::vector<vtkProp*> Captured;
   std::vector<vtkProp*> Others;
+  std::vector<vtkProp*> Behind;
   std::vector<vtkProp*> All;
   CaptureOutputs Outputs;
   MotionTable* Motion = nullptr; ///< of this frame's view, where anybody asks

@@ -37,6 +37,14 @@ std::uint32_t Pack(const unsigned char* color, int components)
   const std::uint32_t alpha = components > 3 ? color[3] : 255u;
   return color[0] | color[1] << 8 | color[2] << 16 | alpha << 24;
 }
+
+// Whether the texture keeps its picture's numbers, of more than eight bits.
+bool IsDirect(vtkTexture* texture, vtkDataArray* scalars)
+{
+  const int type = scalars->GetDataType();
+  return texture->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS &&
+    scalars->GetNumberOfComponents() >= 3 && (type == VTK_FLOAT || type == VTK_UNSIGNED_SHORT);
+}
 }
 
 glm::vec4 TexturePixels::At(int x, int y) const
@@ -79,8 +87,7 @@ TexturePixels ReadTexturePixels(vtkTexture* texture, int face)
   const int mode = texture->GetColorMode();
   auto* bytes = vtkUnsignedCharArray::SafeDownCast(scalars);
   const bool mapped = mode == VTK_COLOR_MODE_MAP_SCALARS || components < 3;
-  const bool direct = mode == VTK_COLOR_MODE_DIRECT_SCALARS && !mapped &&
-    (scalars->GetDataType() == VTK_FLOAT || scalars->GetDataType() == VTK_UNSIGNED_SHORT);
+  const bool direct = IsDirect(texture, scalars);
   if (direct)
   {
     const float scale = scalars->GetDataType() == VTK_FLOAT ? 1.0f : 1.0f / 65535.0f;
@@ -113,6 +120,13 @@ TexturePixels ReadTexturePixels(vtkTexture* texture, int face)
   pixels.EightBits = scalars->GetDataTypeSize() == 1;
   pixels.Srgb = texture->GetUseSRGBColorSpace() && pixels.Floats.empty();
   return pixels;
+}
+
+bool HoldsDisplayValues(vtkTexture* texture)
+{
+  vtkImageData* image = Input(texture, 0);
+  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
+  return scalars && !IsDirect(texture, scalars) && !texture->GetUseSRGBColorSpace();
 }
 
 TexturePixels ReadPlainPixels(vtkTexture* texture)

@@ -34,6 +34,9 @@ struct TexturePixels
 /// Brings the texture's input up to date. face: of a cube map.
 TexturePixels ReadTexturePixels(vtkTexture* texture, int face = 0);
 
+/// Whether shaders read values for display from it: eight bits that nothing decodes.
+bool HoldsDisplayValues(vtkTexture* texture);
+
 /// The numbers of a texture's picture of three or four components, integers from 0 to 1, whatever its colours are.
 TexturePixels ReadPlainPixels(vtkTexture* texture);
 
