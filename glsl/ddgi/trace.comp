@@ -11,6 +11,7 @@
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #ifdef GI_RAY_SKY
+#define GI_RAY_SKY_CELLS 1
 #include "rays/sky.glsl"
 #endif
 #include "ddgi/field.glsl"
@@ -111,7 +112,7 @@ void main()
 #ifdef GI_RAY_SKY
   else
   {
-    result.rgb = raySkyRadiance(direction);
+    result.rgb = raySkyMean(direction);
   }
 #endif
   bool broken = any(isnan(result)) || any(isinf(result));

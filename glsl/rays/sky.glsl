@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of the surroundings, a picture of longitude and latitude as VTK lays it out, and
-// directions picked in proportion to it. Needs shared/ray_surface.h.
+// directions picked in proportion to it. Needs shared/ray_surface.h. Variant: GI_RAY_SKY_CELLS (see raySkyMean).
 layout(binding = GI_RAY_SKY_UNIT) uniform sampler2DArray raySky; // for matter; for highlights where that differs
+#ifdef GI_RAY_SKY_CELLS
+layout(binding = GI_RAY_SKY_CELLS_UNIT) uniform sampler2D raySkyCells;
+#endif
 layout(binding = GI_RAY_SKY_TABLE_UNIT) uniform sampler2D raySkyTable;
 uniform mat3 sceneToSky;
 uniform ivec2 skyCells;
@@ -25,6 +28,16 @@ vec3 raySkyGloss(vec3 direction)
 {
   return textureLod(raySky, vec3(raySkyPlace(direction), 1.0), 0.0).rgb;
 }
+
+#ifdef GI_RAY_SKY_CELLS
+// The mean over the part of the sphere that a ray stands for, where a few rays are spread evenly: single rays would miss
+// a sun, or take it for as large as that part.
+vec3 raySkyMean(vec3 direction)
+{
+  vec3 d = sceneToSky * direction;
+  return textureLod(raySkyCells, vec2(atan(d.z, d.x) / (2.0 * SKY_PI), 0.5 * d.y) + 0.5, 0.0).rgb;
+}
+#endif
 
 float raySkyCumulative(int row, int cell)
 {

@@ -21,6 +21,7 @@ using ivec4 = glm::ivec4;
 #define GI_RAY_SKY_TABLE_UNIT 11 // chances to pick a direction to them
 #define GI_RAY_ATTRIBUTE_UNIT 12 // one texel a triangle (or sphere, or cylinder)
 #define GI_RAY_POINT_UNIT 13     // one texel a point, or a clipping plane
+#define GI_RAY_SKY_CELLS_UNIT 15 // that radiance over cells of equal solid angles
 #define GI_RAY_PICTURE_UNIT 14   // pictures, each after two texels of its shape
 
 // How a surface reflects, as GI_MATERIAL_..., in the lowest bits; unlit ones show their colour.

@@ -5,6 +5,8 @@
  */
 #include "EnvironmentStage.h"
 
+#include "private/rays/RaySky.h"
+
 #include <vtkSkybox.h>
 
 #include <gtest/gtest.h>
@@ -154,6 +156,58 @@ TEST(ImageBasedLight, VisibleSkiesHaveTheirRadiance)
           << row.Name << ' ' << preset;
       }
       EXPECT_EQ(corner[3], 1.0f) << row.Name << ' ' << preset;
+    }
+  }
+}
+
+// A small sun gives most of the light: few of a probe's rays point to it, yet it counts by its size.
+TEST(ImageBasedLight, SunsReachProbes)
+{
+  vtkSmartPointer<vtkTexture> texture = EvenTexture<float>(0.1);
+  auto* values = static_cast<float*>(texture->GetInput()->GetScalarPointer(23, 9, 0));
+  std::fill_n(values, 3, 40.0f); // of 512 pixels, one
+  EnvironmentStage stage;
+  stage.SetEnvironment(texture);
+  stage.AddBalls({ { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 1.0 } });
+  const auto high = stage.Measure("high", 16);
+  const auto reference = stage.Measure("reference", 64);
+  for (std::size_t i = 0; i < high.size(); ++i)
+  {
+    std::printf("high %.1f +- %.1f, reference %.1f +- %.1f\n", high[i].Mean, high[i].Deviation,
+      reference[i].Mean, reference[i].Deviation);
+    EXPECT_GT(reference[i].Mean, 100.0);
+    EXPECT_NEAR(high[i].Mean, high[0].Mean, 2.0) << "what probes see depends on where they are";
+    // Probes smooth what they receive.
+    EXPECT_NEAR(high[i].Mean, reference[i].Mean, 6.0);
+  }
+}
+
+// Cells of equal solid angles keep the mean of the sphere, whatever the sizes.
+TEST(ImageBasedLight, CellsKeepTheMean)
+{
+  constexpr int width = 48;
+  constexpr int height = 20;
+  std::vector<glm::vec4> pixels;
+  double expected = 0.0;
+  for (int i = 0; i < width * height; ++i)
+  {
+    const double low = (static_cast<double>(i / width) / height - 0.5) * vtkMath::Pi();
+    const double high = low + vtkMath::Pi() / height;
+    pixels.emplace_back(static_cast<float>(i * 7 % 13));
+    expected += pixels.back().x * (std::sin(high) - std::sin(low)) / (2.0 * width);
+  }
+  using penumbra::EqualCells;
+  for (const int rows : { 4, 64 })
+  {
+    const EqualCells fine = EqualCells::Of(pixels, width, height, 2 * rows, rows);
+    for (const EqualCells& cells : { fine, fine.Coarser(4, 2) })
+    {
+      double mean = 0.0;
+      for (const glm::vec4& value : cells.Values)
+      {
+        mean += value.x / static_cast<double>(cells.Values.size());
+      }
+      EXPECT_NEAR(mean, expected, 0.01 * expected) << rows;
     }
   }
 }

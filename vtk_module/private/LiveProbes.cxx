@@ -126,6 +126,7 @@ void LiveProbeUpdate::Trace(FrameContext& context, const LiveProbeMaps& maps) co
   context.Use(program,
     { nullptr, nullptr, nullptr, maps.Directions, maps.Light, maps.Distance, maps.Probes });
   this->Rays->Bind(program);
+  this->Rays->BindSkyCells(this->RayCount);
   this->Lights->BindWorld(0, this->Rays->Origin());
   this->Uniforms.Set(program);
   glBindImageTexture(0, maps.Found->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);

@@ -29,6 +29,15 @@ public:
   void Bind(const Program& program) const;
   Defines ShaderDefines() const;
 
+  /// After Bind(), the means of the surroundings for so many rays that are spread evenly over all directions.
+  void BindSkyCells(int rays)
+  {
+    if (this->Sky.Shines())
+    {
+      this->Sky.BindCells(rays);
+    }
+  }
+
   const glm::dvec3& Origin() const { return this->Scene.Origin(); }
   std::size_t EmitterCount() const { return this->Emitters; }
   bool Contains(vtkProp* prop) const { return this->Seen.count(prop) > 0; }

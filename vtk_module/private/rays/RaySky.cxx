@@ -24,6 +24,8 @@ namespace
 // Finer tables cost memory and find hardly more.
 constexpr int MostColumns = 1024;
 constexpr int MostRows = 512;
+// Cells of equal solid angles are kept in so many rows and columns; a power of two.
+constexpr int FineCells = 128;
 }
 
 std::vector<float> MakeSkyTable(
@@ -89,6 +91,57 @@ std::vector<float> MakeSkyTable(
   return table;
 }
 
+EqualCells EqualCells::Of(
+  const std::vector<glm::vec4>& pixels, int width, int height, int columns, int rows)
+{
+  EqualCells cells{ columns, rows, {} };
+  cells.Values.assign(static_cast<std::size_t>(columns) * rows, glm::vec4(0.0f));
+  // Pixels larger than cells are taken in parts. Near the poles many rows of them fall into one of cells.
+  const int across = (4 * columns + width - 1) / width;
+  const int along = (4 * rows + height - 1) / height;
+  const int steps = along * height;
+  std::vector<double> weights(static_cast<std::size_t>(rows), 0.0);
+  for (int step = 0; step < steps; ++step)
+  {
+    const double low = std::sin((static_cast<double>(step) / steps - 0.5) * glm::pi<double>());
+    const double high = std::sin((step + 1.0) / steps * glm::pi<double>() - glm::half_pi<double>());
+    const int row = std::min(static_cast<int>(0.25 * (low + high + 2.0) * rows), rows - 1);
+    weights[static_cast<std::size_t>(row)] += (high - low) * across * width / columns;
+    const glm::vec4* line = &pixels[static_cast<std::size_t>(step / along) * width];
+    for (int x = 0; x < across * width; ++x)
+    {
+      const auto column = static_cast<std::size_t>(
+        static_cast<long long>(x) * columns / (static_cast<long long>(across) * width));
+      cells.Values[static_cast<std::size_t>(row) * columns + column] +=
+        static_cast<float>(high - low) * line[x / across];
+    }
+  }
+  for (std::size_t i = 0; i < cells.Values.size(); ++i)
+  {
+    const double weight = weights[i / static_cast<std::size_t>(columns)];
+    cells.Values[i] /= static_cast<float>(std::max(weight, 1e-30));
+  }
+  return cells;
+}
+
+EqualCells EqualCells::Coarser(int columns, int rows) const
+{
+  EqualCells cells{ columns, rows, {} };
+  cells.Values.assign(static_cast<std::size_t>(columns) * rows, glm::vec4(0.0f));
+  const int across = this->Columns / columns;
+  const int along = this->Rows / rows;
+  for (int y = 0; y < along * rows; ++y)
+  {
+    for (int x = 0; x < across * columns; ++x)
+    {
+      cells.Values[static_cast<std::size_t>(y / along) * columns + x / across] +=
+        this->Values[static_cast<std::size_t>(y) * this->Columns + x] /
+        static_cast<float>(across * along);
+    }
+  }
+  return cells;
+}
+
 void RaySky::Update(vtkRenderer* renderer)
 {
   vtkTexture* texture =
@@ -114,6 +167,7 @@ void RaySky::Update(vtkRenderer* renderer)
   this->Decoding = decoding;
   this->Radiance.reset();
   this->Table.reset();
+  this->Means.reset();
   const SkyPictures sky = SkyPictures::Of(renderer, decoding);
   if (sky.Width == 0)
   {
@@ -135,6 +189,7 @@ void RaySky::Update(vtkRenderer* renderer)
   const int columns = std::min(sky.Width, MostColumns);
   const int rows = std::min(sky.Height, MostRows);
   const std::vector<float> table = MakeSkyTable(sky.Matte, sky.Width, sky.Height, columns, rows);
+  this->Fine = EqualCells::Of(sky.Matte, sky.Width, sky.Height, FineCells, FineCells);
   const int stride = std::max(columns, rows) + 1;
   this->Cells = glm::ivec2(columns, rows);
   this->Table = std::make_unique<Texture>(TextureDesc{ GL_R32F, stride, rows + 1, 0 });
@@ -156,8 +211,39 @@ void RaySky::Bind(const Program& program) const
   glUniform2i(program.Location("skyCells"), this->Cells.x, this->Cells.y);
 }
 
+void RaySky::BindCells(int rays)
+{
+  if (!this->Means || this->MeansRays != rays)
+  {
+    // One to a ray, which filtering spreads over four: fewer blur the light, more let rays miss some of it.
+    int rows = 2;
+    int columns = 2;
+    while (columns * rows < rays && rows < FineCells)
+    {
+      (columns > rows ? rows : columns) *= 2;
+    }
+    const EqualCells means = this->Fine.Coarser(columns, rows);
+    this->MeansRays = rays;
+    this->Means =
+      std::make_unique<Texture>(TextureDesc{ GL_RGBA32F, means.Columns, means.Rows, 0 });
+    this->Means->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    this->Means->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    this->Means->SetParameter(GL_TEXTURE_WRAP_S, GL_REPEAT);
+    glBindTexture(GL_TEXTURE_2D, this->Means->Get());
+    glTexSubImage2D(
+      GL_TEXTURE_2D, 0, 0, 0, means.Columns, means.Rows, GL_RGBA, GL_FLOAT, means.Values.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
+  }
+  GLint active = 0; // VTK remembers it
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  glActiveTexture(GL_TEXTURE0 + GI_RAY_SKY_CELLS_UNIT);
+  glBindTexture(GL_TEXTURE_2D, this->Means->Get());
+  glActiveTexture(static_cast<GLenum>(active));
+}
+
 void RaySky::Release()
 {
+  this->Means.reset();
   this->Radiance.reset();
   this->Table.reset();
   this->Source = nullptr;

@@ -22,6 +22,20 @@ class vtkTexture;
 
 namespace penumbra
 {
+/// Means over cells of equal solid angles: even in longitude, and in the sine of latitude from the lowest row on.
+struct EqualCells
+{
+  int Columns = 0;
+  int Rows = 0;
+  std::vector<glm::vec4> Values;
+
+  /// Of a picture over longitude and latitude.
+  static EqualCells Of(
+    const std::vector<glm::vec4>& pixels, int width, int height, int columns, int rows);
+  /// Of these, for a multiple of both numbers.
+  EqualCells Coarser(int columns, int rows) const;
+};
+
 class RaySky
 {
 public:
@@ -30,11 +44,16 @@ public:
   bool Shines() const { return this->Radiance != nullptr; }
 
   void Bind(const Program& program) const;
+  /// Also, what each of so many rays that are spread evenly stands for.
+  void BindCells(int rays);
   void Release();
 
 private:
   std::unique_ptr<Texture> Radiance; ///< layers: for matter; for highlights where that differs
   std::unique_ptr<Texture> Table;
+  std::unique_ptr<Texture> Means; ///< over cells, for so many rays
+  int MeansRays = 0;
+  EqualCells Fine;
   glm::ivec2 Cells{ 0 };
   glm::mat3 ToSky{ 1.0f };
   vtkTexture* Source = nullptr;
