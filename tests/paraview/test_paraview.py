@@ -97,6 +97,15 @@ class Representations(Base):
                 self.assertGreater(float(changed), -1.0 if name == "no_light_kit" else 0.02)
 
 
+class Volumes(Base):
+    def test_volumes_keep_their_shape(self):
+        text = self.run_script("pvpython", "volumes.py", self.folder)
+        for frames in (2, 1):
+            common, pixels = re.search(rf"silhouette {frames}: ([\d.]+) of (\d+)", text).groups()
+            self.assertGreaterEqual(float(common), 0.98)
+            self.assertGreater(int(pixels), 5000)
+
+
 class Screenshots(Base):
     def check_screenshots(self, program):
         self.run_script(program, "screenshots.py", self.folder)

@@ -16,6 +16,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderPass.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkRenderPassCollection.h>
+#include <vtkSequencePass.h>
 #include <vtkSphereSource.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -230,6 +232,44 @@ TEST_F(ForwardVolumes, FewSamplesAskTheProbes)
   }
   this->Pass->SetShaderPath("");
   std::filesystem::remove_all(folder);
+}
+
+// VTK keeps the noise that jitters a volume's samples bound to its unit until the window's frame ends.
+TEST_F(ForwardVolumes, JitteredVolumesDrawnTwiceInAFrame)
+{
+  this->AddFurnace();
+  this->Lamp->SetPosition(0.0, -0.6, 0.6);
+  this->Lamp->SetIntensity(0.5);
+  auto volume = this->AddVolume(0.3, true);
+  auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
+  mapper->UseJitteringOn();
+  mapper->SetSampleDistance(0.05f); // so that it shows
+  this->Pass->GetTechnique("shadow-maps")->EnabledOn();
+  this->Probes->SetUpdates(1);
+  this->LightBy(true, false);
+  this->Middle(Few);
+  const Picture once = Read(this->Scene.Window);
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(this->Pass);
+  passes->AddItem(this->Pass);
+  vtkNew<vtkSequencePass> sequence;
+  sequence->SetPasses(passes);
+  this->Scene.Renderer->SetPass(sequence);
+  this->Middle(1);
+  const Picture twice = Read(this->Scene.Window);
+  this->Scene.Renderer->SetPass(this->Pass);
+  Save(once, "jittered_once");
+  Save(twice, "jittered_twice");
+  int most = 0; // within the volume: the noise of shadows on walls differs from frame to frame
+  for (int y = 17; y < 31; ++y)
+  {
+    for (int x = 25; x < 39; ++x)
+    {
+      most = std::max(most, std::abs(once.At(x, y)[1] - twice.At(x, y)[1]));
+    }
+  }
+  std::printf("once and twice differ by %d of 255 at most\n", most);
+  EXPECT_LE(most, 1);
 }
 
 TEST_F(ForwardVolumes, MappersKeepTheirShaders)
