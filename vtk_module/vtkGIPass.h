@@ -97,8 +97,9 @@ public:
   bool GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image);
 
   /**
-   * Begin what is averaged over frames anew at the next frame, so that its picture does not depend on
-   * those before. What techniques know of light in the scene, probes for instance, stays.
+   * Have the next frame show nothing that was found in frames before, so that a picture that is kept depends
+   * on the scene alone. Averages over frames begin anew, and probes that are updated live forget what they
+   * know and do a scene's first updates in that one frame, which takes so much longer.
    */
   void Restart();
 

@@ -23,7 +23,7 @@ def window(*renderers, size=(800, 600), multisamples=8):
     return made
 
 
-def _capture(target, frames, alpha):
+def _capture(target, frames, alpha, alone=False):
     if isinstance(target, vtkRenderer):
         target = target.GetRenderWindow()
         if target is None:
@@ -32,6 +32,9 @@ def _capture(target, frames, alpha):
         raise TypeError(f"expected a vtkRenderWindow or a vtkRenderer, not {type(target).__name__}")
     if frames < 1:
         raise ValueError(f"frames is {frames}: at least one frame must be drawn")
+    for renderer in target.GetRenderers():
+        if alone and isinstance(renderer.GetPass(), vtkGIPass):
+            renderer.GetPass().Restart()
     for _ in range(frames):
         target.Render()
     if isinstance(target, vtkHeadlessRenderWindow) and target.GetContextError():
@@ -61,8 +64,12 @@ def render(target, frames=1, alpha=False):
 
 
 def save_png(target, path, frames=1, alpha=False):
-    """Draw a window (or a renderer's window) and write the picture to a PNG file."""
-    image = _capture(target, frames, alpha)
+    """Draw a window (or a renderer's window) and write the picture to a PNG file.
+
+    The picture shows nothing that was found in frames before, as vtkGIPass.Restart() says: each of a film is that of its
+    time.
+    """
+    image = _capture(target, frames, alpha, alone=True)
     path = pathlib.Path(path)
     try:
         path.open("wb").close()

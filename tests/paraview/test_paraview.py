@@ -97,6 +97,16 @@ class Representations(Base):
                 self.assertGreater(float(changed), -1.0 if name == "no_light_kit" else 0.02)
 
 
+class Animations(Base):
+    def test_frames_show_their_own_time(self):
+        text = self.run_script("pvpython", "animations.py", self.folder)
+        errors = re.findall(r"frame \d: ([\d.e-]+)", text)
+        self.assertEqual(len(errors), 3)
+        for error in errors:
+            self.assertLessEqual(float(error), 0.002)
+        self.assertGreater(self.number("film moves", text), 0.02)
+
+
 class Volumes(Base):
     def test_volumes_keep_their_shape(self):
         text = self.run_script("pvpython", "volumes.py", self.folder)

@@ -70,6 +70,26 @@ class Switching(unittest.TestCase):
         self.assertIs(second.GetPass(), gi)
         self.assertIsNone(overlay.GetPass())
 
+    def test_saved_pictures_stand_alone(self):
+        def lit(colour):
+            renderer = ball()
+            other = ball().GetActors().GetLastActor()
+            other.SetPosition(0.9, 0.3, 0)
+            other.GetProperty().SetColor(*colour)
+            renderer.AddActor(other)
+            penumbra.enable(renderer, "off", on="ddgi", ddgi__probes=216, ddgi__updates=4)
+            return other, penumbra.window(renderer, size=(60, 40))
+
+        def saved(window):
+            with tempfile.TemporaryDirectory() as folder:
+                penumbra.save_png(window, pathlib.Path(folder) / "ball.png")
+                return (pathlib.Path(folder) / "ball.png").read_bytes()
+
+        other, window = lit((1, 0, 0))
+        penumbra.render(window, frames=4)
+        other.GetProperty().SetColor(0, 1, 1)
+        self.assertEqual(saved(window), saved(lit((0, 1, 1))[1]))
+
     def test_mistakes(self):
         renderer = vtkRenderer()
         for arguments, words in (

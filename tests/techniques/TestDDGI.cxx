@@ -77,6 +77,41 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
   EXPECT_EQ(this->Probes->GetRequiredFrames(), 60 * 216);
 }
 
+TEST_F(DDGI, APictureThatStandsAloneKnowsNothingOfThoseBefore)
+{
+  this->Scene.Window->SetSize(48, 36);
+  this->Probes->SetProbes(216);
+  this->Probes->SetUpdates(20);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+  this->Lamp->SetIntensity(0.5);
+  vtkActor* block = this->AddBox(-0.8, -0.2, -0.8, -0.2, -1.0, 0.2, 0.9);
+  block->GetProperty()->SetColor(1.0, 0.05, 0.05);
+  for (const int budget : { 0, 50 }) // probes a frame, if it follows others
+  {
+    this->Probes->SetRaysPerFrame(budget * this->Probes->GetRays());
+    block->VisibilityOn();
+    this->After(20);
+    block->VisibilityOff();
+    this->Pass->Restart();
+    const Values kept = this->After(1);
+    EXPECT_EQ(this->Probes->GetUpdatesDone(this->Scene.Renderer), 20);
+    EXPECT_TRUE(this->Probes->IsFinished(this->Scene.Renderer));
+    this->Pass->ReleaseGraphicsResources(this->Scene.Window);
+    this->Pass->Restart();
+    const Values fresh = this->After(1);
+    double most = 0.0;
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+    {
+      most = std::max(most, std::abs(kept[i] - fresh[i]));
+    }
+    std::printf(
+      "after the block went, %.6f off the picture without it, of %.4f\n", most, Mean(fresh));
+    EXPECT_GT(Mean(fresh), 0.1);
+    EXPECT_LT(most, 1e-4);
+  }
+}
+
 TEST_F(DDGI, ARoomNextDoorStaysDark)
 {
   this->Scene.Window->SetSize(48, 36);

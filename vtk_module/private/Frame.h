@@ -92,8 +92,9 @@ struct View
   double Diagonal = 0.0;                                   ///< of Bounds
   int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
   int FrameNumber = 0;
-  int FirstFrame = 0; ///< number of the one that averages over frames began with
-  int Sequence = 0;   ///< place in the sequences of noise
+  int FirstFrame = 0;       ///< number of the one that averages over frames began with
+  bool StandsAlone = false; ///< the picture shows nothing that was found in frames before
+  int Sequence = 0;         ///< place in the sequences of noise
   SceneChanges Changes;
   GLenum DepthFormat = 0;         ///< of the window, so that depth can be copied; 0 if it cannot
   bool KeepsRadiance = false;     ///< values above 1 matter

@@ -79,7 +79,7 @@ void LiveField::Prepare(const View& view, const Settings& settings, vtkMTimeType
 {
   this->Now = settings;
   const std::array<int, 2> asked = { settings.Probes, settings.Grids };
-  if (asked != this->Asked || !this->Grids().Get(0).Suits(view.Bounds))
+  if (view.StandsAlone || asked != this->Asked || !this->Grids().Get(0).Suits(view.Bounds))
   {
     *this = LiveField();
     this->Now = settings;
@@ -134,6 +134,22 @@ void LiveField::Follow(FrameContext& context)
 }
 
 void LiveField::Trace(FrameContext& context, RayProps& rays, LightTable& lights)
+{
+  this->TraceOne(context, rays, lights);
+  if (!context.GetView().StandsAlone)
+  {
+    return;
+  }
+  // No frame follows in which light could arrive. What comes after these updates averages noise.
+  const int updates = std::min(this->Now.Updates, Agile);
+  while (this->Done < updates - 1 || (this->Done < updates && !this->IsLastPart()))
+  {
+    this->Blend(context);
+    this->TraceOne(context, rays, lights);
+  }
+}
+
+void LiveField::TraceOne(FrameContext& context, RayProps& rays, LightTable& lights)
 {
   const int size = this->Grids().Size();
   bool fresh = false;

@@ -40,7 +40,7 @@ public:
   /// Before each frame: grids that suit the scene, and what is no longer true. parameters: when any was changed.
   void Prepare(const View& view, const Settings& settings, vtkMTimeType parameters);
 
-  /// A frame's two steps of an update; nothing once the probes rest.
+  /// A frame's two steps of an update, or of the last one where a frame does several; nothing once the probes rest.
   void Trace(FrameContext& context, RayProps& rays, LightTable& lights);
   void Blend(FrameContext& context);
 
@@ -51,6 +51,8 @@ public:
 
 private:
   bool Rests() const { return this->Done >= this->Now.Updates; }
+  bool IsLastPart() const { return this->Update.Last >= this->Grids().Size(); }
+  void TraceOne(FrameContext& context, RayProps& rays, LightTable& lights);
   void MakeGrids(const View& view);
   void Follow(FrameContext& context);
   void Advance();

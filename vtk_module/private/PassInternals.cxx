@@ -45,10 +45,7 @@ const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer
 
 void vtkGIPass::Internals::Restart()
 {
-  for (auto& view : this->Views)
-  {
-    view.second.Restarts = true;
-  }
+  ++this->Restarts; // views that are not known yet count, too
 }
 
 vtkGIPass::Internals::Memory& vtkGIPass::Internals::Remember(vtkRenderer* renderer)
@@ -157,9 +154,10 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
     return problem;
   }
   Memory& memory = this->Remember(renderer);
-  if (memory.Restarts)
+  const bool alone = memory.Restarts != this->Restarts;
+  if (alone)
   {
-    memory.Restarts = false;
+    memory.Restarts = this->Restarts;
     memory.StillFrames = 0;
     memory.FirstFrame = memory.FrameNumber;
     memory.Motion = MotionTable(); // nothing is reprojected from before
@@ -174,7 +172,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       this->Forward->ReloadShaders();
       this->ShadersUnchecked = false;
     }
-    this->DrawFrame(self, state, memory);
+    this->DrawFrame(self, state, memory, alone);
     ++memory.StillFrames;
     ++memory.FrameNumber;
   }
@@ -217,12 +215,14 @@ std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound
 }
 }
 
-void vtkGIPass::Internals::DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory)
+void vtkGIPass::Internals::DrawFrame(
+  vtkGIPass* self, const vtkRenderState* state, Memory& memory, bool alone)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   View view = this->MakeView(renderer, memory);
   view.KeepsRadiance = self->GetKeepRadiance();
+  view.StandsAlone = alone;
   this->Capture.Collect(state);
   this->Lights.Collect(renderer);
 

@@ -56,7 +56,7 @@ public:
     penumbra::SceneSignature Signature;
     penumbra::MotionTable Motion;
     int StillFrames = 0;
-    bool Restarts = false; ///< the next frame knows nothing of those before
+    int Restarts = 0; ///< of those of the pass, that its frames know of
     int FrameNumber = 0;
     int FirstFrame = 0;                     ///< since the last Restart()
     vtkSmartPointer<vtkImageData> Radiance; ///< of the last frame, where it was kept
@@ -70,6 +70,7 @@ public:
   std::string LastError;
   std::string Notes;
   std::string Statistics = "{}";
+  int Restarts = 0; ///< times that the next frame was to know nothing of those before
   int CapturedProps = 0;
   penumbra::DarkLamp Dark; ///< while a picture is drawn
   penumbra::HeldTextures Held;
@@ -82,7 +83,7 @@ private:
   static std::string CheckContext();
   penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
   penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
-  void DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory);
+  void DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory, bool alone);
   void KeepRadiance(penumbra::FrameBuilder& frame, Memory& memory);
   void WriteStatistics(
     const std::vector<penumbra::GpuTimer::Span>& spans, const penumbra::View& view);
