@@ -21,6 +21,7 @@ public:
   vtkTypeMacro(vtkGIAntiAliasing, vtkGIAntiAliasingParameters);
 
   void Contribute(penumbra::FrameBuilder& frame) override;
+  bool ChangesLight() override { return false; }
 
 protected:
   vtkGIAntiAliasing();

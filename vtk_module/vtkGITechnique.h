@@ -119,6 +119,11 @@ public:
   ///@}
 
   /**
+   * Whether the technique changes how surfaces are lit. Where none does, the picture is VTK's own.
+   */
+  virtual bool ChangesLight() { return true; }
+
+  /**
    * Add this technique's work to a frame: declare passes with what they read and write.
    */
   virtual void Contribute(penumbra::FrameBuilder& frame) = 0;

@@ -21,6 +21,7 @@ float roughness = 0.5;
 void main()
 {
   gl_FragData[0] = vec4(1.0);
+#include "capture/mend_normal.glsl"
 #include "capture/before_texture.glsl"
 //PENUMBRA::Capture
 }

@@ -29,6 +29,7 @@ const vec3 giDisplacement = vec3(0.0);
 uniform int giMaterial;
 uniform int giBackMaterial;
 uniform float giAmbientAlpha;
+uniform int giMendsNormals;
 #include "lib/octahedral.glsl"
 #include "lib/height.glsl"
 #include "capture/coverage.glsl"

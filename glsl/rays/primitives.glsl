@@ -45,7 +45,8 @@ bool rayTriangle(
   precise float w = pb.x * pa.y - pb.y * pa.x;
   bool inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
   float area = u + v + w;
-  float t = (u * a.z + v * b.z + w * c.z) * ray.shear.z / area;
+  // Weights first: of a tiny triangle the products with them would be too small for floats.
+  float t = dot(vec3(u, v, w) / area, vec3(a.z, b.z, c.z)) * ray.shear.z;
   if (inside && area != 0.0 && t >= tMin && t < hit.x)
   {
     hit = vec3(t, vec2(v, w) / area);

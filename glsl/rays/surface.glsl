@@ -33,9 +33,10 @@ vec3 rayToMeshTransposed(int instance, vec3 v)
   return rayInstance(at).xyz * v.x + rayInstance(at + 1).xyz * v.y + rayInstance(at + 2).xyz * v.z;
 }
 
+// Zero where the point has none.
 vec3 rayPointNormal(uint bits)
 {
-  return giDecodeOctahedral(unpackUnorm2x16(bits));
+  return bits == GI_RAY_NO_NORMAL ? vec3(0.0) : giDecodeOctahedral(unpackUnorm2x16(bits));
 }
 
 // The surface in a colour that stands in place of the material's.
@@ -206,7 +207,10 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   {
     vec3 edge1 = b.xyz - a.xyz;
     vec3 edge2 = c.xyz - a.xyz;
-    mesh = normalize(cross(edge1, edge2));
+    // In units of the triangle's size: of tiny ones the product's square would be zero.
+    vec3 sides = max(abs(edge1), abs(edge2));
+    float size = max(sides.x, max(sides.y, sides.z));
+    mesh = normalize(cross(edge1 / size, edge2 / size));
     above = dot(there - a.xyz, mesh);
     extent = max(extent, max(abs(b.xyz - there), abs(c.xyz - there)));
   }
@@ -239,7 +243,9 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
     vec3 n = mat3(x.xyz, y.xyz, z.xyz) * (normals * share);
     n = result.front ? n : -n;
     result.normal = dot(n, n) > 0.0 ? normalize(n) : result.geometric;
-    if (dot(result.normal, result.geometric) > 0.0)
+    bool everywhere = texelFetch(rayPoints, corner.x).x != GI_RAY_NO_NORMAL &&
+      texelFetch(rayPoints, corner.y).x != GI_RAY_NO_NORMAL && texelFetch(rayPoints, corner.z).x != GI_RAY_NO_NORMAL;
+    if (everywhere && dot(result.normal, result.geometric) > 0.0)
     {
       // How far the point is below the planes at the corners.
       vec3 bulge = vec3(0.0);

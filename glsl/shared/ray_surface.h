@@ -39,6 +39,8 @@ using ivec4 = glm::ivec4;
 #define GI_SURFACE_FRONT_PICTURES 512 // pictures are not drawn on the back
 #define GI_SURFACE_TANGENTS 1024      // the picture of normals counts
 
+#define GI_RAY_NO_NORMAL 0u // in place of a point's normal: it has none, and its surface's own counts
+
 #define GI_RAY_EDGE_SHIFT 29 // in the first point of an attribute
 
 // Of a picture, in its first texel: x, y: size; z: these flags. The second is its border's colour.

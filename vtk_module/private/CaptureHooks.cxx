@@ -27,6 +27,7 @@ namespace
 // VTK's template is filled in the order Color, Edges, Normal, Light, TCoord; a texture multiplies
 // the lit colour at TCoord. So the capture stands behind TCoord.
 const char* const Marker = "//PENUMBRA::Capture";
+const char* const NormalMarker = "//PENUMBRA::Normal"; // behind what VTK makes the normal of
 
 // Impostors shade and place each pixel by themselves: their normal is the surface's. VTK's template names
 // gl_FragDepth in a comment, and what is drawn in front of coincident things moves its depth a little.
@@ -136,6 +137,8 @@ void vtkGICaptureHooks::BeforeMapper(
   }
   vtkShaderProgram::Substitute(texts.Fragment, "//VTK::Output::Dec",
     "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl", this->Outputs, variant), false);
+  vtkShaderProgram::Substitute(texts.Fragment, "//VTK::Normal::Impl",
+    std::string("//VTK::Normal::Impl\n") + NormalMarker + "\n", false);
   vtkShaderProgram::Substitute(texts.Fragment, "//VTK::TCoord::Impl",
     this->Snippet("before_texture.glsl", this->Outputs) + "//VTK::TCoord::Impl\n" + Marker + "\n",
     false);
@@ -168,6 +171,12 @@ void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp*
   else if (!unlit && !pbr && actor)
   {
     snippet = "phong.glsl";
+  }
+  // Where VTK takes normals of points, and makes none itself.
+  if (!unlit && Contains(fragment, "vertexVC") && Contains(fragment, "in vec3 normalVCVSOutput;"))
+  {
+    vtkShaderProgram::Substitute(
+      fragment, NormalMarker, this->Snippet("mend_normal.glsl", this->Outputs), false);
   }
   const penumbra::Defines variant = penumbra::PassShape(texts, *this->Shaders);
   vtkShaderProgram::Substitute(
@@ -219,6 +228,10 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   if (program->IsUniformUsed("giAmbientAlpha"))
   {
     program->SetUniformf("giAmbientAlpha", this->Materials->CoverInPart() ? 1.0f : 0.0f);
+  }
+  if (program->IsUniformUsed("giMendsNormals"))
+  {
+    program->SetUniformi("giMendsNormals", this->MendsNormals ? 1 : 0);
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   if (actor && program->IsUniformUsed("giDeforms"))

@@ -48,6 +48,9 @@ public:
   /// Which of the props is drawn next.
   void SetLayer(int layer) { this->Layer = layer; }
 
+  /// Whether what has no usable normal is captured with its flat pieces' own, or as VTK draws it.
+  void SetMendsNormals(bool mends) { this->MendsNormals = mends; }
+
   /// Have the motion of what is drawn recorded; nullptr: nobody asks.
   void SetMotion(penumbra::MotionTable* motion) { this->Motion = motion; }
 
@@ -86,4 +89,5 @@ private:
   bool Casting = false;
   glm::ivec2 Anchor{ 0 };
   int Layer = 0;
+  bool MendsNormals = false;
 };

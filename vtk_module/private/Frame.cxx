@@ -19,6 +19,12 @@ RayProps& FrameBuilder::Rays()
   {
     this->World.Update(this->Renderer);
     this->WorldReady = true;
+    if (this->World.WithoutNormals() > 0)
+    {
+      this->AddNote("points of " + std::to_string(this->World.WithoutNormals()) +
+        " surfaces have normals that are zero or no numbers: they are lit by the normals of their "
+        "cells");
+    }
   }
   return this->World;
 }

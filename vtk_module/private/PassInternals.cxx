@@ -230,6 +230,7 @@ void vtkGIPass::Internals::DrawFrame(
   FrameGraph graph;
   RayProps& rays = this->Worlds[renderer];
   FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, memory.Motion, renderer);
+  bool lit = false;
   for (auto& technique : this->Techniques)
   {
     const bool takesPart = technique->GetEnabled() || technique->StandsIn(builder);
@@ -237,8 +238,10 @@ void vtkGIPass::Internals::DrawFrame(
     if (takesPart)
     {
       technique->Contribute(builder);
+      lit |= technique->ChangesLight();
     }
   }
+  this->Capture.SetMendsNormals(lit);
   this->DrawnByRays = builder.IsDrawnByRays() ? &rays : nullptr;
   this->Notes.clear();
   for (const auto& note : builder.GetNotes())

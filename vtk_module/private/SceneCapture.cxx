@@ -109,6 +109,11 @@ bool SceneCapture::CastsInPart() const
   });
 }
 
+void SceneCapture::SetMendsNormals(bool mends)
+{
+  this->Hooks->SetMendsNormals(mends);
+}
+
 void SceneCapture::SetMotion(MotionTable* motion)
 {
   this->Motion = motion;

@@ -44,6 +44,9 @@ public:
   /// Record the motion of what is drawn, in this frame.
   void SetMotion(MotionTable* motion);
 
+  /// Whether points' normals that are zero or no numbers count as none, in this frame. VTK draws them black.
+  void SetMendsNormals(bool mends);
+
   /// Have an optional resource written in this frame. Ask while techniques contribute.
   void Request(const char* resource) { this->Outputs.Request(resource); }
 

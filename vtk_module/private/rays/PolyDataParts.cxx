@@ -18,6 +18,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
+#include <cmath>
+
 namespace penumbra
 {
 namespace
@@ -56,16 +58,23 @@ void ForEachTriangle(vtkPolyData* data, const Add& add)
   }
 }
 
+// What is zero or no number is no normal.
 std::uint32_t PackNormal(glm::vec3 n)
 {
   const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-  glm::vec2 p = sum > 0.0f ? glm::vec2(n) / sum : glm::vec2(0.0f);
+  if (!(sum > 0.0f) || std::isinf(sum))
+  {
+    return GI_RAY_NO_NORMAL;
+  }
+  glm::vec2 p = glm::vec2(n) / sum;
   if (n.z < 0.0f)
   {
     const glm::vec2 side(p.x >= 0.0f ? 1.0f : -1.0f, p.y >= 0.0f ? 1.0f : -1.0f);
     p = (1.0f - glm::abs(glm::vec2(p.y, p.x))) * side;
   }
-  return glm::packUnorm2x16(p * 0.5f + 0.5f);
+  const std::uint32_t packed = glm::packUnorm2x16(p * 0.5f + 0.5f);
+  // All corners of the map are one direction.
+  return packed == GI_RAY_NO_NORMAL ? 0xffffffffu : packed;
 }
 
 /// The key of the transform of texture coordinates: its name changed after VTK 9.3, and the old one is deprecated.
@@ -138,6 +147,15 @@ RayAttributes MakeAttributes(
           coordinates->GetComponent(i, 0), line ? 0.0 : coordinates->GetComponent(i, 1), 0.0, 1.0);
       point.TextureU = static_cast<float>(there.x / there.w);
       point.TextureV = line ? 0.0f : static_cast<float>(there.y / there.w);
+    }
+  }
+  // Filters give points that no surface uses a normal of zero.
+  constexpr std::uint32_t index = (1u << GI_RAY_EDGE_SHIFT) - 1u;
+  for (const shared::RayAttribute& entry : attributes.Primitives)
+  {
+    for (const std::uint32_t corner : entry.Points)
+    {
+      attributes.LacksNormals |= attributes.Points[corner & index].Normal == GI_RAY_NO_NORMAL;
     }
   }
   return attributes;

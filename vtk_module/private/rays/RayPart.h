@@ -29,6 +29,7 @@ struct RayAttributes
 {
   std::vector<shared::RayAttribute> Primitives; ///< as many as the geometry's
   std::vector<shared::RayPoint> Points;
+  bool LacksNormals = false; ///< some of the points' are zero or no numbers
 };
 
 /// What pictures on a surface are for: RaySurface::Pictures in their order, then its colour.

@@ -159,6 +159,7 @@ bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
 
 void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
 {
+  this->LackNormals = 0;
   for (auto& block : this->Blocks)
   {
     block.second.Used = false;
@@ -187,8 +188,10 @@ void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
         block.FirstPrimitive, attributes.Primitives.data(), block.PrimitiveCount);
       this->Points.Write(block.FirstPoint, attributes.Points.data(), block.PointCount);
       block.Time = part.AttributeTime;
+      block.LacksNormals = attributes.LacksNormals;
     }
     block.Used = true;
+    this->LackNormals += block.LacksNormals && (part.Surface.Where.z & GI_SURFACE_SMOOTH) != 0;
   }
   for (auto it = this->Blocks.begin(); it != this->Blocks.end();)
   {

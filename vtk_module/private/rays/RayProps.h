@@ -42,7 +42,10 @@ public:
   std::size_t EmitterCount() const { return this->Emitters; }
   bool Contains(vtkProp* prop) const { return this->Seen.count(prop) > 0; }
   /// Visible props with surfaces that rays do not see.
+  std::size_t LackNormals = 0;
   std::size_t LeftOut() const { return this->Left; }
+  /// Surfaces of which some points have no normal that could be used.
+  std::size_t WithoutNormals() const { return this->LackNormals; }
   std::size_t Bytes() const { return this->Scene.Bytes(); }
   std::size_t Triangles() const { return this->Primitives; }
 
@@ -55,6 +58,7 @@ private:
     std::size_t FirstPoint = 0, PointCount = 0;
     vtkMTimeType Time = 0;
     bool Used = false;
+    bool LacksNormals = false;
   };
   struct Shape
   {
