@@ -3,6 +3,7 @@
 // the shader has the positional lights first, else all as the renderer lists them.
 const int GiMostLights = 64;
 uniform int giLights;
+uniform float giKept; // of their strength
 #ifdef GI_POSITIONAL_FIRST
 #define giShadowOf giShadowOfSorted
 #endif
@@ -13,7 +14,7 @@ void giArriveAt(vec3 P, vec3 N, vec3 facet, float bulge)
 {
   for (int i = 0; i < giLights; ++i)
   {
-    giArrives[i] = giShadowOf[i] >= 0 ? giVisibility(giShadowOf[i], P, N, facet, bulge) : 1.0;
+    giArrives[i] = giKept * (giShadowOf[i] >= 0 ? giVisibility(giShadowOf[i], P, N, facet, bulge) : 1.0);
   }
 }
 
@@ -21,6 +22,6 @@ void giArriveAt(vec4 P)
 {
   for (int i = 0; i < giLights; ++i)
   {
-    giArrives[i] = giShadowOf[i] >= 0 ? giVisibility(giShadowOf[i], P.xyz / P.w) : 1.0;
+    giArrives[i] = giKept * (giShadowOf[i] >= 0 ? giVisibility(giShadowOf[i], P.xyz / P.w) : 1.0);
   }
 }

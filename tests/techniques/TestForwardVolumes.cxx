@@ -234,6 +234,49 @@ TEST_F(ForwardVolumes, FewSamplesAskTheProbes)
   std::filesystem::remove_all(folder);
 }
 
+// What surfaces, opaque, translucent and volumes, get of the share of the lights that comes from everywhere.
+TEST_F(ForwardVolumes, TheShareOfLightFromEverywhereReachesAll)
+{
+  this->LightBy(false, false);
+  this->LookFrom(0.0, -0.9, 0.0, 0.0, 0.0, 0.0);
+  this->Lamp->PositionalOff();
+  this->Lamp->SetPosition(0.0, -1.0, 1.0);
+  this->Lamp->SetIntensity(0.8);
+  auto* occlusion = this->Pass->GetTechnique("ambient-occlusion");
+  occlusion->EnabledOn();
+  vtkActor* quad = this->AddQuad(0.4, 0.9, 1.0);
+  for (const bool shadows : { false, true })
+  {
+    this->Pass->GetTechnique("shadow-maps")->SetEnabled(shadows);
+    for (const double share : { 1.0, 0.3 })
+    {
+      occlusion->SetParameter("ambient-share", share);
+      quad->VisibilityOn();
+      for (const bool pbr : { false, true })
+      {
+        pbr ? SetPBR(quad) : quad->GetProperty()->SetInterpolationToFlat();
+        quad->GetProperty()->SetOpacity(1.0);
+        const double opaque = this->Middle(1);
+        quad->GetProperty()->SetOpacity(0.999);
+        const double translucent = this->Middle(1);
+        std::printf("share %.1f, %s: opaque %.4f, translucent %.4f\n", share, pbr ? "PBR" : "Phong",
+          opaque, translucent);
+        EXPECT_GT(opaque, 0.2);
+        EXPECT_NEAR(translucent / opaque, 1.0, 0.02);
+      }
+      quad->VisibilityOff();
+      auto volume = this->AddVolume(0.2, true);
+      this->Lamp->SetPosition(1.0, 0.0, 0.0); // the middle faces it by 0.26 in the mean
+      const double aside = this->Middle(1);
+      this->Lamp->SetPosition(0.0, -1.0, 1.0);
+      const double expected = 0.9 * 0.8 * (share + 0.26 * (1.0 - share));
+      std::printf("share %.1f: volume beside the lamp %.4f of %.4f\n", share, aside, expected);
+      EXPECT_NEAR(aside, expected, 0.02);
+      this->Scene.Renderer->RemoveVolume(volume);
+    }
+  }
+}
+
 // VTK keeps the noise that jitters a volume's samples bound to its unit until the window's frame ends.
 TEST_F(ForwardVolumes, JitteredVolumesDrawnTwiceInAFrame)
 {

@@ -175,7 +175,8 @@ vtkGIForwardHooks::Parts& vtkGIForwardHooks::PartsOf(vtkShaderProgram* program, 
   {
     parts.Visibility = std::make_unique<ForwardProgram>(handle, "", volume);
   }
-  if (program->IsUniformUsed("giParallelRays"))
+  const std::string spread = ForwardProgram::FieldName(0) + "Spread";
+  if (program->IsUniformUsed("giParallelRays") || program->IsUniformUsed(spread.c_str()))
   {
     for (std::size_t i = 0; i < this->Light.Indirect.size(); ++i)
     {
@@ -190,6 +191,7 @@ void vtkGIForwardHooks::SetShadows(const ForwardProgram& part) const
 {
   const auto count = static_cast<GLsizei>(this->ShadowOf.size());
   glUniform1i(part.Location("giLights"), count);
+  glUniform1f(part.Location("giKept"), static_cast<GLfloat>(this->Light.Kept));
   glUniform1iv(part.Location("giShadowOf"), count, this->ShadowOf.data());
   glUniform1iv(part.Location("giShadowOfSorted"), count, this->ShadowOfSorted.data());
 }

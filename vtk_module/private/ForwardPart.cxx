@@ -48,6 +48,22 @@ void ForwardProgram::SetField(
   glUniform1f(this->Location("fieldIntensity"), static_cast<GLfloat>(intensity));
 }
 
+void ForwardLight::Spread(double share, const glm::dvec3& total)
+{
+  this->Kept = 1.0 - share;
+  if (this->Visibility.IsEmpty())
+  {
+    this->Visibility.Source = "forward/unshadowed.glsl";
+    this->Visibility.Bind = [](ForwardProgram&) {};
+  }
+  ForwardPart part;
+  part.Source = "forward/spread.glsl";
+  part.Bind = [light = glm::vec3(share * total)](ForwardProgram& program) {
+    glUniform3fv(program.Location("fieldSpread"), 1, &light[0]);
+  };
+  this->Indirect = { part };
+}
+
 bool ForwardLight::HasShadersOf(const ForwardLight& other) const
 {
   return this->Visibility.HasShadersOf(other.Visibility) &&

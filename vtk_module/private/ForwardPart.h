@@ -73,6 +73,12 @@ struct ForwardLight
   ForwardPart Visibility; ///< what of the lamps arrives: giVisibility(), see forward/lights.glsl
   /// Indirect light: fieldIndirect() and others, see forward/indirect.glsl, in the order in which they count.
   std::vector<ForwardPart> Indirect;
+  double Kept = 1.0; ///< of the lamps' strength
+
+  /// Take a share of the lamps' strength and spread it evenly over all directions, instead of indirect light.
+  /// total: the lamps' colours added up.
+  void Spread(double share, const glm::dvec3& total);
+  bool IsSpread() const { return this->Kept < 1.0; }
 
   bool IsEmpty() const { return this->Visibility.IsEmpty() && this->Indirect.empty(); }
   bool HasShadersOf(const ForwardLight& other) const;

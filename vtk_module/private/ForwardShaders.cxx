@@ -105,6 +105,10 @@ void ForwardShaders::AddAround(std::string& text) const
   {
     variant["GI_ENVIRONMENT"] = "1";
   }
+  if (this->Light.IsSpread())
+  {
+    variant["GI_SPREAD"] = "1";
+  }
   Substitute(text, pbr, this->Shaders.Source("forward/pbr.glsl", variant) + pbr);
   Substitute(text, phong, phong + "\n" + this->Shaders.Source("forward/phong.glsl"));
 }

@@ -61,6 +61,10 @@ ForwardLight FrameBuilder::GetForwardLight() const
       light.Indirect.push_back(indirect.Forward);
     }
   }
+  if (this->GetSpreadShare() > 0.0)
+  {
+    light.Spread(this->GetSpreadShare(), this->CurrentLights.TotalColor());
+  }
   return light;
 }
 

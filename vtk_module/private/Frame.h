@@ -218,7 +218,7 @@ public:
   /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights:
   /// functions giVisibility(), see forward/lights.glsl.
   void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }
-  /// That, and what is known of indirect light there.
+  /// That, and what is known of indirect light there, or else the share of the lights that is spread.
   ForwardLight GetForwardLight() const;
 
   /// Tell the user something about this frame, in one sentence.
