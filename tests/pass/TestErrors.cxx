@@ -18,7 +18,7 @@ namespace
 void ExpectOneMessage(const std::string& text)
 {
   const auto messages = TakeMessages();
-  ASSERT_EQ(messages.size(), 1u);
+  ASSERT_EQ(messages.size(), 1u) << testing::PrintToString(messages);
   EXPECT_NE(messages[0].find(text), std::string::npos) << messages[0];
 }
 
@@ -62,7 +62,7 @@ TEST(Errors, CorruptShaderOverride)
     ExpectOneMessage(*text == '#' && text[1] == 'i' ? "no/such/file.glsl" : "resolve.frag");
     // Said once, not with every frame.
     scene.Window->Render();
-    EXPECT_TRUE(TakeMessages().empty());
+    EXPECT_EQ(TakeMessages(), std::vector<std::string>());
     EXPECT_GT(pass->GetNumberOfRenderedProps(), 0);
   }
   pass->SetShaderPath("");

@@ -158,6 +158,30 @@ void ShaderLibrary::Fail(const std::string& name, const std::string& problem) co
 
 namespace
 {
+// VTK 9.4 and later log what the driver says while debugging is on. The compiler's errors are reported here, once: the
+// driver is silent for the length of the scope.
+class QuietDriver
+{
+public:
+  QuietDriver()
+    : WasOn(glIsEnabled(GL_DEBUG_OUTPUT) == GL_TRUE)
+  {
+    glDisable(GL_DEBUG_OUTPUT);
+  }
+  ~QuietDriver()
+  {
+    if (this->WasOn)
+    {
+      glEnable(GL_DEBUG_OUTPUT);
+    }
+  }
+  QuietDriver(const QuietDriver&) = delete;
+  QuietDriver& operator=(const QuietDriver&) = delete;
+
+private:
+  bool WasOn;
+};
+
 // A shader of this text; problem gets the compiler's message where it does not compile.
 GLuint CompileShader(GLenum stage, const std::string& source, std::string& problem)
 {
@@ -179,6 +203,7 @@ GLuint CompileShader(GLenum stage, const std::string& source, std::string& probl
 
 void ShaderLibrary::Check(const std::string& name, GLenum stage, const std::string& text) const
 {
+  const QuietDriver quiet;
   std::string problem;
   glDeleteShader(CompileShader(stage, text, problem));
   if (!problem.empty())
@@ -190,6 +215,7 @@ void ShaderLibrary::Check(const std::string& name, GLenum stage, const std::stri
 const Program& ShaderLibrary::Build(
   const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages)
 {
+  const QuietDriver quiet;
   auto program = std::make_unique<Program>(glCreateProgram());
   std::string problem;
   for (const auto& stage : stages)
