@@ -10,9 +10,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkObjectFactoryCollection.h"
 #include "vtkVersion.h"
-#include "vtkVersionMacros.h"
 
 #include <cstring>
+#include <string>
 
 //------------------------------------------------------------------------------
 // The overrides of vtkRenderWindow and its interactor. It decides at each New(), so that it does not matter whether
@@ -85,18 +85,26 @@ private:
     return false;
   }
 
-  // Whether VTK itself would be at a loss. From 9.4 on it looks for a headless window.
+  // Whether VTK itself would be at a loss.
   bool IsNeeded()
   {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
-    return false;
-#else
-    return *penumbra::ReadVariable("DISPLAY") == '\0' && this->IsStockWindowX();
-#endif
+    if (*penumbra::ReadVariable("DISPLAY") != '\0')
+    {
+      return false;
+    }
+    const std::string stock = this->StockWindow();
+    // VTK's own chooser, where there is one, tries X first and warns when it finds none; who names a window has chosen.
+    if (stock == "vtkOpenGLRenderWindow")
+    {
+      return *penumbra::ReadVariable("VTK_DEFAULT_OPENGL_WINDOW") == '\0';
+    }
+    // A VTK built for EGL, OSMesa, Windows or macOS needs no display. With no override loaded (yet), this window is
+    // better than none.
+    return stock == "vtkXOpenGLRenderWindow" || stock.empty();
   }
 
-  // A VTK built for EGL, OSMesa, Windows or macOS needs no display.
-  bool IsStockWindowX()
+  // The class that VTK makes for vtkRenderWindow; empty where no other factory has one.
+  std::string StockWindow()
   {
     vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
     vtkCollectionSimpleIterator it;
@@ -108,11 +116,11 @@ private:
         if (std::strcmp(factory->GetClassOverrideName(i), "vtkRenderWindow") == 0 &&
           factory->GetEnableFlag(i))
         {
-          return std::strcmp(factory->GetClassOverrideWithName(i), "vtkXOpenGLRenderWindow") == 0;
+          return factory->GetClassOverrideWithName(i);
         }
       }
     }
-    return true; // VTK's override is not loaded (yet): this window is better than none
+    return std::string();
   }
 
   bool Complained = false;
