@@ -1,14 +1,14 @@
 # Finds one VTK, ParaView's or the plain one, and builds the module against it.
 include(PenumbraPythonTargets)
 
-# Debian keeps ParaView's copy of VTK beside its CMake package, out of find_package's default path.
-function(_penumbra_find_paraview_vtk out)
+# The folder of ParaView's CMake package, empty where there is none. Debian keeps ParaView's copy of VTK in it, out of
+# find_package's default path; a ParaView that was built with the system's VTK has none.
+function(_penumbra_find_paraview out)
   file(GLOB candidates
-    "/usr/lib/*/cmake/paraview-*/vtk" "/usr/lib/cmake/paraview-*/vtk" "/usr/local/lib/cmake/paraview-*/vtk"
-    "${ParaView_DIR}/vtk")
+    "/usr/lib/*/cmake/paraview-*" "/usr/lib/cmake/paraview-*" "/usr/local/lib/cmake/paraview-*" "${ParaView_DIR}")
   set(${out} "" PARENT_SCOPE)
   foreach(candidate IN LISTS candidates)
-    if(EXISTS "${candidate}/vtk-config.cmake")
+    if(EXISTS "${candidate}/paraview-config.cmake")
       set(${out} "${candidate}" PARENT_SCOPE)
     endif()
   endforeach()
@@ -17,11 +17,12 @@ endfunction()
 if(NOT PENUMBRA_VTK MATCHES "^(auto|paraview|vtk)$")
   message(FATAL_ERROR "PENUMBRA_VTK is '${PENUMBRA_VTK}': it must be auto, paraview or vtk.")
 endif()
-if(NOT PENUMBRA_VTK STREQUAL "vtk" AND NOT VTK_DIR)
-  _penumbra_find_paraview_vtk(_paraview_vtk)
-  if(_paraview_vtk)
-    set(VTK_DIR "${_paraview_vtk}" CACHE PATH "VTK's CMake package")
-  elseif(PENUMBRA_VTK STREQUAL "paraview")
+set(PENUMBRA_PARAVIEW_PACKAGE "")
+if(NOT PENUMBRA_VTK STREQUAL "vtk")
+  _penumbra_find_paraview(PENUMBRA_PARAVIEW_PACKAGE)
+  if(PENUMBRA_PARAVIEW_PACKAGE AND NOT VTK_DIR AND EXISTS "${PENUMBRA_PARAVIEW_PACKAGE}/vtk/vtk-config.cmake")
+    set(VTK_DIR "${PENUMBRA_PARAVIEW_PACKAGE}/vtk" CACHE PATH "VTK's CMake package")
+  elseif(PENUMBRA_VTK STREQUAL "paraview" AND NOT PENUMBRA_PARAVIEW_PACKAGE AND NOT VTK_DIR)
     message(FATAL_ERROR "PENUMBRA_VTK is 'paraview' but no ParaView development files were found: "
       "install paraview-dev and python3-paraview, or configure with -DPENUMBRA_VTK=vtk.")
   endif()
