@@ -22,6 +22,8 @@ if(NOT PENUMBRA_VTK STREQUAL "vtk")
   _penumbra_find_paraview(PENUMBRA_PARAVIEW_PACKAGE)
   if(PENUMBRA_PARAVIEW_PACKAGE AND NOT VTK_DIR AND EXISTS "${PENUMBRA_PARAVIEW_PACKAGE}/vtk/vtk-config.cmake")
     set(VTK_DIR "${PENUMBRA_PARAVIEW_PACKAGE}/vtk" CACHE PATH "VTK's CMake package")
+  elseif(EXISTS "${PENUMBRA_PARAVIEW_PACKAGE}/vtk/vtk-config.cmake" AND NOT VTK_DIR STREQUAL "${PENUMBRA_PARAVIEW_PACKAGE}/vtk")
+    set(PENUMBRA_PARAVIEW_PACKAGE "") # it has another VTK than the one that was asked for
   elseif(PENUMBRA_VTK STREQUAL "paraview" AND NOT PENUMBRA_PARAVIEW_PACKAGE AND NOT VTK_DIR)
     message(FATAL_ERROR "PENUMBRA_VTK is 'paraview' but no ParaView development files were found: "
       "install paraview-dev and python3-paraview, or configure with -DPENUMBRA_VTK=vtk.")

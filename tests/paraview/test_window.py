@@ -15,10 +15,17 @@ from test_paraview import ENVIRONMENT, HERE, PLUGIN, STUCK, Base
 SCENES = HERE.parent.parent / "examples" / "scenes.py"
 
 
+def qt_for_python():
+    """The package that goes with the Qt that ParaView is made with."""
+    paraview = shutil.which("paraview")
+    libraries = subprocess.run(["ldd", paraview], capture_output=True, text=True).stdout if paraview else ""
+    return "PyQt6" if "libQt6Core" in libraries else "PyQt5"
+
+
 def missing():
     """What is not installed of what the window needs, or ''."""
     programs = [program for program in ("Xvfb", "paraview") if shutil.which(program) is None]
-    modules = [module for module in ("PyQt5",) if importlib.util.find_spec(module) is None]
+    modules = [module for module in (qt_for_python(),) if importlib.util.find_spec(module) is None]
     return ", ".join(programs + modules)
 
 

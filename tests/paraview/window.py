@@ -17,10 +17,18 @@ import traceback
 import scenes
 from paraview import simple, smtrace
 from penumbra.paraview import disable, enable  # loads nothing: the plugin is there
-from PyQt5.QtCore import QPoint, Qt, QTimer
-from PyQt5.QtTest import QTest
-from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow,
-                             QPlainTextEdit, QPushButton, QScrollArea, QTextEdit, QToolButton, QWidget)
+
+# The one that goes with the Qt that this ParaView is made with.
+if "libQt6Core" in pathlib.Path("/proc/self/maps").read_text(encoding="utf-8"):
+    from PyQt6.QtCore import QPoint, Qt, QTimer
+    from PyQt6.QtTest import QTest
+    from PyQt6.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow,
+                                 QPlainTextEdit, QPushButton, QScrollArea, QTextEdit, QToolButton, QWidget)
+else:
+    from PyQt5.QtCore import QPoint, Qt, QTimer
+    from PyQt5.QtTest import QTest
+    from PyQt5.QtWidgets import (QApplication, QCheckBox, QComboBox, QDockWidget, QLabel, QLineEdit, QMainWindow,
+                                 QPlainTextEdit, QPushButton, QScrollArea, QTextEdit, QToolButton, QWidget)
 
 FOLDER = pathlib.Path(os.environ["PENUMBRA_WINDOW_OUTPUT"])
 PATIENCE = 600  # seconds for what takes a fraction of one on an idle machine
@@ -52,7 +60,7 @@ class Panel:
     def click(self, widget):
         self.area.ensureWidgetVisible(widget)
         yield 0.2
-        QTest.mouseClick(widget, Qt.LeftButton, Qt.NoModifier, QPoint(10, widget.height() // 2))
+        QTest.mouseClick(widget, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(10, widget.height() // 2))
         yield 0.2
 
     def choose(self, name, text):
@@ -63,7 +71,7 @@ class Panel:
         yield 0.3
         choices = box.view()
         index = box.model().index(box.findText(text), 0)
-        QTest.mouseClick(choices.viewport(), Qt.LeftButton, Qt.NoModifier, choices.visualRect(index).center())
+        QTest.mouseClick(choices.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, choices.visualRect(index).center())
         yield 0.2
 
     def write(self, name, text):
@@ -72,7 +80,7 @@ class Panel:
         line.setFocus()
         line.selectAll()
         QTest.keyClicks(line, text)
-        QTest.keyClick(line, Qt.Key_Return)
+        QTest.keyClick(line, Qt.Key.Key_Return)
         yield 0.2
 
     def show_advanced(self):
@@ -133,8 +141,8 @@ def steps():
     window.resize(window.screen().size())
     window.move(0, 0)
     browser = window.findChild(QDockWidget, "pipelineBrowserDock")
-    window.resizeDocks([browser], [360], Qt.Horizontal)
-    window.resizeDocks([browser], [110], Qt.Vertical)
+    window.resizeDocks([browser], [360], Qt.Orientation.Horizontal)
+    window.resizeDocks([browser], [110], Qt.Orientation.Vertical)
     view = simple.GetActiveView()
     RESULT["has properties"] = bool(view.SMProxy.GetProperty("GlobalIllumination"))
     scene(view)
