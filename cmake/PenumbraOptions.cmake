@@ -10,6 +10,7 @@ option(PENUMBRA_WRAP_PYTHON "Wrap the module for Python" ON)
 set(PENUMBRA_TEST_TIMEOUT 7200 CACHE STRING
   "Seconds after which a test is taken for stuck: on a busy machine, with sanitizers, none that works takes as long")
 mark_as_advanced(PENUMBRA_TEST_TIMEOUT)
+option(PENUMBRA_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
@@ -22,3 +23,12 @@ option(BUILD_SHARED_LIBS "Build the module as a shared library" ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+
+# What is built here and nothing else: VTK stays as installed, and no target or package passes the flags on.
+if(PENUMBRA_SANITIZE)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    message(FATAL_ERROR "PENUMBRA_SANITIZE needs GCC or Clang, and the compiler is ${CMAKE_CXX_COMPILER_ID}.")
+  endif()
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -O1 -g1)
+  add_link_options(-fsanitize=address,undefined)
+endif()

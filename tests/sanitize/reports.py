@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads what sanitizers wrote and prints what is not known.
+
+usage: reports.py FOLDER, with the sanitizers' log files. Status 1 where a report is not in known.txt.
+"""
+import collections
+import pathlib
+import re
+import sys
+
+KNOWN = pathlib.Path(__file__).with_name("known.txt")
+BEGIN = re.compile(r"^(?:==\d+==\s*ERROR: \w+: (?P<address>[\w-]+)|\S+:\d+:\d+: runtime error: (?P<undefined>.*))", re.M)
+LEAK = re.compile(r"^(?:Direct|Indirect) leak of .*", re.M)
+MOST_SHOWN = 20
+LINES_SHOWN = 40
+
+
+def known():
+    """(kind, name in the stack) of what others have to mend; each line gives its reason."""
+    rows = []
+    for line in KNOWN.read_text().splitlines():
+        row, _, reason = line.partition("#")
+        if row.strip():
+            if not reason.strip():
+                raise SystemExit(f"{KNOWN.name}: no reason is given for: {line}")
+            rows.append(tuple(row.split()))
+    return rows
+
+
+def reports(text):
+    """(kind, text) of each report in a log; of leaks, one for each place that allocates."""
+    begins = [found.start() for found in BEGIN.finditer(text)] + [len(text)]
+    for begin, end in zip(begins, begins[1:]):
+        report = text[begin:end]
+        kind = BEGIN.match(report)["address"] or "undefined"
+        if kind != "detected":
+            yield kind, report
+            continue
+        leaks = [found.start() for found in LEAK.finditer(report)] + [len(report)]
+        for first, last in zip(leaks, leaks[1:]):
+            yield "leak", report[first:last]
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    rows, left, skipped = known(), [], collections.Counter()
+    for path in sorted(folder.glob("*")):
+        text = path.read_text(errors="replace")
+        found = list(reports(text))
+        if text.strip() and not found:
+            found = [("other", text)]
+        for kind, report in found:
+            row = next((row for row in rows if row[0] == kind and row[1] in report), None)
+            if row:
+                skipped[row] += 1
+            else:
+                left.append(report)
+    for (kind, name), count in sorted(skipped.items()):
+        print(f"known: {count} of {kind} in {name}")
+    once = collections.Counter(re.sub(r"==\d+==|0x[0-9a-f]+", "", report) for report in left)
+    for report, count in once.most_common(MOST_SHOWN):
+        print(f"---- {count} times")
+        print("\n".join(report.splitlines()[:LINES_SHOWN]))
+    print(f"{len(left)} reports")
+    return 1 if left else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
