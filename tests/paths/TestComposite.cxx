@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays see the blocks of composite mappers as VTK draws them.
 #include "Agreement.h"
+#include "CompositeMapper.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper.h"
 #include "vtkDataSetMapper.h"
 #include "vtkElevationFilter.h"
 #include "vtkMultiBlockDataSet.h"
