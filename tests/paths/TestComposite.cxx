@@ -5,6 +5,7 @@
 #include "CompositeMapper.h"
 
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositePolyDataMapper.h"
 #include "vtkDataSetMapper.h"
 #include "vtkElevationFilter.h"
 #include "vtkMultiBlockDataSet.h"
