@@ -42,7 +42,6 @@ public:
   std::size_t EmitterCount() const { return this->Emitters; }
   bool Contains(vtkProp* prop) const { return this->Seen.count(prop) > 0; }
   /// Visible props with surfaces that rays do not see.
-  std::size_t LackNormals = 0;
   std::size_t LeftOut() const { return this->Left; }
   /// Surfaces of which some points have no normal that could be used.
   std::size_t WithoutNormals() const { return this->LackNormals; }
@@ -101,6 +100,7 @@ private:
   std::vector<glm::vec4> Planes; ///< that clip, among the points from FirstPlane on
   std::size_t FirstPlane = 0;
   std::set<vtkProp*> Seen;
+  std::size_t LackNormals = 0;
   std::size_t Left = 0;
   std::size_t Primitives = 0;
   std::size_t Emitters = 0;
