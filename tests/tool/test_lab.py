@@ -21,6 +21,9 @@ BOARD = {
     "lights": [{"type": "directional", "position": [0, 1, 1]}],
     "camera": {"position": [0.4, -2.6, 2.2], "focal": [0, -0.35, 0.1], "up": [0, 0, 1]}}
 
+# Maps as they are without what keeps depths of the receiver's own surface apart: the laboratory is to find acne there.
+NAIVE = ("--set", "shadow-maps.receiver-plane=off", "--set", "shadow-maps.filter-radius=0")
+
 
 class Laboratory(command.CommandTest):
     def study(self, scene, *arguments, notes=()):
@@ -61,7 +64,7 @@ class Laboratory(command.CommandTest):
             self.assertGreater(b["acne"], 0.01)
 
     def test_window(self):
-        study = self.study(BOARD, "--steps", 9)
+        study = self.study(BOARD, "--steps", 9, *NAIVE)
         kinds = [sweep["kind"] for sweep in study["sweeps"]]
         self.assertEqual(kinds, ["constant", "slope", "normal"])
         self.assertLess(study["pixel-texels"], 0.6)
@@ -77,7 +80,8 @@ class Laboratory(command.CommandTest):
             for sample in samples:
                 within = sample["acne"] <= 0.001 and sample["gap"] <= 1
                 self.assertEqual(within, window["low"] <= sample["bias"] <= window["high"], sample)
-        self.assertLessEqual(study["defaults"]["acne"], 0.001)
+        quick = self.study(BOARD, "--bias", "slope", "--steps", 2)
+        self.assertLessEqual(quick["defaults"]["acne"], 0.001)
 
     def test_files(self):
         study = self.study(BOARD, "--bias", "slope", "--steps", 3)
@@ -101,7 +105,7 @@ class Laboratory(command.CommandTest):
         for light in ({"type": "point", "position": [0, 2, 2]},
                       {"type": "cone", "position": [0, 2, 2], "target": [0, 0, 0], "angle": 40},
                       {"type": "key", "azimuth": 60, "elevation": 50}):
-            study = self.study({**BOARD, "lights": [light]}, "--from", 0, "--to", 2, "--steps", 2)
+            study = self.study({**BOARD, "lights": [light]}, "--from", 0, "--to", 2, "--steps", 2, *NAIVE)
             first, last = study["sweeps"][0]["samples"]
             self.assertGreater(first["acne"], 0.05, light)
             self.assertLess(last["acne"], first["acne"] / 4, light)
