@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the command promises where all is well."""
 import json
+import math
 import unittest
 
 from PIL import Image
@@ -61,6 +62,29 @@ class Rendered(command.CommandTest):
         self.assertEqual(self.compare("none.exr", "dark.exr")["maximum"], 0)
         self.succeeds("render", self.scene({**scene, "lights": []}), "--preset", "off", "-o", "flat.exr")
         self.assertGreater(self.compare("none.exr", "flat.exr")["relmse"], 0.1, "VTK shows colours as they are")
+
+    def test_environments_are_reflected_where_they_are_seen(self):
+        """A mirror shows the part of the environment that is seen when looking along the reflected rays."""
+        width, height = 64, 32
+        texels = bytearray()
+        for row in range(height):
+            for column in range(width):
+                turn = 2.0 * math.pi * (column + 0.5) / width
+                rise = math.cos(math.pi * (row + 0.5) / height)
+                color = (1.1 + math.cos(turn), 1.1 + math.sin(turn), 1.1 + rise)
+                texels += bytes(int(64.0 * value) for value in color) + bytes([130])  # 256 is 4
+        (self.folder / "sky.hdr").write_bytes(
+            b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n" % (height, width) + texels)
+        mirror = {"plane": {"size": [1, 1]}, "material": {"shading": "pbr", "metallic": 1, "roughness": 0}}
+        scene = {"size": [16, 16], "lights": [], "environment": {"file": "sky.hdr", "visible": True}}
+        for name, position in (("mirror", [5, 1, 3]), ("sky", [5, 1, -3])):
+            camera = {"position": position, "focal": [0, 0, 0], "angle": 3, "up": [0.1, 1, 0.2]}
+            aside = [3, 0, 0] if name == "sky" else [0, 0, 0]
+            objects = [{**mirror, "transform": {"translate": aside}}]
+            self.succeeds("render", self.scene({**scene, "objects": objects, "camera": camera}),
+                          "--preset", "reference", "--spp", 4, "-o", f"{name}.exr")
+        measured = self.compare("mirror.exr", "sky.exr")
+        self.assertLess(measured["maximum"], 0.15, measured)  # the mirror turns the picture round
 
     def test_pictures_of_normals(self):
         """Faces of any number of corners show them; what has no texture coordinates is told."""
