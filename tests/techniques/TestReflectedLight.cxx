@@ -26,6 +26,7 @@ TEST_F(ReflectedLight, the_environment_counts_once)
   ball->SetRadius(1.0);
   ball->SetThetaResolution(64);
   ball->SetPhiResolution(64);
+  const vtkSmartPointer<vtkActor> kept = this->Floor; // its look is the ball's
   this->Scene.Renderer->RemoveActor(this->Floor);
   vtkActor* lone = this->Scene.Add(ball);
   lone->SetProperty(this->Floor->GetProperty());
