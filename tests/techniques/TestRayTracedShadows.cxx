@@ -105,7 +105,7 @@ void ExpectProfile(const std::vector<double>& profile, double halfWidth, double 
   }
   std::printf("penumbra of half width %.4f: largest difference %.4f\n", halfWidth, worst);
   // Eight bits, and chance over the column of a pixel each frame.
-  EXPECT_LT(worst, 0.01);
+  EXPECT_LT(worst, 0.009);
 }
 
 TEST(RayTracedShadows, PenumbraOfTheSun)
