@@ -4,7 +4,7 @@
  * Frees GPU objects in the context that made them: when their owner is done with them, or when their window
  * gives its context up, whichever comes first. Whatever context is current before is current afterwards.
  *
- * VTK keeps a list of what to free in each window. The class that joins it has a private header up to VTK 9.6, so
+ * VTK keeps a list of what to free in each window. VTK before 9.6 does not install the class that joins it, so
  * this derives from one that joins by itself.
  */
 #pragma once
