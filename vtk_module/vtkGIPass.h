@@ -98,7 +98,7 @@ public:
 
   /**
    * Have the next frame show nothing that was found in frames before, so that a picture that is kept depends
-   * on the scene alone. Averages over frames begin anew, and probes that are updated live forget what they
+   * on the scene alone. Averages over frames start again, and probes that are updated live forget what they
    * know and do a scene's first updates in that one frame, which takes so much longer.
    */
   void Restart();

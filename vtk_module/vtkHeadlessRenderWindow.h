@@ -85,7 +85,7 @@ public:
    * Let vtkRenderWindow::New() give this class, and vtkRenderWindowInteractor::New() an interactor
    * that goes with it, where DISPLAY is unset or empty and VTK knows only X windows or would try X first
    * (VTK 9.4 and later, unless VTK_DEFAULT_OPENGL_WINDOW names a window), or where
-   * PENUMBRA_BACKEND asks for egl or osmesa. The question is asked anew at each New(). Runs
+   * PENUMBRA_BACKEND asks for egl or osmesa. The question is asked again at each New(). Runs
    * when the module is loaded, costs nothing and may be repeated.
    */
   static void EnableAutomatic() { vtkHeadlessRenderWindow::SetAutomatic(true); }
