@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What baked and live light add to frames of little scenes, and what the first frame of many glyphs costs. Frames with and
- * without take turns.
+ * Cost of baked and live light in frames of small scenes, and of the first frame of many glyphs. Frames with and without
+ * the light alternate.
  */
 #pragma once
 

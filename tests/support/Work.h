@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a frame does, counted: the same on a busy machine as on an idle one.
+ * Counts of the work in a frame. They are the same on a busy machine as on an idle one.
  */
 #pragma once
 

@@ -81,12 +81,11 @@ class Rendered(command.CommandTest):
             camera = {"position": position, "focal": [0, 0, 0], "angle": 3, "up": [0.1, 1, 0.2]}
             aside = [3, 0, 0] if name == "sky" else [0, 0, 0]
             objects = [{**mirror, "transform": {"translate": aside}}]
+            # As many samples as average the lobe's tail, where sampling the sky takes over from sampling the mirror.
             self.succeeds("render", self.scene({**scene, "objects": objects, "camera": camera}),
-                          "--preset", "reference", "--spp", 4, "-o", f"{name}.exr")
+                          "--preset", "reference", "--spp", 64, "-o", f"{name}.exr")
         measured = self.compare("mirror.exr", "sky.exr")
-        # The mirror turns the picture round. Three of its 1,024 samples end in nothing: see the 99th percentile, and the mean.
-        self.assertLess(measured["p99"], 0.15, measured)
-        self.assertLess(abs(measured["signed-mean"]), 0.005, measured)
+        self.assertLess(measured["maximum"], 0.15, measured)  # the mirror turns the picture round
 
     def test_pictures_of_normals(self):
         """Faces of any number of corners show them; what has no texture coordinates is told."""
