@@ -5,18 +5,14 @@
 #include "Cost.h"
 #include "LightmapScene.h"
 #include "Picture.h"
+#include "WhiteVolume.h"
 
 #include "vtkGIProbeBaker.h"
 #include "vtkGISHProbes.h"
 
-#include <vtkColorTransferFunction.h>
 #include <vtkConeSource.h>
 #include <vtkCubeSource.h>
-#include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkGlyph3DMapper.h>
-#include <vtkPiecewiseFunction.h>
-#include <vtkVolume.h>
-#include <vtkVolumeProperty.h>
 
 #include <chrono>
 #include <cmath>
@@ -121,39 +117,11 @@ struct VolumeFrames
 
   void AddVolume(double radius)
   {
-    constexpr int n = 33;
-    const double spacing = 2.0 * radius / (n - 1);
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(n, n, n);
-    image->SetOrigin(-radius, -radius, -radius);
-    image->SetSpacing(spacing, spacing, spacing);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-    {
-      const double* p = image->GetPoint(i);
-      const double away = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / radius;
-      image->GetPointData()->GetScalars()->SetTuple1(i, 1.0 - away);
-    }
-    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-    mapper->SetInputData(image);
-    mapper->AutoAdjustSampleDistancesOff();
-    mapper->SetSampleDistance(static_cast<float>(0.02 * radius));
     vtkNew<vtkPiecewiseFunction> faint;
     faint->AddPoint(0.0, 0.0);
     faint->AddPoint(1.0, 0.05);
-    vtkNew<vtkColorTransferFunction> white;
-    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
-    vtkNew<vtkVolume> volume;
-    volume->SetMapper(mapper);
-    volume->GetProperty()->SetScalarOpacity(faint);
-    volume->GetProperty()->SetScalarOpacityUnitDistance(0.01 * radius);
-    volume->GetProperty()->SetColor(white);
-    volume->GetProperty()->SetInterpolationTypeToLinear();
-    volume->GetProperty()->ShadeOn();
-    volume->GetProperty()->SetAmbient(0.0);
-    volume->GetProperty()->SetDiffuse(0.9);
-    volume->GetProperty()->SetSpecular(0.0);
-    this->Scene.Renderer->AddVolume(volume);
+    this->Scene.Renderer->AddVolume(penumbra_test::WhiteVolume(
+      radius, [](double away) { return 1.0 - away; }, faint));
   }
 
   // The median of three frames that are read back, after two in which shaders are built and probes come to rest.

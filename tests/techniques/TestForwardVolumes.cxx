@@ -4,6 +4,7 @@
  * Indirect light in shaded volumes, and when mappers build their shaders.
  */
 #include "ForwardStage.h"
+#include "WhiteVolume.h"
 
 #include "vtkGIPathTracing.h"
 
@@ -65,42 +66,12 @@ class ForwardVolumes : public ForwardStage
 protected:
   vtkSmartPointer<vtkVolume> AddVolume(double radius, bool hard)
   {
-    constexpr int n = 33;
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(n, n, n);
-    const double spacing = 2.0 * radius / (n - 1);
-    image->SetOrigin(-radius, -radius, -radius);
-    image->SetSpacing(spacing, spacing, spacing);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-    {
-      const double* p = image->GetPoint(i);
-      const double away = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / radius;
-      image->GetPointData()->GetScalars()->SetTuple1(i, hard ? 1.0 - away : 1.0);
-    }
-    if (!hard)
-    {
-      image->GetPointData()->GetScalars()->SetTuple1(0, 0.0); // a range
-    }
-    vtkNew<vtkGPUVolumeRayCastMapper> mapper;
-    mapper->SetInputData(image);
-    mapper->AutoAdjustSampleDistancesOff();
-    mapper->SetSampleDistance(static_cast<float>(0.02 * radius));
-    auto volume = vtkSmartPointer<vtkVolume>::New();
-    volume->SetMapper(mapper);
     vtkNew<vtkPiecewiseFunction> opacity;
     opacity->AddPoint(0.1, 0.0);
     opacity->AddPoint(0.12, 1.0);
-    volume->GetProperty()->SetScalarOpacity(opacity);
-    volume->GetProperty()->SetScalarOpacityUnitDistance(0.01 * radius);
-    vtkNew<vtkColorTransferFunction> white;
-    white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
-    volume->GetProperty()->SetColor(white);
-    volume->GetProperty()->SetInterpolationTypeToLinear();
-    volume->GetProperty()->ShadeOn();
-    volume->GetProperty()->SetAmbient(0.0);
-    volume->GetProperty()->SetDiffuse(0.9);
-    volume->GetProperty()->SetSpecular(0.0);
+    // The corners of the even one differ, for a range.
+    const auto value = [hard](double away) { return hard ? 1.0 - away : away > 1.73 ? 0.0 : 1.0; };
+    auto volume = WhiteVolume(radius, value, opacity);
     this->Scene.Renderer->AddVolume(volume);
     return volume;
   }
