@@ -160,6 +160,16 @@ void vtkGIPass::Render(const vtkRenderState* state)
     vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
     return;
   }
+  // VTK's translucent stage and its volumes report OpenGL errors where there is not one pixel.
+  int width = 0;
+  int height = 0;
+  renderer->GetTiledSize(&width, &height);
+  if (width <= 0 || height <= 0)
+  {
+    this->Impl->SkipFrame(renderer);
+    this->NumberOfRenderedProps = 0;
+    return;
+  }
   this->Impl->Enter(window);
   penumbra::RefreshState(window);
   this->Impl->Held.Record(window);

@@ -24,7 +24,7 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkHardwareSelector, vtkLight
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
 # Left out: what VTK alone does not survive in silence (depth peeling, stereo, pictures in tiles and another number of
-# samples, each with windows that change). The calls, each as often as it should come. A method of Fuzz of that name makes it.
+# samples, each with windows that change; half of a window that is one pixel wide). The calls, each as often as it should come. A method of Fuzz of that name makes it.
 CALLS = {"render": 6, "enable": 1, "disable": 1, "preset": 1, "toggle": 1, "parameter": 2, "add": 1, "remove": 1,
          "light": 1, "resize": 1, "radiance": 1, "buffer": 1, "statistics": 1, "new_window": 1, "delete_window": 1,
          "finalize": 1, "move_renderer": 1, "remove_renderer": 1, "release": 1, "share": 1, "forget_pass": 1, "keep": 1,
@@ -124,7 +124,7 @@ class Fuzz:
             made[0].SetViewport(0, 0, 0.5, 1)
             made[1].SetViewport(0.5, 0, 1, 1)
         self.renderers.extend(made)
-        size = self.pick.choice([1, 16, 64, 200, 333]), self.pick.choice([1, 16, 64, 120, 217])
+        size = self.pick.choice([2, 16, 64, 200, 333]), self.pick.choice([1, 16, 64, 120, 217])
         self.windows.append(penumbra.window(*made, size=size, multisamples=self.samples))
 
     def delete_window(self):
@@ -141,7 +141,7 @@ class Fuzz:
         self.window.Finalize()
 
     def resize(self):
-        self.window.SetSize(self.pick.choice([1, 7, 64, 300]), self.pick.choice([1, 9, 50, 200]))
+        self.window.SetSize(self.pick.choice([2, 7, 64, 300]), self.pick.choice([1, 9, 50, 200]))
 
     def screenshot(self):
         capture = vtkWindowToImageFilter()

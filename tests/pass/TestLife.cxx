@@ -8,6 +8,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 
+#include <array>
 #include <chrono>
 #include <thread>
 
@@ -229,6 +230,29 @@ TEST(Life, ResizedWindow)
     plain.Window->SetSize(size.first, size.second);
     ExpectSame(Shoot(plain.Window), Shoot(scene.Window));
   }
+}
+
+// Without a pixel VTK's translucent stage and its volumes report OpenGL errors, so the pass does not ask them.
+TEST(Life, ViewWithoutPixels)
+{
+  Scene scene(false);
+  vtkGIPass* pass = scene.SetPass();
+  SetQuietPreset(pass, "balanced");
+  pass->KeepRadianceOn();
+  const Picture first = Shoot(scene.Window);
+  vtkNew<vtkImageData> radiance;
+  EXPECT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
+  for (const std::array<double, 4>& nowhere : { std::array<double, 4>{ 0.0, 0.0, 0.001, 1.0 },
+         std::array<double, 4>{ 0.0, 0.0, 1.0, 0.001 } })
+  {
+    scene.Renderer->SetViewport(nowhere.data());
+    scene.Window->Render();
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_FALSE(pass->GetRadiance(scene.Renderer, radiance));
+  }
+  scene.Renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
+  ExpectSame(first, Shoot(scene.Window));
+  EXPECT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
 }
 
 // VTK asks while it draws whether to go on, but five times a second at most.

@@ -195,6 +195,17 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   return problem;
 }
 
+void vtkGIPass::Internals::SkipFrame(vtkRenderer* renderer)
+{
+  for (auto& view : this->Views)
+  {
+    if (view.second.Renderer == renderer)
+    {
+      view.second.Radiance = nullptr;
+    }
+  }
+}
+
 namespace
 {
 // VTK's depth buffer as a texture, where it can be bound and sampled as such: not if it is

@@ -37,6 +37,9 @@ public:
   /// Draw the opaque props of a frame. Returns the reason where that could not be done, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
+  /// The renderer's view has no pixels: nothing is drawn, and nothing is kept of an earlier frame as if it were.
+  void SkipFrame(vtkRenderer* renderer);
+
   /// Show a frame that is a tile of a larger picture, which draw draws, if tiles are joined. Returns false where
   /// that is not so or could not be done; what was kept for a renderer's tiles goes where it shows none.
   bool ShowTile(const vtkRenderState* state, bool join, const penumbra::WholePicture::Draw& draw);
