@@ -6,6 +6,7 @@
 #include "../scene/Failure.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>

@@ -14,6 +14,7 @@
 #include "../scene/Windows.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <vtkCamera.h>
 #include <vtkGIPass.h>

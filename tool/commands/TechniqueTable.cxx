@@ -7,6 +7,7 @@
 #include <vtkNew.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 

@@ -6,6 +6,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,8 @@ Picture ReadPicture(const std::string& path)
     RequireCompleteJpeg(path);
   }
   // A fourth channel that is not alpha is a layer of another kind.
-  const bool layers = spec.nchannels > 3 && spec.format == OIIO::TypeDesc::FLOAT && spec.alpha_channel < 0;
+  const bool layers =
+    spec.nchannels > 3 && spec.format == OIIO::TypeDesc::FLOAT && spec.alpha_channel < 0;
   Picture picture(spec.width, spec.height, layers ? 3 : std::min(spec.nchannels, 4));
   if (!file->read_image(0, 0, 0, picture.Channels, OIIO::TypeDesc::FLOAT, picture.Values.data()))
   {
