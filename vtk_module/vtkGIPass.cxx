@@ -182,6 +182,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
   {
     draw(state);
   }
+  this->Impl->Held.LeaveNoOthers(window);
 }
 
 void vtkGIPass::RenderPicture(const vtkRenderState* state)

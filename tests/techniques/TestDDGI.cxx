@@ -155,8 +155,8 @@ TEST_F(DDGI, ARoomNextDoorStaysDark)
       thickness, 4.0 / (counts[0] - 2), bright - direct, Mean(dark),
       100.0 * Mean(dark) / (bright - direct), most, brightest);
     EXPECT_LT(thickness, 0.5 * 4.0 / (counts[0] - 2));
-    EXPECT_LT(most, 0.01 * (bright - direct));
-    EXPECT_LT(brightest, 0.01 * (bright - direct));
+    EXPECT_LT(most, 3e-5 * (bright - direct));
+    EXPECT_LT(brightest, 1.2e-3 * (bright - direct));
     this->Scene.Renderer->RemoveActor(left);
     this->Scene.Renderer->RemoveActor(right);
   }
@@ -195,8 +195,8 @@ TEST_F(DDGI, LightOnAndLightOffArriveAlikeSoon)
   }
   std::printf(
     "90 %% after %d updates when the light goes off, %d when it comes on\n", off + 1, on + 1);
-  EXPECT_LE(off + 1, 30);
-  EXPECT_LE(on + 1, 30);
+  EXPECT_LE(off + 1, 22);
+  EXPECT_LE(on + 1, 22);
 }
 
 TEST_F(DDGI, AStillSceneIsStill)
@@ -236,7 +236,8 @@ TEST_F(DDGI, AStillSceneIsStill)
   std::printf(
     "frames 151 to 250: deviation of a pixel %.4f %% of its mean on the average, %.4f %% at most\n",
     100.0 * sum / static_cast<double>(frames.front().size()), 100.0 * most);
-  EXPECT_LT(most, 0.005);
+  EXPECT_LT(sum / static_cast<double>(frames.front().size()), 0.0003);
+  EXPECT_LT(most, 0.00105);
 }
 
 TEST_F(DDGI, OcclusionIsCountedOnce)
@@ -296,7 +297,7 @@ TEST_F(DDGI, BallsShowWhatProbesHoldUnlessSomethingIsBefore)
     }
     std::printf("pixels of balls %d, off E / (1 - r) by at most %.2f %%; of blue rims %d\n", lit,
       100.0 * most, resting);
-    EXPECT_LT(most, 0.02);
+    EXPECT_LT(most, 0.0015);
     return std::make_pair(lit, resting);
   };
   const auto [lit, resting] = shown(100);

@@ -96,7 +96,7 @@ TEST_F(ForwardVolumes, ShadedVolumesInAFurnace)
         const double shown = this->Middle(baked ? 1 : Few);
         std::printf("%s, %s, %s: %.4f of %.4f\n", baked ? "baked" : "DDGI",
           hard ? "a surface" : "even", kind, shown, 0.9 * Furnace);
-        EXPECT_NEAR(shown / (0.9 * Furnace), 1.0, 0.03);
+        EXPECT_NEAR(shown / (0.9 * Furnace), 1.0, 0.0045);
       }
       volume->GetProperty()->ShadeOff();
       EXPECT_NEAR(this->Middle(1), 1.0, 0.01) << "as VTK draws it";
@@ -151,7 +151,7 @@ TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
     }
     std::printf(
       "%s: mean error %.1f %% of the mean\n", baked ? "baked" : "DDGI", 100.0 * error / mean);
-    EXPECT_LT(error, 0.1 * mean);
+    EXPECT_LT(error, (baked ? 0.09 : 0.1) * mean);
     EXPECT_GT(cloud.MeanGrey(24, 34, 30, 46), 1.5 * cloud.MeanGrey(50, 34, 56, 46));
   }
 }

@@ -46,6 +46,27 @@ TEST(ImageBasedLight, BallsInAFurnace)
   }
 }
 
+// What stays bound of a frame's own textures must not pass for what VTK holds: they go as the window changes its size.
+TEST(ImageBasedLight, SwitchedOnWhileTheWindowChanges)
+{
+  EnvironmentStage stage;
+  stage.SetEnvironment(EvenTexture<float>(Radiance));
+  stage.AddBalls({ { 0.0, 0.5 }, { 1.0, 0.1 } });
+  stage.Renderer()->UseImageBasedLightingOff();
+  for (const char* preset : { "balanced", "high" })
+  {
+    stage.Measure(preset, 2);
+    stage.Renderer()->UseImageBasedLightingOn();
+    for (const int side : { 64, 96, 32 })
+    {
+      stage.Scene.Window->SetSize(2 * side, side);
+      stage.Scene.Window->Render();
+      EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << preset << ", " << side;
+    }
+    stage.Renderer()->UseImageBasedLightingOff();
+  }
+}
+
 // Translucent surfaces are drawn by VTK after the passes, with the textures of its image-based light.
 TEST(ImageBasedLight, TranslucentBallsInAFurnace)
 {

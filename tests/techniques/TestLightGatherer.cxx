@@ -136,7 +136,7 @@ TEST_F(LightGatherer, ClosedEnclosureKeepsItsEnergy)
   // Chance makes each value err; what they have in common is the bias.
   std::printf("closed box: mean error %.3f %%, root mean square %.3f %%\n", 100.0 * mean,
     100.0 * std::sqrt(squares));
-  EXPECT_LT(std::abs(mean), 0.005);
+  EXPECT_LT(std::abs(mean), 0.0003);
   EXPECT_LT(std::sqrt(squares), 0.01);
 }
 
@@ -166,14 +166,14 @@ TEST_F(LightGatherer, ABallAroundALamp)
   std::printf("ball: %.5f of %.5f", this->Value(0, 2), 0.9 * share);
   for (int k = 0; k < 3; ++k)
   {
-    EXPECT_NEAR(this->Value(0, k), 0.3 * (k + 1) * share, 0.005 * 0.3 * (k + 1));
+    EXPECT_NEAR(this->Value(0, k), 0.3 * (k + 1) * share, 0.00075 * 0.3 * (k + 1));
   }
   this->Gatherer->IncludeLampsOn();
   this->Gather(true);
   std::printf(", with the lamp %.5f of %.5f\n", this->Value(0, 2), 0.9 * (1.0 + share));
   for (int k = 0; k < 3; ++k)
   {
-    EXPECT_NEAR(this->Value(0, k), 0.3 * (k + 1) * (1.0 + share), 0.005 * 0.3 * (k + 1));
+    EXPECT_NEAR(this->Value(0, k), 0.3 * (k + 1) * (1.0 + share), 0.00075 * 0.3 * (k + 1));
   }
   this->Gatherer->IncludeIndirectOff();
   this->Gatherer->SetSamples(1);
@@ -223,7 +223,7 @@ TEST_F(LightGatherer, AnEmittersFormFactor)
   this->Gatherer->SetSamples(4096);
   this->Gather(true);
   std::printf("point below a square: %.6f of 0.239456\n", this->Value(0, 0) / 2.0);
-  EXPECT_NEAR(this->Value(0, 0) / 2.0, 0.239456, 0.005 * 0.239456);
+  EXPECT_NEAR(this->Value(0, 0) / 2.0, 0.239456, 0.00015 * 0.239456);
 }
 
 TEST_F(LightGatherer, PartsOfTheSamplesAverageToTheWhole)

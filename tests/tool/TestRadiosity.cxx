@@ -70,7 +70,7 @@ TEST(Radiosity, ClosedBoxGivesEmissionOverAbsorption)
     }
     std::printf(
       "closed box, reflectance %.1f: E / (1 - rho) within %.3f %%\n", reflectance, 100.0 * worst);
-    EXPECT_LT(worst, 0.01);
+    EXPECT_LT(worst, 1.5e-5);
   }
 }
 
@@ -116,7 +116,7 @@ TEST(Radiosity, SolversAgree)
     solution.Shot.History.back().Work, solution.Shot.History.back().Residual, 100.0 * apart);
   EXPECT_TRUE(solution.Gathered.Converged && solution.Shot.Converged);
   EXPECT_GT(apart, 0.0) << "they cannot agree to the last digit";
-  EXPECT_LT(apart, 0.001);
+  EXPECT_LT(apart, 2.5e-6);
   for (const Reflected* solved : { &solution.Gathered, &solution.Shot })
   {
     for (std::size_t i = 1; i < solved->History.size(); ++i)
@@ -140,7 +140,7 @@ TEST(Radiosity, EnergyIsKept)
   }
   std::printf("closed room: %.4f emitted, %.4f absorbed (%+.2f %%)\n", emitted, absorbed,
     100.0 * (absorbed / emitted - 1.0));
-  EXPECT_NEAR(absorbed / emitted, 1.0, 0.01);
+  EXPECT_NEAR(absorbed / emitted, 1.0, 0.0021);
 }
 
 TEST(Radiosity, StatedErrorIsWhatChanceMakes)

@@ -32,7 +32,7 @@ class DirectLightmap(command.LightmapTest):
         print(f"\nCornell box with a lamp, {baked['texels']} texels: relMSE {compared['relmse']:.6f}, signed mean "
               f"{compared['signed-mean']:+.6f}; the lamp alone {without:.4f}")
         self.assertLess(compared["relmse"], 0.003)
-        self.assertLess(abs(compared["signed-mean"]), 0.01)
+        self.assertLess(abs(compared["signed-mean"]), 0.0018)
 
     def test_what_moves_is_lit_by_lamps(self):
         """A ball that the bake does not know has the lamps' light and shadow, the walls have theirs."""
@@ -76,7 +76,7 @@ class DirectLightmap(command.LightmapTest):
         self.succeeds("render", path, *SMALL, "--bake", "map.exr", "-o", "with.exr")
         compared = self.compare("with.exr", "without.exr")
         print(f"\na floor: relMSE {compared['relmse']:.2g} of what VTK draws")
-        self.assertLess(compared["relmse"], 1e-5)
+        self.assertLess(compared["relmse"], 1.5e-7)
 
     def test_killed_and_resumed(self):
         """As without --direct; and what was gathered with it is not gone on with without, or the other way."""

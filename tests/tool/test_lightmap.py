@@ -87,7 +87,7 @@ class Lightmap(command.LightmapTest):
             compared = self.compare("lit.exr", "flat.exr")
             error = compared["maximum"] / expected
             print(f"\nreflectance {reflectance}: E / (1 - r) = {expected}, off by {100 * error:.2f} % at most")
-            self.assertLess(error, 0.01)
+            self.assertLess(error, 0.0045 if reflectance < 0.8 else 0.0075)
 
     def test_cornell_box_is_the_path_tracers(self):
         scene = json.loads(CORNELL.read_text())
@@ -101,7 +101,7 @@ class Lightmap(command.LightmapTest):
         compared = self.compare("lit.exr", "traced.exr", "--mask-above", 3)
         print(f"\nCornell box, {baked['texels']} texels of 64 samples: relMSE {compared['relmse']:.6f}, "
               f"signed mean {compared['signed-mean']:+.6f}")
-        self.assertLess(compared["relmse"], 0.003)
+        self.assertLess(compared["relmse"], 0.0012)
         self.assertGreater(baked["buried-texels"], 0, "the floor below the blocks")
         self.assertGreater(baked["dark-sides"], 0, "the insides of the blocks")
 
@@ -112,7 +112,7 @@ class Lightmap(command.LightmapTest):
         print(f"\n{baked['tiles']} charts: step across seams {100 * baked['open-seam-step']:.2f} %, closed "
               f"{100 * baked['seam-step']:.2f} %")
         self.assertGreater(baked["tiles"], 8)
-        self.assertGreater(baked["open-seam-step"], 0.01)
+        self.assertGreater(baked["open-seam-step"], 0.54)
         self.assertLess(baked["seam-step"], 0.01)
 
     def test_denoising_pays(self):

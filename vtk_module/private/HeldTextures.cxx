@@ -56,8 +56,28 @@ void HeldTextures::Restore(vtkOpenGLState* state) const
 {
   for (const Binding& binding : this->Bindings)
   {
-    state->vtkglActiveTexture(binding.Unit);
-    glBindTexture(binding.Target, binding.Name);
+    // VTK may have deleted a texture since, that it only had left there.
+    if (glIsTexture(binding.Name))
+    {
+      state->vtkglActiveTexture(binding.Unit);
+      glBindTexture(binding.Target, binding.Name);
+    }
   }
+}
+
+void HeldTextures::LeaveNoOthers(vtkOpenGLRenderWindow* window) const
+{
+  vtkOpenGLState* state = window->GetState();
+  const int units = window->GetTextureUnitManager()->GetNumberOfTextureUnits();
+  for (int unit = 0; unit < units; ++unit)
+  {
+    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    for (const Kind& kind : Kinds)
+    {
+      glBindTexture(kind.Target, 0);
+    }
+  }
+  this->Restore(state);
+  state->vtkglActiveTexture(GL_TEXTURE0);
 }
 }

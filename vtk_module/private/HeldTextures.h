@@ -25,6 +25,10 @@ public:
   /// Bind that again.
   void Restore(vtkOpenGLState* state) const;
 
+  /// Bind that and nothing else, on any unit. A texture of ours that stayed bound would pass for one of VTK's in the
+  /// next frame, which may delete it before it is put back.
+  void LeaveNoOthers(vtkOpenGLRenderWindow* window) const;
+
 private:
   struct Binding
   {
