@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What the command promises where all is well."""
+import array
+import itertools
 import json
 import math
 import unittest
@@ -107,6 +109,19 @@ class Rendered(command.CommandTest):
                 self.succeeds("render", scene, *command.TINY, "--preset", "off", "-o", f"{name}.exr",
                               notes=notes if name == "even" else ())
             self.assertLess(self.compare("even.exr", "plain.exr")["maximum"], 0.02, shape)
+
+    def test_computed_tomography_shows_bone(self):
+        """A ball of flesh in air with bone inside; in other units the air is what is told apart."""
+        side = 12
+        for name, shift, said in (("ct", 0, "isovalue 300 of 'MetaImage' (range -1000 to 1000: bone"), ("other", 1000, "isovalue 7.8")):
+            values = array.array("h")
+            for z, y, x in itertools.product(range(side), repeat=3):
+                away = math.dist((x, y, z), (5.5, 5.5, 5.5))
+                values.append(shift + (1000 if away < 2.5 else 40 if away < 5 else -1000))
+            (self.folder / f"{name}.mha").write_bytes(
+                f"ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = {side} {side} {side}\n"
+                "ElementType = MET_SHORT\nElementDataFile = LOCAL\n".encode() + values.tobytes())
+            self.succeeds("render", self.folder / f"{name}.mha", "-o", f"{name}.png", "--size", "32x24", notes=[said])
 
     def test_stats(self):
         stats = json.loads(self.render("out.png", "--stats").stdout)

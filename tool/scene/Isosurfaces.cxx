@@ -145,6 +145,19 @@ double OtsuThreshold(vtkDataArray* values)
   return range[0] + (threshold + 1) * width;
 }
 
+namespace
+{
+// Computed tomography is in whole Hounsfield units: air has -1000, water 0, dense bone well over 1000.
+bool IsInHounsfieldUnits(vtkDataArray* values, const double (&range)[2])
+{
+  const int type = values->GetDataType();
+  return type != VTK_FLOAT && type != VTK_DOUBLE && range[0] <= -900.0 && range[1] >= 700.0;
+}
+
+// Between air and all else, where Otsu's threshold lies in CT, the table and the blanket are seen first.
+constexpr double BoneInHounsfieldUnits = 300.0;
+}
+
 std::vector<Part> MakeIsosurfaces(vtkDataSet* given, const Object& object, Reporter& reporter)
 {
   vtkSmartPointer<vtkDataSet> data = WithPointArrays(given);
@@ -172,11 +185,13 @@ std::vector<Part> MakeIsosurfaces(vtkDataSet* given, const Object& object, Repor
   std::vector<double> values = object.IsoValues;
   if (values.empty())
   {
-    values = { OtsuThreshold(array) };
+    const bool bone = vtkImageData::SafeDownCast(data) && IsInHounsfieldUnits(array, range);
+    values = { bone ? BoneInHounsfieldUnits : OtsuThreshold(array) };
     reporter.Note(
-      fmt::format("isovalue {:g} of '{}' (range {:g} to {:g}) chosen for {}: give --isovalue "
+      fmt::format("isovalue {:g} of '{}' (range {:g} to {:g}{}) chosen for {}: give --isovalue "
                   "for another",
-        values[0], name, range[0], range[1], Describe(object)));
+        values[0], name, range[0], range[1], bone ? ": bone, in Hounsfield units" : "",
+        Describe(object)));
   }
   std::vector<Part> parts;
   for (double value : values)
