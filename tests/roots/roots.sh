@@ -216,7 +216,8 @@ try_root() {
   fi
   if [[ $roots_commands = *test* ]]; then
     say "$title: test"
-    logged "$logs-test.log" in_root "$root" user "cd penumbra && ./run test $arguments $(printf '%q ' "${roots_ctest[@]}")" ||
+    [ ${#roots_ctest[@]} -eq 0 ] || arguments+=" -- $(printf '%q ' "${roots_ctest[@]}")"
+    logged "$logs-test.log" in_root "$root" user "cd penumbra && ./run test $arguments" ||
       say "  failed: see $logs-test.log"
     tail -n 2 "$logs-test.log" | grep -E '^[0-9]+ (passed|skipped)' | sed 's/^/  /' || true
   fi
