@@ -24,6 +24,7 @@ std::string Reason(const testing::TestResult& result)
       text += (text.empty() ? "" : "; ") + std::string(part.message());
     }
   }
+  text.erase(text.find_last_not_of('\n') + 1); // later GoogleTests end a message with one
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
