@@ -4,6 +4,7 @@
 #include "CompletenessTools.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -83,6 +84,31 @@ PlyHeader ReadPlyHeader(std::istream& file)
   return header;
 }
 
+// Where a text ends early, VTK's reader asserts or goes on with what it has.
+void RequireCompletePlyText(const std::string& path, std::istream& file, const PlyHeader& header)
+{
+  std::string word;
+  for (const PlyElement& element : header.Elements)
+  {
+    for (double i = 0; i < element.Count; ++i)
+    {
+      for (const PlyProperty& property : element.Properties)
+      {
+        file >> word;
+        for (double left = property.CountSize > 0 ? std::strtod(word.c_str(), nullptr) : 0;
+             left >= 1 && file; --left)
+        {
+          file >> word;
+        }
+        if (!file)
+        {
+          Fail("'{}' is damaged or cut off: it ends before the last of its elements", path);
+        }
+      }
+    }
+  }
+}
+
 double ReadCount(std::istream& file, std::size_t size, bool bigEndian)
 {
   unsigned char bytes[8] = {};
@@ -120,8 +146,13 @@ void RequireCompletePly(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   const PlyHeader header = ReadPlyHeader(file);
-  if (!header.Binary || !header.Understood)
+  if (!header.Understood)
   {
+    return;
+  }
+  if (!header.Binary)
+  {
+    RequireCompletePlyText(path, file, header);
     return;
   }
   const double size = FileSize(path);

@@ -6,6 +6,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkTextureUnitManager.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
@@ -68,10 +70,17 @@ void HeldTextures::Restore(vtkOpenGLState* state) const
 void HeldTextures::LeaveNoOthers(vtkOpenGLRenderWindow* window) const
 {
   vtkOpenGLState* state = window->GetState();
-  const int units = window->GetTextureUnitManager()->GetNumberOfTextureUnits();
-  for (int unit = 0; unit < units; ++unit)
+  vtkTextureUnitManager* units = window->GetTextureUnitManager();
+  for (int unit = 0; unit < units->GetNumberOfTextureUnits(); ++unit)
   {
-    state->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    const GLenum name = GL_TEXTURE0 + static_cast<GLenum>(unit);
+    const bool held = std::any_of(this->Bindings.begin(), this->Bindings.end(),
+      [name](const Binding& binding) { return binding.Unit == name; });
+    if (units->IsAllocated(unit) && !held)
+    {
+      continue; // VTK holds it since this frame
+    }
+    state->vtkglActiveTexture(name);
     for (const Kind& kind : Kinds)
     {
       glBindTexture(kind.Target, 0);

@@ -25,8 +25,8 @@ public:
   /// Bind that again.
   void Restore(vtkOpenGLState* state) const;
 
-  /// Bind that and nothing else, on any unit. A texture of ours that stayed bound would pass for one of VTK's in the
-  /// next frame, which may delete it before it is put back.
+  /// Bind that, and nothing else on units that VTK has not given away since. A texture of ours that stayed bound would
+  /// pass for one of VTK's in the next frame, which may delete it before it is put back.
   void LeaveNoOthers(vtkOpenGLRenderWindow* window) const;
 
 private:
