@@ -200,10 +200,9 @@ TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
     double Far, Missed, Wrong; ///< percent at most, of what is shown, shown and found
     int Streak;                ///< pixels at most
   };
-  for (const Eye& eye :
-    { Eye{ 0, -6, 2.5, false, 2.0, 1.6, 3.0, 12 }, Eye{ 3, -5, 1.2, false, 1.0, 0.75, 3.0, 10 },
-      Eye{ -2, -4, 4, false, 1.8, 1.5, 2.2, 6 }, Eye{ 0, -6, 2.5, true, 0.9, 0.9, 1.2, 12 },
-      Eye{ 3, -5, 1.5, true, 0.75, 0.6, 2.8, 4 } })
+  for (const Eye& eye : { Eye{ 0, -6, 2.5, false, 2.0, 1.6, 3.0, 12 },
+         Eye{ 3, -5, 1.2, false, 1.0, 0.75, 3.0, 10 }, Eye{ -2, -4, 4, false, 1.8, 1.5, 2.2, 6 },
+         Eye{ 0, -6, 2.5, true, 0.9, 0.9, 1.2, 12 }, Eye{ 3, -5, 1.5, true, 0.75, 0.6, 2.8, 4 } })
   {
     this->Floor->VisibilityOn();
     this->Look(eye.X, eye.Y, eye.Z, eye.Parallel, false);
