@@ -15,7 +15,9 @@
 #include <vtkPlaneSource.h>
 #include <vtkRenderer.h>
 #include <vtkVector.h>
+#if __has_include(<vtkVectorOperators.h>) // gone from VTK 9.6, which has them in vtkVector.h
 #include <vtkVectorOperators.h>
+#endif
 
 #include <gtest/gtest.h>
 
