@@ -5,6 +5,8 @@
   giPieceAlong /= max(max(abs(giPieceAlong.x), abs(giPieceAlong.y)), abs(giPieceAlong.z));
   vec3 giPiece = cross(giPieceAcross, giPieceAlong);
   giPiece = dot(giPiece, giPiece) > 0.0 ? normalize(giPiece) : vec3(0.0, 0.0, 1.0);
-  // Not the other way round: compilers take "not above" for "at most", which no number is either.
-  giPiece = dot(normalVCVSOutput, normalVCVSOutput) > 0.0 ? normalVCVSOutput : giPiece;
+  // VTK has normalized it. Not "above 0": compilers take that for "not 0" in a sum of squares, which no number is too.
+  float giSquare = dot(normalVCVSOutput, normalVCVSOutput);
+  bool giIsNormal = giSquare > 0.25 && giSquare < 4.0;
+  giPiece = giIsNormal ? normalVCVSOutput : giPiece;
   normalVCVSOutput = giMendsNormals != 0 ? giPiece : normalVCVSOutput;

@@ -46,7 +46,6 @@ protected:
     this->Floor = this->Scene.Add(plane);
     this->Mirror(0.0);
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   void Mirror(double roughness)
   {

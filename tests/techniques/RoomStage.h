@@ -49,7 +49,6 @@ protected:
     this->Lamp->SetIntensity(0.0);
     this->Scene.Renderer->AddLight(this->Lamp);
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   static vtkActor* Paint(vtkActor* actor, double albedo)
   {

@@ -52,7 +52,6 @@ protected:
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     this->Scene.Renderer->ResetCameraClippingRange();
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   void AddWall(double height)
   {

@@ -52,7 +52,6 @@ protected:
     Stage::LookAround(this->Scene.Renderer);
     this->Reference = this->Supersampled(8);
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   Picture ShootShifted(double x, double y)
   {

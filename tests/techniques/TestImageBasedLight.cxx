@@ -19,6 +19,14 @@ using namespace penumbra_test;
 namespace
 {
 constexpr double Radiance = 0.5; // of the furnace
+
+// VTK 9.6.1 and later add to image-based light alone what microfacets send to each other (docs/indirect-light.md): a rough
+// metal of stock VTK keeps all light there, and nothing of it for lamps, probes and paths. The other balls are hardly
+// touched.
+bool ScattersManyTimes(double stockOfRoughMetal)
+{
+  return stockOfRoughMetal > 120.0;
+}
 }
 
 // Uniform surroundings: each ball is of one colour, and the same in every preset.
@@ -32,6 +40,7 @@ TEST(ImageBasedLight, BallsInAFurnace)
   // While probes are updated, which is before the capture.
   const auto high = stage.Measure("high", 3);
   const auto reference = stage.Measure("reference", 64);
+  const bool many = ScattersManyTimes(stock[4].Mean);
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     std::printf("metallic %.0f, roughness %.2f: stock %.1f +- %.1f, high %.1f +- %.1f, "
@@ -39,8 +48,12 @@ TEST(ImageBasedLight, BallsInAFurnace)
       balls[i].Metallic, balls[i].Roughness, stock[i].Mean, stock[i].Deviation, high[i].Mean,
       high[i].Deviation, reference[i].Mean, reference[i].Deviation);
     EXPECT_GT(stock[i].Mean, 80.0);
-    EXPECT_NEAR(high[i].Mean, stock[i].Mean, 3.0);
-    EXPECT_NEAR(reference[i].Mean, stock[i].Mean, 3.0);
+    EXPECT_NEAR(high[i].Mean, reference[i].Mean, 3.0);
+    if (!many || balls[i].Metallic == 0.0 || balls[i].Roughness < 1.0)
+    {
+      EXPECT_NEAR(high[i].Mean, stock[i].Mean, many ? 6.0 : 3.0);
+      EXPECT_NEAR(reference[i].Mean, stock[i].Mean, many ? 6.0 : 3.0);
+    }
     EXPECT_LE(high[i].Deviation, 4.0);
     EXPECT_LE(reference[i].Deviation, 4.0);
   }
@@ -75,11 +88,13 @@ TEST(ImageBasedLight, TranslucentBallsInAFurnace)
   const auto balls = stage.AddBalls({ { 0.0, 0.5 }, { 1.0, 0.0 }, { 1.0, 1.0 } }, 0.999);
   const auto stock = stage.Measure("stock", 1);
   const auto high = stage.Measure("high", 3);
+  const bool many = ScattersManyTimes(stock[2].Mean);
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     std::printf("metallic %.0f, roughness %.2f: stock %.1f, high %.1f +- %.1f\n", balls[i].Metallic,
       balls[i].Roughness, stock[i].Mean, high[i].Mean, high[i].Deviation);
-    EXPECT_NEAR(high[i].Mean, stock[i].Mean, 3.0);
+    const bool rough = balls[i].Roughness == 1.0;
+    EXPECT_NEAR(high[i].Mean, rough && many ? 100.0 : stock[i].Mean, 3.0); // 100 by earlier VTKs
     EXPECT_LE(high[i].Deviation, 4.0);
   }
 }

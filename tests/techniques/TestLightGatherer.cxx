@@ -46,7 +46,6 @@ protected:
       array->SetNumberOfComponents(3);
     }
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   vtkActor* AddBox(double half, double albedo, double emission)
   {

@@ -51,7 +51,6 @@ protected:
     this->Occlusion->SetParameter("samples", 64);
     this->Occlusion->SetParameterFromText("resolution", this->GetParam());
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   void AddQuad(const Point& origin, const Point& a, const Point& b)
   {

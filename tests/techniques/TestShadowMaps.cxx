@@ -42,7 +42,6 @@ protected:
     ASSERT_NE(this->Shadows, nullptr);
     this->Shadows->EnabledOn();
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   vtkLight* AddLight(double x, double y, double z)
   {

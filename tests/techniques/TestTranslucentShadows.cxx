@@ -56,7 +56,6 @@ protected:
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     camera->SetViewUp(0.0, 1.0, 0.0);
   }
-  void TearDown() override { EXPECT_TRUE(TakeMessages().empty()); }
 
   vtkActor* AddSheet(double left, double right, double height, double opacity)
   {

@@ -57,11 +57,20 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& backend)
   }
   else if (backend == "auto" || backend == "x11")
   {
-    if (backend == "x11")
+    const bool x11 = backend == "x11";
+    if (x11)
     {
+      RequireDisplay();
       vtkHeadlessRenderWindow::SetAutomatic(false);
     }
     window = vtkSmartPointer<vtkRenderWindow>::New();
+    // VTK 9.4 and later take another kind of window where the display cannot be opened.
+    if (x11 && !window->IsA("vtkXOpenGLRenderWindow"))
+    {
+      Fail("no x11 window can be made: the X display '{}' cannot be opened; take --backend egl or "
+           "osmesa, or run under xvfb-run",
+        std::getenv("DISPLAY"));
+    }
   }
   else
   {
