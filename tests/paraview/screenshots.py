@@ -29,5 +29,7 @@ simple.SaveScreenshot(f"{folder}/whole.png", view, ImageResolution=large)
 
 chart = simple.CreateView("XYChartView")
 chart.ViewSize = small
-simple.Show(simple.PlotOverLine(Input=simple.Wavelet()), chart)
+# Ends and colours have other defaults from release to release.
+line = simple.PlotOverLine(Input=simple.Wavelet(), Point1=[-10, -10, -10], Point2=[10, 10, 10])
+simple.Show(line, chart).SeriesColor = ["RTData", "0.89", "0.1", "0.11"]
 simple.SaveScreenshot(f"{folder}/chart.png", chart, ImageResolution=small)
