@@ -6,7 +6,7 @@ const float GI_ASK_AGAIN = 0.125;
 const float GI_STEEP = 0.001;
 
 vec3 giCube[6];
-vec3 giCubePlace;
+vec3 giCubePlace = vec3(0.0);
 bool giCubeKnown = false;
 
 // How much the data changes from one of its points to the next, in its range. gradient: as VTK's computeGradient() has it.

@@ -42,11 +42,17 @@ class Base(unittest.TestCase):
         if not kept:
             self.addCleanup(shutil.rmtree, self.folder)
 
+    @staticmethod
+    def without_stock_complaints(output):
+        """Without what ParaView says of its own shaders: 6.1 logs what Mesa 26 finds in that of any shaded volume."""
+        return "\n".join(line for line in output.splitlines()
+                         if not ("GL Message" in line and "`g_dataPos' used uninitialized" in line))
+
     def run_script(self, program, script, *arguments):
         """What a script printed, where ParaView found nothing to complain of."""
         command = [*program.split(), str(HERE / script), *map(str, arguments)]
         done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=STUCK)
-        output = done.stdout + done.stderr
+        output = self.without_stock_complaints(done.stdout + done.stderr)
         self.messages = output
         self.assertEqual(done.returncode, 0, output)
         for complaint in ("ERR|", "WARN|", "Traceback", "Error"):
