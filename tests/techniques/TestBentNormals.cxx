@@ -46,7 +46,6 @@ std::ostream& operator<<(std::ostream& stream, const Way& way)
 class BentNormals : public ::testing::TestWithParam<Way>
 {
 protected:
-
   void AddQuad(const vtkVector3d& origin, const vtkVector3d& a, const vtkVector3d& b)
   {
     vtkNew<vtkPlaneSource> plane;
