@@ -42,8 +42,8 @@ class Base(unittest.TestCase):
         if not kept:
             self.addCleanup(shutil.rmtree, self.folder)
 
-    # What ParaView 6.1 logs without the plugin too: of the shader of any shaded volume, what Mesa 26 finds in it;
-    # after SelectCells, at each picture.
+    # ParaView 6.1 logs these without the plugin too: a warning of Mesa 26 about its shader for shaded volumes, and
+    # two of its own in every picture after SelectCells.
     STOCK_COMPLAINTS = (r"GL Message.*`g_dataPos' used uninitialized",
                         r"vtkSMPropertyHelper.*Failed to locate property: Input$",
                         r"vtkSMPropertyHelper.*Call not supported for the current property type\.$")
