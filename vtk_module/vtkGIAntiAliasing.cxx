@@ -6,6 +6,9 @@
 #include "private/ScopedState.h"
 #include "private/StillFrames.h"
 
+#include <map>
+#include <string>
+
 vtkStandardNewMacro(vtkGIAntiAliasing);
 
 using namespace penumbra;
@@ -30,6 +33,19 @@ constexpr int EdgeFilterOrder = 810;
 // Below this many averaged frames the edge filter still improves on the average.
 constexpr int FramesToFilter = 8;
 
+// What is averaged in a view, by resource. Radiance may be asked for later than the picture.
+struct Sums
+{
+  std::map<std::string, int> Frames; ///< summed since the scene changed
+
+  // Whether the sum of a resource is whole, so that further frames change nothing.
+  bool IsWhole(const char* name, int maximum) const
+  {
+    const auto found = this->Frames.find(name);
+    return found != this->Frames.end() && found->second >= maximum;
+  }
+};
+
 void DrawFilter(FrameContext& context, const Program& program, const char* resource)
 {
   ScopedState scope(context.State());
@@ -42,20 +58,19 @@ void DrawFilter(FrameContext& context, const Program& program, const char* resou
 }
 
 // Add this frame to the sum of the frames before, and show the average.
-void Average(FrameContext& context, const char* resource, int maximum)
+void Average(FrameContext& context, Sums& sums, const char* resource, int maximum)
 {
   const View& view = context.GetView();
   bool fresh = false;
   Texture& sum = context.History((std::string("sum.") + resource).c_str(),
     { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, fresh);
   const bool first = fresh || view.StillFrames == 0;
-  const bool frozen = !first && view.StillFrames >= maximum;
+  const bool frozen = !first && sums.IsWhole(resource, maximum);
+  int& frames = sums.Frames[resource];
+  frames = first ? 1 : frozen ? frames : frames + 1;
   const Program& program = context.Shaders().Fragment("anti_aliasing/accumulate.frag",
     { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } });
-  glProgramUniform1f(program.Get(), program.Location("frames"),
-    frozen    ? maximum
-      : first ? 1.0f
-              : view.StillFrames + 1.0f);
+  glProgramUniform1f(program.Get(), program.Location("frames"), static_cast<GLfloat>(frames));
   glBindImageTexture(0, sum.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   DrawFilter(context, program, resource);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
@@ -75,14 +90,18 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   if (mode == Accumulate)
   {
     const int maximum = this->MaximumFrames;
-    const int still = frame.GetView().StillFrames;
-    ShiftStillFrame(frame, still < maximum ? still : 0);
+    Sums& sums = frame.ViewState<Sums>(this);
+    const bool whole = sums.IsWhole(resource::Color, maximum) &&
+      (!view.KeepsRadiance || sums.IsWhole(resource::Radiance, maximum));
+    ShiftStillFrame(frame, whole ? 0 : view.StillFrames);
     frame.AddPass("accumulate")
       .Modify(resource::Color, AccumulateOrder)
-      .Execute([maximum](FrameContext& context) { Average(context, resource::Color, maximum); });
+      .Execute([maximum, &sums](
+                 FrameContext& context) { Average(context, sums, resource::Color, maximum); });
     frame.AddPass("accumulate-radiance")
       .ModifyIfPresent(resource::Radiance, AccumulateOrder)
-      .Execute([maximum](FrameContext& context) { Average(context, resource::Radiance, maximum); });
+      .Execute([maximum, &sums](
+                 FrameContext& context) { Average(context, sums, resource::Radiance, maximum); });
     filter = view.StillFrames + 1 < FramesToFilter;
   }
   if (filter)

@@ -7,10 +7,7 @@
 #include "private/SceneCapture.h"
 #include "private/ScopedState.h"
 
-#include "vtkCamera.h"
 #include "vtkOpenGLRenderer.h"
-
-#include <map>
 
 vtkStandardNewMacro(vtkGITemporalAccumulation);
 
@@ -223,28 +220,13 @@ struct Work
 };
 }
 
-struct vtkGITemporalAccumulation::Resources
-{
-  std::map<std::pair<vtkRenderer*, int>, Ages> Eyes;
-};
-
-vtkGITemporalAccumulation::vtkGITemporalAccumulation()
-  : Impl(new Resources)
-{
-}
-
+vtkGITemporalAccumulation::vtkGITemporalAccumulation() = default;
 vtkGITemporalAccumulation::~vtkGITemporalAccumulation() = default;
-
-void vtkGITemporalAccumulation::ReleaseGraphicsResources(vtkWindow*)
-{
-  this->Impl->Eyes.clear();
-}
 
 void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
 {
   frame.ChangeNoise();
-  vtkRenderer* renderer = frame.GetRenderer();
-  Ages& ages = this->Impl->Eyes[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
+  Ages& ages = frame.ViewState<Ages>(this);
   MotionTable& motion = frame.Motion();
   const LightTable& lights = frame.Lights();
   const Work work{ &motion, &frame.Capture().Materials(), &ages, this->MaximumFrames,

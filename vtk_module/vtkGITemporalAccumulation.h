@@ -26,12 +26,8 @@ protected:
   ~vtkGITemporalAccumulation() override;
 
   void Contribute(penumbra::FrameBuilder& frame) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 private:
-  struct Resources;
-  std::unique_ptr<Resources> Impl;
-
   vtkGITemporalAccumulation(const vtkGITemporalAccumulation&) = delete;
   void operator=(const vtkGITemporalAccumulation&) = delete;
 };

@@ -141,6 +141,43 @@ TEST(Life, RadianceHasTheSizeOfItsFrame)
   EXPECT_EQ(radiance->GetDimensions()[0], 64);
 }
 
+// Averages over still frames begin when something is first asked for: it is as bright as if it had been kept all along.
+TEST(Life, RadianceMayBeAskedForAfterStillFrames)
+{
+  const auto mean = [](int before, int after, int maximum) {
+    Scene scene;
+    vtkGIPass* pass = scene.SetPass();
+    vtkGITechnique* antiAliasing = pass->GetTechnique("anti-aliasing");
+    antiAliasing->EnabledOn();
+    antiAliasing->SetParameterFromText("mode", "accumulate");
+    antiAliasing->SetParameter("maximum-frames", maximum);
+    for (int i = 0; i < before; ++i)
+    {
+      scene.Window->Render();
+    }
+    pass->KeepRadianceOn();
+    for (int i = 0; i < after; ++i)
+    {
+      scene.Window->Render();
+    }
+    vtkNew<vtkImageData> radiance;
+    EXPECT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
+    const auto* values = static_cast<const float*>(radiance->GetScalarPointer());
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < 4 * radiance->GetNumberOfPoints(); i += 4)
+    {
+      sum += values[i] + values[i + 1] + values[i + 2];
+    }
+    return sum / (3.0 * radiance->GetNumberOfPoints());
+  };
+  const double known = mean(0, 8, 8);
+  ASSERT_GT(known, 0.05);
+  EXPECT_NEAR(mean(5, 1, 256) / known, 1.0, 0.01);
+  EXPECT_NEAR(mean(5, 3, 256) / known, 1.0, 0.01);
+  EXPECT_NEAR(mean(5, 3, 4) / known, 1.0, 0.01)
+    << "the picture's average is whole, radiance's is not";
+}
+
 TEST(Life, PassTakenOffAndPutBack)
 {
   const Picture stock = Stock();

@@ -12,6 +12,7 @@
 #include "private/LightTable.h"
 #include "private/ResourcePool.h"
 #include "private/ShaderLibrary.h"
+#include "private/ViewState.h"
 
 #include "view.h"
 
@@ -144,13 +145,14 @@ class FrameBuilder
 {
 public:
   FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene,
-    RayProps& rays, MotionTable& motion, vtkOpenGLRenderer* renderer)
+    RayProps& rays, MotionTable& motion, ViewState& states, vtkOpenGLRenderer* renderer)
     : Graph(graph)
     , CurrentView(view)
     , CurrentLights(lights)
     , Scene(scene)
     , World(rays)
     , Motions(motion)
+    , States(states)
     , Renderer(renderer)
   {
   }
@@ -164,6 +166,13 @@ public:
 
   /// Where things were in the frame before, recorded while the frame is captured.
   MotionTable& Motion();
+
+  /// What the owner, a technique, remembers of this view from frame to frame; it lives as long as the view.
+  template <typename T>
+  T& ViewState(const void* owner)
+  {
+    return this->States.Of<T>(owner);
+  }
 
   /// The shape of a texture of the window's size.
   TextureDesc WindowTexture(GLenum format, int layers = 0) const
@@ -234,6 +243,7 @@ private:
   SceneCapture& Scene;
   RayProps& World;
   MotionTable& Motions;
+  penumbra::ViewState& States;
   vtkOpenGLRenderer* Renderer;
   bool WorldReady = false;
   bool Averaged = false;

@@ -240,7 +240,8 @@ void vtkGIPass::Internals::DrawFrame(
   const View unshifted = view;
   FrameGraph graph;
   RayProps& rays = this->Worlds[renderer];
-  FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, memory.Motion, renderer);
+  FrameBuilder builder(
+    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, renderer);
   bool lit = false;
   for (auto& technique : this->Techniques)
   {

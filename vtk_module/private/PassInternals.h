@@ -58,6 +58,7 @@ public:
     std::string Name; ///< of its textures in the pool
     penumbra::SceneSignature Signature;
     penumbra::MotionTable Motion;
+    penumbra::ViewState States;
     int StillFrames = 0;
     int Restarts = 0; ///< of those of the pass, that its frames know of
     int FrameNumber = 0;
