@@ -18,7 +18,7 @@ def main():
         pieces = "".join(f'R"glsl({text[i:i + 8000]})glsl"\n' for i in range(0, len(text), 8000))
         rows.append(f'    {{ "{path.relative_to(root).as_posix()}",\n{pieces} }},')
     output.write_text(
-        "// Generated from glsl/: edit the shaders instead.\n#include \"private/ShaderLibrary.h\"\n\n"
+        "// Generated from glsl/: edit the shaders instead.\n#include \"gpu/ShaderLibrary.h\"\n\n"
         "namespace penumbra\n{\nconst std::map<std::string, const char*>& EmbeddedShaders()\n{\n"
         "  static const std::map<std::string, const char*> shaders = {\n" + "\n".join(rows) +
         "\n  };\n  return shaders;\n}\n}\n")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bring the tables of docs/ up to date with vtk_module/parameters/*.json.
+"""Bring the tables of docs/ up to date with vtk_module/techniques/*/*.json.
 
 Each technique's page, docs/techniques/<name>.md, holds its table between two marker lines, and
 docs/techniques/README.md the table of all techniques; the rest of a page is written by hand. A
@@ -72,7 +72,7 @@ def overview_part(techniques):
     rows = [["technique", "term it buys", "verb", "follows a moving scene?"], ["---"] * 4]
     for _, t in techniques:
         rows.append([f"[{t['title']}]({t['name']}.md)", t["term"], t["verb"], t["dynamic"]])
-    return "\n".join([BEGIN.format(source="vtk_module/parameters/"), table(rows), END])
+    return "\n".join([BEGIN.format(source="vtk_module/techniques/"), table(rows), END])
 
 
 def page(path, part, title):
@@ -90,7 +90,7 @@ def main():
         sys.exit(__doc__)
     order = re.search(r"set\(techniques\n(.*?)\)", (ROOT / "vtk_module/CMakeLists.txt").read_text(),
                       re.DOTALL).group(1).split()
-    paths = [ROOT / "vtk_module" / "parameters" / f"{name}.json" for name in order]
+    paths = [next((ROOT / "vtk_module/techniques").glob(f"*/{name}.json")) for name in order]
     techniques = [(path, json.loads(path.read_text())) for path in paths]
     pages = [(DOCS / f"{t['name']}.md", technique_part(path, t), t["title"]) for path, t in techniques]
     pages.append((DOCS / "README.md", overview_part(techniques), "Techniques"))

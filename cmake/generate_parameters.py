@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Generate, from vtk_module/parameters/*.json, each technique's typed base class and the registry.
+"""Generate, from vtk_module/techniques/*/*.json, each technique's typed base class and the registry.
 
 A parameter is declared once, in its technique's JSON file; the C++ and Python accessors, the table
 behind the command line and the docs all come from there.
@@ -14,7 +14,7 @@ import re
 import sys
 
 NOTICE = ("// SPDX-FileCopyrightText: Penumbra authors\n// SPDX-License-Identifier: BSD-3-Clause\n"
-          "// Generated from vtk_module/parameters/{stem}.json: edit that file instead.\n")
+          "// Generated from vtk_module/techniques/*/{stem}.json: edit that file instead.\n")
 CXX_TYPES = {"bool": "bool", "int": "int", "double": "double", "enum": "int"}
 TECHNIQUE_KEYS = {"name", "title", "term", "verb", "dynamic", "source", "parameters", "presets"}
 PARAMETER_KEYS = {"name", "type", "default", "range", "unit", "values", "doc"}
@@ -120,7 +120,7 @@ def source(stem, technique):
             else:
                 presets.append(f"    {{ {quote(preset)}, {quote(kebab(key))}, {float(number(by_name[key], value))!r} }},")
     return "\n".join([
-        NOTICE.format(stem=stem) + f'#include "{cls}.h"', "", '#include "private/Parameters.h"', "",
+        NOTICE.format(stem=stem) + f'#include "{cls}.h"', "", '#include "technique/Parameters.h"', "",
         f"{cls}::{cls}() = default;", f"{cls}::~{cls}() = default;", "",
         f"const std::vector<penumbra::ParameterInfo>& {cls}::ParameterTable()", "{",
         "  static const std::vector<penumbra::ParameterInfo> table = {"] + table + ["  };", "  return table;", "}", "",
@@ -131,7 +131,7 @@ def source(stem, technique):
 def registry(stems):
     includes = "\n".join(f'#include "vtkGI{stem}.h"' for stem in stems)
     creates = "\n".join(f"    vtkSmartPointer<vtkGITechnique>::Take(vtkGI{stem}::New())," for stem in stems)
-    return (NOTICE.format(stem="*") + '#include "private/TechniqueRegistry.h"\n\n' + includes +
+    return (NOTICE.format(stem="*") + '#include "technique/TechniqueRegistry.h"\n\n' + includes +
             "\n\nnamespace penumbra\n{\nstd::vector<vtkSmartPointer<vtkGITechnique>> CreateTechniques()\n{\n"
             "  return {\n" + creates + "\n  };\n}\n}\n")
 

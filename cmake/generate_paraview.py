@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Generate, from vtk_module/parameters/*.json, what ParaView's server manager needs to know of each technique.
+"""Generate, from vtk_module/techniques/*/*.json, what ParaView's server manager needs to know of each technique.
 
 GlobalIllumination.xml: a property for each parameter (documentation, unit, range, default), and the extension of
 ParaView's render view by all of them, a group for each technique. vtkPVGIParameters.h and .cxx: the method that each
@@ -20,7 +20,7 @@ from generate_parameters import NOTICE, arguments, kebab, number, quote, write
 START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
 PROBES = "SHProbes"  # the technique whose light a view bakes and keeps
-BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/vtkGIProbeBaker.h"
+BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/techniques/sh_probes/vtkGIProbeBaker.h"
 MOST_PROBES = int(re.search(r"MostProbes = (\d+)", BAKER.read_text()).group(1))
 LONGEST_UNIT = 12  # characters that leave the panel narrow; the tooltip tells every unit
 
@@ -177,7 +177,7 @@ def extension(techniques):
 
 
 def xml(techniques):
-    return ("<!-- Generated from vtk_module/parameters/*.json: edit those files instead. -->\n"
+    return ("<!-- Generated from vtk_module/techniques/*/*.json: edit those files instead. -->\n"
             "<ServerManagerConfiguration>\n  <ProxyGroup name=\"global_illumination\">\n" + settings_proxy(techniques) +
             "  </ProxyGroup>\n  <ProxyGroup name=\"views\">\n" + extension(techniques) +
             "  </ProxyGroup>\n</ServerManagerConfiguration>\n")

@@ -3,10 +3,10 @@
 #include "lab/BiasReport.h"
 #include "lab/BiasStudy.h"
 #include "lab/ShadowBench.h"
-#include "scene/Capture.h"
-#include "scene/Failure.h"
-#include "scene/SceneBuilder.h"
-#include "scene/SceneFile.h"
+#include "image/Capture.h"
+#include "common/Failure.h"
+#include "scene/build/SceneBuilder.h"
+#include "scene/file/SceneFile.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkGITechnique.h>

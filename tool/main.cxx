@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The penumbra command: chooses the subcommand and turns every failure into one sentence.
 #include "commands/Command.h"
+#include "common/Failure.h"
+#include "common/Names.h"
+#include "common/VtkMessages.h"
 #include "console/Supervisor.h"
-#include "scene/Failure.h"
-#include "scene/Names.h"
-#include "scene/VtkMessages.h"
 
 #include <CLI/CLI.hpp>
 

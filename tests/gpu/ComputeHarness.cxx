@@ -4,7 +4,7 @@
 
 #include "Stage.h"
 
-#include "private/GLObjects.h"
+#include "gpu/GLObjects.h"
 
 namespace penumbra_test
 {

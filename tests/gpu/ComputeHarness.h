@@ -4,7 +4,7 @@
 // C++.
 #pragma once
 
-#include "private/ShaderLibrary.h"
+#include "gpu/ShaderLibrary.h"
 
 #include "vtkHeadlessRenderWindow.h"
 

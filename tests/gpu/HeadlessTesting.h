@@ -7,7 +7,7 @@
 
 #include "vtkHeadlessRenderWindow.h"
 
-#include "private/GL.h"
+#include "gpu/GL.h"
 
 #include "vtkActor.h"
 #include "vtkImageData.h"

@@ -3,7 +3,7 @@
 // Normals, positions and noise.
 #include "ComputeHarness.h"
 
-#include "private/GLObjects.h"
+#include "gpu/GLObjects.h"
 
 #include "view.h"
 

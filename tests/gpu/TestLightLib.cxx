@@ -3,8 +3,8 @@
 // What reaches a point, and what it reflects.
 #include "ComputeHarness.h"
 
-#include "private/GLObjects.h"
-#include "private/Harmonics.h"
+#include "gpu/GLObjects.h"
+#include "techniques/sh_probes/Harmonics.h"
 
 #include "light.h"
 

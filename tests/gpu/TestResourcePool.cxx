@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Textures are lent, reused, kept and freed.
-#include "private/ResourcePool.h"
+#include "gpu/ResourcePool.h"
 
 #include "ComputeHarness.h"
 

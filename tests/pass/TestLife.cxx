@@ -3,7 +3,7 @@
 // Windows come and go, passes are shared, set and removed, renders are aborted.
 #include "Scenes.h"
 
-#include "private/GL.h"
+#include "gpu/GL.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"

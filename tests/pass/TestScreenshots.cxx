@@ -3,7 +3,7 @@
 // vtkWindowToImageFilter: alpha, tiled large pictures, depth.
 #include "Scenes.h"
 
-#include "private/GL.h"
+#include "gpu/GL.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkWindowToImageFilter.h"

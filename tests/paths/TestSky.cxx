@@ -3,7 +3,7 @@
 // Surfaces under an environment receive what its picture sums up to.
 #include "Agreement.h"
 
-#include "private/rays/RaySky.h"
+#include "rays/RaySky.h"
 
 #include "vtkGIPathTracing.h"
 #include "vtkOpenGLRenderer.h"

@@ -3,7 +3,7 @@
 // Scenes that rays are tried on, each hard in its own way.
 #pragma once
 
-#include "private/rays/RayGeometry.h"
+#include "rays/RayGeometry.h"
 
 #include <random>
 #include <string>

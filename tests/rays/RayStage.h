@@ -5,8 +5,8 @@
 
 #include "RayScenes.h"
 
-#include "private/ShaderLibrary.h"
-#include "private/rays/RayScene.h"
+#include "gpu/ShaderLibrary.h"
+#include "rays/RayScene.h"
 
 #include "ray_query.h"
 

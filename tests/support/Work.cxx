@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Work.h"
 
-#include "private/GL.h"
+#include "gpu/GL.h"
 
 #include <nlohmann/json.hpp>
 

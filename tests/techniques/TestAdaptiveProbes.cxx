@@ -8,8 +8,8 @@
 
 #include "vtkGILightGatherer.h"
 
-#include "private/AdaptivePlacement.h"
-#include "private/GatherStage.h"
+#include "bake/GatherStage.h"
+#include "techniques/sh_probes/AdaptivePlacement.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -8,7 +8,7 @@
 
 #include "vtkGIPathTracing.h"
 
-#include "private/ShaderLibrary.h"
+#include "gpu/ShaderLibrary.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkGPUVolumeRayCastMapper.h>

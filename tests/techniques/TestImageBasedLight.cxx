@@ -5,7 +5,7 @@
  */
 #include "EnvironmentStage.h"
 
-#include "private/rays/RaySky.h"
+#include "rays/RaySky.h"
 
 #include <vtkSkybox.h>
 #include <vtkVersion.h>

@@ -5,8 +5,8 @@
  */
 #include "BakedStage.h"
 
-#include "private/AdaptivePlacement.h"
-#include "private/GatherStage.h"
+#include "bake/GatherStage.h"
+#include "techniques/sh_probes/AdaptivePlacement.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>

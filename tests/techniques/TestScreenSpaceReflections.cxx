@@ -6,7 +6,7 @@
  */
 #include "ReflectionStage.h"
 
-#include "private/Matrices.h"
+#include "base/Matrices.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkSphereSource.h>

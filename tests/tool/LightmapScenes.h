@@ -3,7 +3,7 @@
 // Scenes to unwrap, and light to put into their maps.
 #pragma once
 
-#include "lightmap/LightmapFile.h"
+#include "bake/lightmap/LightmapFile.h"
 
 #include <vtkActor.h>
 #include <vtkCubeSource.h>

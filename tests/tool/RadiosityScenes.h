@@ -3,7 +3,7 @@
 /// Small scenes of known form factors and light.
 #pragma once
 
-#include "radiosity/Radiosity.h"
+#include "bake/radiosity/Radiosity.h"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 // Lightmaps without a context: charts do not overlap, tiles do not share texels, seams close, noise falls.
 #include "LightmapScenes.h"
 
-#include "lightmap/Overlap.h"
+#include "bake/lightmap/Overlap.h"
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>

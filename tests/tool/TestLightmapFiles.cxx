@@ -3,7 +3,7 @@
 // Files of lightmaps come back, and broken ones are refused.
 #include "LightmapScenes.h"
 
-#include "scene/Failure.h"
+#include "common/Failure.h"
 
 #include <vtkImageData.h>
 

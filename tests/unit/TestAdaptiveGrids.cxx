@@ -3,7 +3,7 @@
 /**
  * Where finer grids of probes go, by where errors are.
  */
-#include "private/AdaptiveGrids.h"
+#include "techniques/sh_probes/AdaptiveGrids.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is inserted into the shaders of what VTK draws itself.
-#include "private/ForwardShaders.h"
+#include "light/ForwardShaders.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/FrameGraph.h"
+#include "graph/FrameGraph.h"
 
 #include <stdexcept>
 

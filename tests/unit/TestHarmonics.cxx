@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Spherical harmonics of light: what is known of them in closed form.
-#include "private/Harmonics.h"
+#include "techniques/sh_probes/Harmonics.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>

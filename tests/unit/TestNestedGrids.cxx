@@ -3,7 +3,7 @@
 /**
  * Where grids of probes stand within each other, and that probes stay where they are when grids move.
  */
-#include "private/NestedGrids.h"
+#include "techniques/ddgi/NestedGrids.h"
 
 #include <gtest/gtest.h>
 

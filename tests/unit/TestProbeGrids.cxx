@@ -3,7 +3,7 @@
 /**
  * Grids of probes, parts of them, and how their maps lie in textures.
  */
-#include "private/ProbeUniforms.h"
+#include "probes/ProbeUniforms.h"
 
 #include "vtkGIProbeBaker.h"
 

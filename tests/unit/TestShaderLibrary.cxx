@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "private/ShaderLibrary.h"
+#include "gpu/ShaderLibrary.h"
 
 #include <bitset>
 #include <cstdlib>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Cascades: fine near the camera, steady while it moves, and over all that it sees.
-#include "private/Frame.h"
-#include "private/LightTable.h"
-#include "private/ShadowAtlas.h"
-#include "private/ShadowCascades.h"
+#include "graph/View.h"
+#include "light/LightTable.h"
+#include "techniques/shadow_maps/ShadowAtlas.h"
+#include "techniques/shadow_maps/ShadowCascades.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The views of a light hold all that may cast a shadow.
-#include "private/LightTable.h"
-#include "private/ShadowViews.h"
+#include "light/LightTable.h"
+#include "techniques/shadow_maps/ShadowViews.h"
 
 namespace
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BakeOptions.h"
+#include "commands/BakeOptions.h"
 
-#include "../scene/Failure.h"
-#include "../scene/Names.h"
-#include "../scene/Windows.h"
+#include "common/Failure.h"
+#include "common/Names.h"
+#include "common/Windows.h"
 
 #include <filesystem>
 

@@ -4,9 +4,9 @@
 #ifndef penumbra_tool_BakeOptions_h
 #define penumbra_tool_BakeOptions_h
 
-#include "Command.h"
+#include "commands/Command.h"
 
-#include "../scene/SceneBuilder.h"
+#include "scene/build/SceneBuilder.h"
 
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>

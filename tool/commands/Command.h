@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_Command_h
 #define penumbra_tool_Command_h
 
-#include "../console/Console.h"
+#include "console/Console.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Commands that hold commands: penumbra lab NAME, penumbra bake NAME.
-#include "Command.h"
+#include "commands/Command.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Command.h"
+#include "commands/Command.h"
 
-#include "../image/Metrics.h"
-#include "../scene/Failure.h"
+#include "common/Failure.h"
+#include "image/Metrics.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Command.h"
-#include "TechniqueTable.h"
+#include "commands/Command.h"
+#include "commands/TechniqueTable.h"
 
-#include "../scene/Failure.h"
-#include "../scene/VtkMessages.h"
-#include "../scene/Windows.h"
+#include "common/Failure.h"
+#include "common/VtkMessages.h"
+#include "common/Windows.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake lightmap: indirect light on surfaces, kept in a picture that is laid over them.
-#include "BakeOptions.h"
-#include "RenderOptions.h"
+#include "commands/BakeOptions.h"
+#include "commands/RenderOptions.h"
 
-#include "../lightmap/Bake.h"
-#include "../scene/Failure.h"
-#include "../scene/SceneBuilder.h"
-#include "../scene/Windows.h"
+#include "bake/lightmap/Bake.h"
+#include "common/Failure.h"
+#include "common/Windows.h"
+#include "scene/build/SceneBuilder.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

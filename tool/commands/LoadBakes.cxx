@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LoadBakes.h"
+#include "commands/LoadBakes.h"
 
-#include "../lightmap/LightmapFile.h"
-#include "../scene/Failure.h"
-#include "../scene/ProbeFile.h"
-#include "../scene/VtkMessages.h"
+#include "bake/lightmap/LightmapFile.h"
+#include "common/Failure.h"
+#include "common/VtkMessages.h"
+#include "scene/readers/ProbeFile.h"
 
 #include <vtkGILightmap.h>
 #include <vtkGIPass.h>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake probes: indirect light in space, kept at the points of a grid.
-#include "BakeOptions.h"
-#include "RenderOptions.h"
+#include "commands/BakeOptions.h"
+#include "commands/RenderOptions.h"
 
-#include "../scene/Failure.h"
-#include "../scene/ProbeFile.h"
-#include "../scene/SceneBuilder.h"
-#include "../scene/Windows.h"
+#include "common/Failure.h"
+#include "common/Windows.h"
+#include "scene/build/SceneBuilder.h"
+#include "scene/readers/ProbeFile.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake radiosity: diffuse light between patches, once for all views.
-#include "BakeOptions.h"
-#include "RenderOptions.h"
+#include "commands/BakeOptions.h"
+#include "commands/RenderOptions.h"
 
-#include "../image/Picture.h"
-#include "../lab/ConvergencePlot.h"
-#include "../radiosity/SceneSurfaces.h"
-#include "../radiosity/SolutionFile.h"
-#include "../radiosity/SolutionView.h"
-#include "../scene/Failure.h"
-#include "../scene/Names.h"
-#include "../scene/SceneBuilder.h"
+#include "bake/radiosity/SceneSurfaces.h"
+#include "bake/radiosity/SolutionFile.h"
+#include "bake/radiosity/SolutionView.h"
+#include "common/Failure.h"
+#include "common/Names.h"
+#include "image/Picture.h"
+#include "lab/ConvergencePlot.h"
+#include "scene/build/SceneBuilder.h"
 
 #include <vtkGILightmap.h>
 

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Command.h"
-#include "LoadBakes.h"
-#include "RenderOptions.h"
+#include "commands/Command.h"
+#include "commands/LoadBakes.h"
+#include "commands/RenderOptions.h"
 
-#include "../image/Picture.h"
-#include "../scene/Capture.h"
-#include "../scene/Checkpoint.h"
-#include "../scene/Failure.h"
-#include "../scene/SceneBuilder.h"
-#include "../scene/Techniques.h"
-#include "../scene/VtkMessages.h"
-#include "../scene/Windows.h"
+#include "common/Failure.h"
+#include "common/VtkMessages.h"
+#include "common/Windows.h"
+#include "image/Capture.h"
+#include "image/Picture.h"
+#include "scene/build/SceneBuilder.h"
+#include "scene/build/Techniques.h"
+#include "scene/readers/Checkpoint.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/ranges.h>

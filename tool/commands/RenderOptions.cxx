@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RenderOptions.h"
+#include "commands/RenderOptions.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_RenderOptions_h
 #define penumbra_tool_RenderOptions_h
 
-#include "../scene/SceneModel.h"
+#include "scene/model/SceneModel.h"
 
 #include <optional>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // From the options of penumbra render to the described scene.
-#include "../scene/Failure.h"
-#include "../scene/Materials.h"
-#include "../scene/SceneFile.h"
-#include "../scene/SpecText.h"
-#include "RenderOptions.h"
+#include "commands/RenderOptions.h"
+#include "common/Failure.h"
+#include "scene/build/Materials.h"
+#include "scene/file/SceneFile.h"
+#include "scene/file/SpecText.h"
 
 #include <nlohmann/json.hpp>
 

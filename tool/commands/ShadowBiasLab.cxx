@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra lab shadow-bias: shadow maps with more and more bias, beside the true shadow.
-#include "Command.h"
-#include "RenderOptions.h"
+#include "commands/Command.h"
+#include "commands/RenderOptions.h"
 
-#include "../lab/BiasPlot.h"
-#include "../lab/BiasReport.h"
-#include "../lab/BiasSheet.h"
-#include "../lab/ShadowBench.h"
-#include "../scene/Failure.h"
-#include "../scene/Names.h"
-#include "../scene/SceneBuilder.h"
-#include "../scene/Windows.h"
+#include "common/Failure.h"
+#include "common/Names.h"
+#include "common/Windows.h"
+#include "lab/BiasPlot.h"
+#include "lab/BiasReport.h"
+#include "lab/BiasSheet.h"
+#include "lab/ShadowBench.h"
+#include "scene/build/SceneBuilder.h"
 
 #include <CLI/CLI.hpp>
 #include <vtkGIShadowMaps.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TechniqueTable.h"
+#include "commands/TechniqueTable.h"
 
 #include <vtkGIPass.h>
 #include <vtkGITechnique.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Console.h"
+#include "console/Console.h"
 
-#include "Supervisor.h"
+#include "console/Supervisor.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_Console_h
 #define penumbra_tool_Console_h
 
-#include "../scene/Reporter.h"
+#include "common/Reporter.h"
 
 #include <chrono>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Supervisor.h"
+#include "console/Supervisor.h"
 
 #include <fmt/format.h>
 

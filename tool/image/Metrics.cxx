@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Metrics.h"
+#include "image/Metrics.h"
 
-#include "StructuralSimilarity.h"
+#include "image/StructuralSimilarity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_Metrics_h
 #define penumbra_tool_Metrics_h
 
-#include "Picture.h"
+#include "image/Picture.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StructuralSimilarity.h"
+#include "image/StructuralSimilarity.h"
 
 #include <algorithm>
 #include <cmath>

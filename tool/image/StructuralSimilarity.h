@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_StructuralSimilarity_h
 #define penumbra_tool_StructuralSimilarity_h
 
-#include "Picture.h"
+#include "image/Picture.h"
 
 namespace penumbra::tool
 {

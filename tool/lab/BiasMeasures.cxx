@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BiasMeasures.h"
+#include "lab/BiasMeasures.h"
 
 #include <vtkMath.h>
 #include <vtkNew.h>

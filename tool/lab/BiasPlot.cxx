@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BiasPlot.h"
+#include "lab/BiasPlot.h"
 
-#include "../scene/Capture.h"
-#include "../scene/Failure.h"
-#include "../scene/Windows.h"
-#include "BiasReport.h"
+#include "common/Failure.h"
+#include "common/Windows.h"
+#include "image/Capture.h"
+#include "lab/BiasReport.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>

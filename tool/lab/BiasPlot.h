@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_BiasPlot_h
 #define penumbra_tool_BiasPlot_h
 
-#include "BiasStudy.h"
+#include "lab/BiasStudy.h"
 
 #include <string>
 

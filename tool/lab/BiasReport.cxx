@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BiasReport.h"
+#include "lab/BiasReport.h"
 
 #include <fmt/format.h>
 

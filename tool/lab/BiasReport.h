@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_BiasReport_h
 #define penumbra_tool_BiasReport_h
 
-#include "BiasStudy.h"
+#include "lab/BiasStudy.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BiasSheet.h"
+#include "lab/BiasSheet.h"
 
-#include "BiasReport.h"
-#include "Canvas.h"
+#include "lab/BiasReport.h"
+#include "lab/Canvas.h"
 
 #include <fmt/format.h>
 

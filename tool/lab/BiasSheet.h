@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_BiasSheet_h
 #define penumbra_tool_BiasSheet_h
 
-#include "BiasStudy.h"
+#include "lab/BiasStudy.h"
 
 namespace penumbra::tool
 {

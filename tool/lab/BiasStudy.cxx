@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BiasStudy.h"
+#include "lab/BiasStudy.h"
 
-#include "../scene/Capture.h"
-#include "ShadowBench.h"
+#include "image/Capture.h"
+#include "lab/ShadowBench.h"
 
 #include <vtkGITechnique.h>
 

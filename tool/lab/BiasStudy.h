@@ -4,9 +4,9 @@
 #ifndef penumbra_tool_BiasStudy_h
 #define penumbra_tool_BiasStudy_h
 
-#include "../image/Picture.h"
-#include "../scene/Reporter.h"
-#include "BiasSweep.h"
+#include "common/Reporter.h"
+#include "image/Picture.h"
+#include "lab/BiasSweep.h"
 
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "BiasSweep.h"
+#include "lab/BiasSweep.h"
 
 #include <vtkGITechnique.h>
 

@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_BiasSweep_h
 #define penumbra_tool_BiasSweep_h
 
-#include "BiasMeasures.h"
+#include "lab/BiasMeasures.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Canvas.h"
+#include "lab/Canvas.h"
 
-#include "../scene/Failure.h"
+#include "common/Failure.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

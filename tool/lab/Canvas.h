@@ -4,7 +4,7 @@
 #ifndef penumbra_tool_Canvas_h
 #define penumbra_tool_Canvas_h
 
-#include "../image/Picture.h"
+#include "image/Picture.h"
 
 #include <array>
 #include <string>

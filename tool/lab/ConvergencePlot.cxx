@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ConvergencePlot.h"
+#include "lab/ConvergencePlot.h"
 
-#include "../scene/Capture.h"
-#include "../scene/Windows.h"
+#include "common/Windows.h"
+#include "image/Capture.h"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>

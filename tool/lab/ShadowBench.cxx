@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ShadowBench.h"
+#include "lab/ShadowBench.h"
 
-#include "../scene/Failure.h"
-#include "../scene/Techniques.h"
-#include "../scene/VtkMessages.h"
+#include "common/Failure.h"
+#include "common/VtkMessages.h"
+#include "scene/build/Techniques.h"
 
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>

@@ -4,8 +4,8 @@
 #ifndef penumbra_tool_ShadowBench_h
 #define penumbra_tool_ShadowBench_h
 
-#include "../scene/SceneModel.h"
-#include "BiasMeasures.h"
+#include "lab/BiasMeasures.h"
+#include "scene/model/SceneModel.h"
 
 #include <vtkGIPass.h>
 #include <vtkLight.h>

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Includes of the module and of the command go down only: each room reads its own headers and those of rooms below."""
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# From the bottom to the top. A folder in a room belongs to it; rooms of one line know nothing of each other.
+MODULE = (("base",), ("gpu",), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique",), ("pass",),
+          ("bake",), ("probes",), ("techniques/*",))
+TOOL = (("common",), ("image",), ("scene/model",), ("scene/readers",), ("scene/build",), ("scene/file",),
+        ("bake/*", "lab"), ("console",), ("commands",))
+MOST_FILES = 30  # in a folder
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+
+
+def sources(folder):
+    return sorted(path for path in folder.rglob("*") if path.suffix in (".h", ".cxx"))
+
+
+def rooms(folder, layers):
+    """The rooms with their levels. "name/*" stands for each folder in name."""
+    found = {}
+    for level, names in enumerate(layers):
+        for name in names:
+            places = folder.glob(name) if "*" in name else [folder / name]
+            found.update({path.relative_to(folder).as_posix(): level for path in places if path.is_dir()})
+    return found
+
+
+def room_of(path, known):
+    """The room that a file lies in; "" for one that lies above all."""
+    place = path.parent
+    while place.as_posix() not in (".", *known):
+        place = place.parent
+    return "" if place.as_posix() == "." else place.as_posix()
+
+
+def complaints(folder, layers):
+    known = rooms(folder, layers)
+    files = {path.relative_to(folder) for path in sources(folder)}
+    by_name = {path.name: path for path in files}  # VTK's classes are included by their names alone
+    found = []
+    for path in sorted(files):
+        room = room_of(path, known)
+        if not room and len(path.parts) > 1:
+            found.append(f"{path} lies in no room")
+        for name in INCLUDE.findall((folder / path).read_text()):
+            target = pathlib.Path(name)
+            if ".." in target.parts:
+                found.append(f"{path} includes {name}: name the room instead")
+            if target not in files:
+                target = by_name.get(name) if name.startswith("vtk") else None
+            if not target or not room:
+                continue
+            other = room_of(target, known)
+            if other and other != room and known[other] >= known[room]:
+                found.append(f"{path} includes {name}: {room} does not lie above {other}")
+    return found
+
+
+class Layers(unittest.TestCase):
+    def test_the_module(self):
+        self.assertEqual(complaints(ROOT / "vtk_module", MODULE), [])
+
+    def test_the_command(self):
+        self.assertEqual(complaints(ROOT / "tool", TOOL), [])
+
+    def test_no_folder_is_a_drawer(self):
+        for top in ("vtk_module", "tool"):
+            for folder in (ROOT / top, *(path for path in (ROOT / top).rglob("*") if path.is_dir())):
+                count = sum(path.is_file() for path in folder.iterdir())
+                self.assertLessEqual(count, MOST_FILES, folder.relative_to(ROOT).as_posix())
+
+    def test_an_include_that_goes_up_is_found(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for path, text in (("gpu/Texture.h", '#include "pass/Frame.h"\n'), ("pass/Frame.h", ""),
+                               ("pass/vtkPass.h", ""), ("gpu/Buffer.cxx", '#include "vtkPass.h"\n'),
+                               ("techniques/a/A.h", '#include "techniques/b/B.h"\n'), ("techniques/b/B.h", ""),
+                               ("pass/Pass.cxx", '#include "gpu/Texture.h"\n'), ("attic/Old.h", "")):
+                (folder / path).parent.mkdir(parents=True, exist_ok=True)
+                (folder / path).write_text(text)
+            self.assertEqual(complaints(folder, MODULE), [
+                "attic/Old.h lies in no room",
+                "gpu/Buffer.cxx includes vtkPass.h: gpu does not lie above pass",
+                "gpu/Texture.h includes pass/Frame.h: gpu does not lie above pass",
+                "techniques/a/A.h includes techniques/b/B.h: techniques/a does not lie above techniques/b"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv)

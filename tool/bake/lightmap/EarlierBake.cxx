@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bake/lightmap/EarlierBake.h"
+
+#include "common/Failure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace penumbra::lightmap
+{
+EarlierBake::EarlierBake(const BakeSettings& settings, const std::string& made)
+{
+  std::error_code error;
+  if (settings.Anew || !std::filesystem::exists(settings.Output, error))
+  {
+    return;
+  }
+  try
+  {
+    this->Map = ReadLightmap(settings.Output);
+  }
+  catch (const tool::Failure& failure)
+  {
+    tool::Fail("{}; --anew bakes over it", failure.what());
+  }
+  if (this->Map->Settings != made)
+  {
+    this->Map.reset();
+    return;
+  }
+  for (const Patch& patch : this->Map->Patches)
+  {
+    this->Known[patch.Key] = &patch;
+  }
+}
+
+void EarlierBake::AddTo(OIIO::SHA1& identity) const
+{
+  if (this->Map)
+  {
+    const std::vector<float>& first = this->Map->First.Values;
+    identity.append(this->Map->Scene.data(), this->Map->Scene.size());
+    identity.append(first.data(), first.size() * sizeof(float));
+  }
+}
+
+const Patch* EarlierBake::Find(const Patch& patch) const
+{
+  const auto found = this->Known.find(patch.Key);
+  const bool same = found != this->Known.end() && found->second->Texels == patch.Texels;
+  return same ? found->second : nullptr;
+}
+
+/// Where in the earlier bake's picture a texel was.
+std::size_t EarlierBake::IndexIn(const Patch& patch, const Layout& layout, const Texel& texel) const
+{
+  const auto index = static_cast<int>(texel.Index);
+  const int width = layout.Places.Width;
+  const glm::ivec2 within =
+    glm::ivec2(index % width, index / width) - layout.Places.Tiles[texel.Tile].At;
+  const glm::ivec2 there = patch.At + within;
+  return std::size_t(there.y) * this->Map->Baked.Width + there.x;
+}
+
+void EarlierBake::FindSame(const Layout& layout, const std::vector<float>& first,
+  std::size_t channels, std::vector<unsigned char>& kept)
+{
+  if (!this->Map)
+  {
+    return;
+  }
+  std::vector<const Patch*> same;
+  for (const Patch& patch : layout.Patches)
+  {
+    same.push_back(this->Find(patch));
+  }
+  constexpr float rounding = 2e-3f; // of half floats, and of another origin of the rays
+  for (std::size_t i = 0; i < layout.Texels.size(); ++i)
+  {
+    const Texel& texel = layout.Texels[i];
+    const Patch*& patch = same[texel.Tile];
+    const float* old = patch ? this->Map->First.At(this->IndexIn(*patch, layout, texel)) : nullptr;
+    for (std::size_t c = 0; c < 3 && old; ++c)
+    {
+      const float now = first[i * channels + c];
+      if (std::abs(now - old[c]) > rounding * std::max(now, old[c]) + 1e-6f)
+      {
+        patch = nullptr;
+        break;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < layout.Texels.size(); ++i)
+  {
+    kept[i] = same[layout.Texels[i].Tile] ? 1 : 0;
+  }
+}
+
+std::size_t EarlierBake::Copy(const Layout& layout, const std::vector<unsigned char>& kept,
+  Light& to, std::vector<unsigned char>& known) const
+{
+  std::vector<bool> tiles(layout.Patches.size(), false);
+  for (std::size_t i = 0; i < layout.Texels.size(); ++i)
+  {
+    const Texel& texel = layout.Texels[i];
+    const Patch* patch = kept[i] ? this->Find(layout.Patches[texel.Tile]) : nullptr;
+    if (patch)
+    {
+      tiles[texel.Tile] = true;
+      const float* old = this->Map->Baked.At(this->IndexIn(*patch, layout, texel));
+      std::copy_n(old, to.Channels, to.At(texel.Index));
+      known[texel.Index] = 1;
+    }
+  }
+  return static_cast<std::size_t>(std::count(tiles.begin(), tiles.end(), true));
+}
+}

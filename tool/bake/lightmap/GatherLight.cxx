@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bake/lightmap/GatherLight.h"
+
+#include "common/Failure.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkGILightGatherer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra::lightmap
+{
+namespace
+{
+void Fill(vtkDoubleArray* array, const std::vector<Vec3>& values)
+{
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetTypedTuple(static_cast<vtkIdType>(i), &values[i][0]);
+  }
+}
+
+// A normal that turns loses half as much of light that comes alike from everywhere above a surface as of light from straight
+// above: what sinks below the horizon of the one is gone, and takes nothing more away. How much lies near the horizon
+// is told by irradiance and the mean of radiance, as if radiance were linear in the cosine. The moment along the normal, which
+// is half of irradiance divided by pi and so would tell nothing new, has that part less.
+void SpareHorizon(float* values, const float* meanRadiance, const Vec3& normal)
+{
+  for (int color = 0; color < 3; ++color)
+  {
+    const float horizon = 4.0f * meanRadiance[color] - 3.0f * values[color];
+    for (int axis = 0; axis < 3 && std::isfinite(horizon); ++axis)
+    {
+      values[3 + 3 * axis + color] -= 0.25f * horizon * static_cast<float>(normal[axis]);
+    }
+  }
+}
+}
+
+GatherLight::GatherLight(vtkRenderer* renderer, int bounces, bool directional)
+  : Renderer(renderer)
+  , Directional(directional)
+{
+  this->Gatherer->SetBounces(bounces);
+  this->Gatherer->SetDirectional(directional);
+}
+
+GatherLight::~GatherLight()
+{
+  this->Gatherer->ReleaseGraphicsResources(nullptr);
+}
+
+void GatherLight::Count(bool indirect, bool lamps)
+{
+  this->Indirect = indirect;
+  this->Gatherer->SetIncludeIndirect(indirect);
+  this->Gatherer->SetIncludeLamps(lamps);
+}
+
+void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
+  int firstSample, int samples, const std::function<void(double)>& advance)
+{
+  vtkNew<vtkDoubleArray> at, to;
+  vtkNew<vtkFloatArray> light, around;
+  Fill(at, points);
+  Fill(to, normals);
+  this->Gatherer->SetFirstSample(firstSample);
+  this->Gatherer->SetSamples(samples);
+  vtkNew<vtkCallbackCommand> progress;
+  progress->SetClientData(const_cast<void*>(static_cast<const void*>(&advance)));
+  progress->SetCallback([](vtkObject*, unsigned long, void* client, void* share) {
+    (*static_cast<const std::function<void(double)>*>(client))(*static_cast<double*>(share));
+  });
+  const unsigned long tag = this->Gatherer->AddObserver(vtkCommand::ProgressEvent, progress);
+  const bool done = this->Gatherer->Gather(this->Renderer, at, to, light, around);
+  this->Gatherer->RemoveObserver(tag);
+  if (!done)
+  {
+    tool::Fail("light cannot be gathered: {}", this->Gatherer->GetLastError());
+  }
+  const auto channels = static_cast<std::size_t>(this->Channels());
+  this->Light.resize(points.size() * channels);
+  this->Backs.resize(points.size());
+  constexpr int meanRadiance = 3; // values between irradiance and moments
+  const int components = light->GetNumberOfComponents();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto tuple = static_cast<vtkIdType>(i);
+    for (std::size_t c = 0; c < channels; ++c)
+    {
+      const int from = static_cast<int>(c) + (c < 3 ? 0 : meanRadiance);
+      const float value = light->GetTypedComponent(tuple, from);
+      this->Light[i * channels + c] = std::isfinite(value) ? value : 0.0f;
+    }
+    if (this->Directional && this->Indirect)
+    {
+      SpareHorizon(&this->Light[i * channels], light->GetPointer(tuple * components) + meanRadiance,
+        normals[i]);
+    }
+    this->Backs[i] = around->GetTypedComponent(tuple, 0);
+  }
+}
+
+std::vector<std::string> GatherLight::Notes() const
+{
+  std::vector<std::string> notes;
+  if (const int lamps = this->Gatherer->GetNumberOfLampsLeftOut())
+  {
+    notes.push_back(fmt::format(
+      "{} lights follow the camera and are left out: their light cannot be baked", lamps));
+  }
+  return notes;
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// A baked lightmap and its file: OpenEXR with the light as its picture, and the surfaces, what was baked and a
+/// checksum of all beside it.
+#ifndef penumbra_tool_lightmap_LightmapFile_h
+#define penumbra_tool_lightmap_LightmapFile_h
+
+#include "bake/lightmap/Light.h"
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace penumbra::lightmap
+{
+/// A tile as the file knows it, so that another bake finds it again.
+struct Patch
+{
+  glm::ivec2 At{ 0 };
+  glm::ivec2 Texels{ 0 };
+  std::uint64_t Key = 0; ///< of its texels' places and normals
+};
+
+struct Lightmap
+{
+  Light Baked;
+  Light Lamps; ///< what arrives straight from lamps; without channels where that is not baked
+  Light First; ///< what the first round of samples gave, unfiltered: a later bake compares with it
+  Vec3 Origin{ 0.0 }; ///< what points are relative to
+  std::vector<glm::vec3> Points;
+  std::vector<glm::vec3> Normals;    ///< for shading, to the side that the triangle is of
+  std::vector<glm::vec2> Places;     ///< in the picture, 0 to 1, rows counted as stored
+  std::vector<glm::uvec3> Triangles; ///< counter-clockwise where the side is seen that they are of
+  std::vector<Patch> Patches;
+  std::string Scene;    ///< BakedScene::ToText()
+  std::string Made;     ///< how: settings, in words
+  std::string Settings; ///< what must be the same for the light to be compared with
+};
+
+/// The triangles of all tiles.
+void AddSurfaces(Lightmap& lightmap, const Surfaces& surfaces, const std::vector<Chart>& charts,
+  const Atlas& atlas);
+
+/// Writes under another name first, so that there is never half a file. Throws a Failure.
+void WriteLightmap(const std::string& path, const Lightmap& lightmap);
+
+/// Throws a Failure that says what is wrong with the file.
+Lightmap ReadLightmap(const std::string& path);
+bool IsLightmap(const std::string& path);
+
+/// As vtkGILightmap::SetBake() takes them.
+vtkSmartPointer<vtkPolyData> MakeSurfaces(const Lightmap& lightmap);
+vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap);
+}
+
+#endif

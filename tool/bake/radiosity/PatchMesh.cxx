@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bake/radiosity/PatchMesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra::radiosity
+{
+namespace
+{
+bool IsFinite(const Point& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+std::size_t Hash(const Point& p)
+{
+  const std::hash<double> hash;
+  // Adding 0 makes -0 and 0 the same.
+  return hash(p.x + 0.0) ^ (hash(p.y + 0.0) * 0x9e3779b97f4a7c15u) ^
+    (hash(p.z + 0.0) * 0xc2b2ae3d27d4eb4fu);
+}
+
+Vertex Middle(const Vertex& a, const Vertex& b)
+{
+  return { 0.5 * (a.At + b.At), 0.5 * (a.Tint + b.Tint), 0.5 * (a.Uv + b.Uv) };
+}
+}
+
+bool PatchMesh::Add(const std::array<Vertex, 3>& corners, std::uint32_t surface, const Color& tint)
+{
+  const Point& a = corners[0].At;
+  const Point& b = corners[1].At;
+  const Point& c = corners[2].At;
+  if (!IsFinite(a) || !IsFinite(b) || !IsFinite(c))
+  {
+    return false;
+  }
+  // Thinner than this its normal is rounding error.
+  constexpr double thinnest = 1e-12;
+  const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
+  if (!(glm::length(glm::cross(b - a, c - a)) > thinnest * longest * longest))
+  {
+    return false;
+  }
+  Face face;
+  for (int i = 0; i < 3; ++i)
+  {
+    face.Corners[i] = this->FindOrAdd(corners[i], surface);
+  }
+  face.Surface = surface;
+  face.Whole = static_cast<std::uint32_t>(this->Originals.size());
+  face.Tint = tint;
+  this->Pieces.push_back(face);
+  this->Originals.push_back(face);
+  return true;
+}
+
+std::uint32_t PatchMesh::AddSurface(const Surface& surface)
+{
+  this->Looks.push_back(surface);
+  return static_cast<std::uint32_t>(this->Looks.size() - 1);
+}
+
+std::uint32_t PatchMesh::FindOrAdd(const Vertex& vertex, std::uint32_t surface)
+{
+  const std::size_t hash = Hash(vertex.At);
+  const auto range = this->Known.equal_range(hash);
+  for (auto it = range.first; it != range.second; ++it)
+  {
+    const Vertex& known = this->Corners[it->second.first];
+    if (it->second.second == surface && known.At == vertex.At && known.Tint == vertex.Tint &&
+      known.Uv == vertex.Uv)
+    {
+      return it->second.first;
+    }
+  }
+  const auto index = static_cast<std::uint32_t>(this->Corners.size());
+  this->Corners.push_back(vertex);
+  this->Known.emplace(hash, std::make_pair(index, surface));
+  return index;
+}
+
+PatchMesh::Edge PatchMesh::Between(std::uint32_t a, std::uint32_t b)
+{
+  return static_cast<Edge>(std::min(a, b)) << 32 | std::max(a, b);
+}
+
+double PatchMesh::Length2(Edge edge) const
+{
+  const Point along = this->Corners[edge & 0xffffffffu].At - this->Corners[edge >> 32].At;
+  return glm::dot(along, along);
+}
+
+/// Of two edges of one length the one with the greater name, so that neighbours agree.
+PatchMesh::Edge PatchMesh::Longest(const Face& face) const
+{
+  Edge longest = 0;
+  double length = -1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Edge edge = Between(face.Corners[i], face.Corners[(i + 1) % 3]);
+    const double own = this->Length2(edge);
+    if (own > length || (own == length && edge > longest))
+    {
+      longest = edge;
+      length = own;
+    }
+  }
+  return longest;
+}
+
+double PatchMesh::LongestEdge(const Face& face) const
+{
+  return std::sqrt(this->Length2(this->Longest(face)));
+}
+
+double PatchMesh::Area(const Face& face) const
+{
+  const Point& a = this->Corners[face.Corners[0]].At;
+  return 0.5 *
+    glm::length(
+      glm::cross(this->Corners[face.Corners[1]].At - a, this->Corners[face.Corners[2]].At - a));
+}
+
+double PatchMesh::TotalArea() const
+{
+  double total = 0.0;
+  for (const Face& face : this->Pieces)
+  {
+    total += this->Area(face);
+  }
+  return total;
+}
+
+double PatchMesh::Diagonal() const
+{
+  Point low(std::numeric_limits<double>::max());
+  Point high(-std::numeric_limits<double>::max());
+  for (const Vertex& vertex : this->Corners)
+  {
+    low = glm::min(low, vertex.At);
+    high = glm::max(high, vertex.At);
+  }
+  return this->Corners.empty() ? 0.0 : glm::length(high - low);
+}
+
+void PatchMesh::Link(std::uint32_t face)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto& corners = this->Pieces[face].Corners;
+    this->Neighbours[Between(corners[i], corners[(i + 1) % 3])].push_back(face);
+  }
+}
+
+void PatchMesh::Unlink(std::uint32_t face)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto& corners = this->Pieces[face].Corners;
+    const auto found = this->Neighbours.find(Between(corners[i], corners[(i + 1) % 3]));
+    auto& faces = found->second;
+    faces.erase(std::remove(faces.begin(), faces.end(), face), faces.end());
+    if (faces.empty())
+    {
+      this->Neighbours.erase(found);
+    }
+  }
+}
+
+void PatchMesh::LinkAll()
+{
+  if (this->Neighbours.empty())
+  {
+    for (std::uint32_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      this->Link(i);
+    }
+  }
+}
+
+void PatchMesh::Bisect(Edge edge)
+{
+  const auto a = static_cast<std::uint32_t>(edge >> 32);
+  const auto b = static_cast<std::uint32_t>(edge & 0xffffffffu);
+  const auto middle = static_cast<std::uint32_t>(this->Corners.size());
+  this->Corners.push_back(Middle(this->Corners[a], this->Corners[b]));
+  const std::vector<std::uint32_t> faces = this->Neighbours.at(edge);
+  for (const std::uint32_t face : faces)
+  {
+    this->Unlink(face);
+    Face half = this->Pieces[face];
+    std::replace(half.Corners.begin(), half.Corners.end(), a, middle);
+    auto& other = this->Pieces[face].Corners;
+    std::replace(other.begin(), other.end(), b, middle);
+    this->Pieces.push_back(half);
+    this->Link(face);
+    this->Link(static_cast<std::uint32_t>(this->Pieces.size() - 1));
+  }
+}
+
+/// Cuts the face at its longest edge; before it, neighbours for which that edge is not the longest.
+void PatchMesh::BisectAround(std::uint32_t face)
+{
+  const Edge wanted = this->Longest(this->Pieces[face]);
+  while (this->Neighbours.count(wanted) > 0)
+  {
+    Edge edge = wanted;
+    // Edges grow longer along the way, so that it ends.
+    for (bool ended = false; !ended;)
+    {
+      ended = true;
+      for (const std::uint32_t next : this->Neighbours.at(edge))
+      {
+        const Edge longest = this->Longest(this->Pieces[next]);
+        if (longest != edge)
+        {
+          edge = longest;
+          ended = false;
+          break;
+        }
+      }
+    }
+    this->Bisect(edge);
+  }
+}
+
+void PatchMesh::LimitAll(double longest)
+{
+  for (Face& face : this->Pieces)
+  {
+    face.LongestWanted = longest;
+  }
+}
+
+bool PatchMesh::Refine(std::size_t most)
+{
+  this->LinkAll();
+  for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+  {
+    while (this->LongestEdge(this->Pieces[i]) > this->Pieces[i].LongestWanted)
+    {
+      if (this->Pieces.size() >= most)
+      {
+        return false;
+      }
+      this->BisectAround(static_cast<std::uint32_t>(i));
+    }
+  }
+  return this->Pieces.size() <= most;
+}
+}

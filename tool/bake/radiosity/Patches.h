@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The sides of patches that light is exchanged between, and the rays between them.
+#ifndef penumbra_tool_Patches_h
+#define penumbra_tool_Patches_h
+
+#include "bake/radiosity/PatchMesh.h"
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+namespace penumbra::radiosity
+{
+/// A side of a patch. Side s of patch p has the index 2 p + s.
+struct Element
+{
+  std::array<Point, 3> Corners; ///< counter-clockwise as seen from this side
+  Point Normal;                 ///< unit
+  double Area = 0.0;
+  Color Reflectance{ 0.0 };
+  Color Emission{ 0.0 }; ///< radiant exitance: pi times the radiance
+  bool Present = true;   ///< false: light passes from there
+
+  Point At(double u, double v) const ///< evenly over the triangle for u, v in [0, 1)
+  {
+    // Osada et al. 2002, Shape Distributions, section 4.2.
+    const double r = std::sqrt(u);
+    return (1.0 - r) * this->Corners[0] + r * (1.0 - v) * this->Corners[1] +
+      r * v * this->Corners[2];
+  }
+};
+
+std::vector<Element> MakeElements(const PatchMesh& mesh);
+
+/// Of the mesh's input faces: what shines evenly is not cut for direct light.
+std::vector<Element> MakeEmitters(const PatchMesh& mesh);
+
+class PatchRays
+{
+public:
+  static constexpr std::uint32_t Nothing = 0xffffffffu;
+  struct Hit
+  {
+    std::uint32_t Element = Nothing; ///< the side that was met
+    double Distance = 0.0;
+    double U = 0.0, V = 0.0; ///< weights of the second and third corner of the patch's front side
+  };
+
+  explicit PatchRays(const std::vector<Element>& elements);
+  ~PatchRays();
+  PatchRays(const PatchRays&) = delete;
+  PatchRays& operator=(const PatchRays&) = delete;
+
+  /// What a ray from a point on a surface meets; normal: of the side that it leaves.
+  Hit Nearest(const Point& from, const Point& normal, const Point& direction) const;
+  /// Whether something is between a point on a surface and another; a normal of 0 for a point in free
+  /// space.
+  bool Blocked(
+    const Point& from, const Point& normal, const Point& to, const Point& toNormal) const;
+  /// Whether something is in the way at any distance.
+  bool BlockedTowards(const Point& from, const Point& normal, const Point& direction) const;
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+}
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bake/radiosity/SmoothPoints.h"
+
+#include <algorithm>
+#include <map>
+
+namespace penumbra::radiosity
+{
+SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>& elements)
+{
+  constexpr double crease = 0.866; // cosine of 30 degrees
+  SmoothPoints result;
+  result.OfElement.resize(elements.size());
+  std::vector<Point> normals;
+  // A vertex has few points: one for each side and each bundle of normals.
+  std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> known;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    const Face& face = mesh.Faces()[i / 2];
+    const Element& element = elements[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::uint32_t vertex = face.Corners[i % 2 == 0 ? k : (3 - k) % 3];
+      auto& bundle = known[{ vertex, static_cast<std::uint32_t>(i % 2), face.Surface }];
+      std::uint32_t point = static_cast<std::uint32_t>(result.Points.size());
+      for (const std::uint32_t other : bundle)
+      {
+        const Point& normal = normals[other];
+        point = glm::dot(normal, element.Normal) > crease * glm::length(normal) ? other : point;
+      }
+      if (point == result.Points.size())
+      {
+        result.Points.push_back(mesh.Vertices()[vertex].At);
+        normals.emplace_back(0.0);
+        bundle.push_back(point);
+      }
+      normals[point] += element.Area * element.Normal;
+      result.OfElement[i][k] = point;
+    }
+  }
+  return result;
+}
+
+std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<Element>& elements,
+  const PatchRays& rays, const LightSources& sources, int shadowRays, const tool::Progress& advance)
+{
+  constexpr double nudge = 0.02; // of the way to the middle of the patch
+  constexpr int around = 6;      // patches meet at most points
+  const int each = std::max(1, shadowRays / around);
+  std::vector<std::array<Color, 3>> light(elements.size());
+  const auto meet = [&](std::size_t i) {
+    const Element& element = elements[i];
+    const auto& at = element.Corners;
+    for (std::size_t k = 0; k < 3 && element.Present; ++k)
+    {
+      light[i][k] = element.Area *
+        ArrivingAt(sources, rays, glm::mix(at[k], (at[0] + at[1] + at[2]) / 3.0, nudge),
+          element.Normal, each, 3 * i + k);
+    }
+  };
+  tool::ForEach(elements.size(), meet, advance);
+  std::vector<Color> sums(points.Points.size(), Color(0.0));
+  std::vector<double> weights(points.Points.size(), 0.0);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sums[points.OfElement[i][k]] += light[i][k];
+      weights[points.OfElement[i][k]] += elements[i].Area;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    sums[i] /= weights[i];
+  }
+  return sums;
+}
+
+std::vector<Color> MeanAround(const SmoothPoints& points, const std::vector<Element>& elements,
+  const std::vector<Color>& values)
+{
+  std::vector<Color> sums(points.Points.size(), Color(0.0));
+  std::vector<double> weights(points.Points.size(), 0.0);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    for (const std::uint32_t point : points.OfElement[i])
+    {
+      sums[point] += elements[i].Area * values[i];
+      weights[point] += elements[i].Area;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    sums[i] /= weights[i];
+  }
+  return sums;
+}
+}

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image/Capture.h"
+
+#include "common/Failure.h"
+
+#include <vtkDataArray.h>
+#include <vtkGIPass.h>
+#include <vtkGIPathTracing.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkProp.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace penumbra::tool
+{
+namespace
+{
+/// VTK's first row is the bottom one.
+template <typename Convert>
+Picture FromImage(vtkImageData* image, int channels, Convert convert)
+{
+  int size[3];
+  image->GetDimensions(size);
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  Picture picture(size[0], size[1], channels);
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      float* pixel = picture.Pixel(std::size_t(size[1] - 1 - y) * size[0] + x);
+      for (int channel = 0; channel < channels; ++channel)
+      {
+        pixel[channel] =
+          static_cast<float>(convert(values->GetComponent(vtkIdType(y) * size[0] + x, channel)));
+      }
+    }
+  }
+  return picture;
+}
+
+/// Props that the opaque radiance does not contain, hidden for as long as this lives.
+class HiddenOverlays
+{
+public:
+  explicit HiddenOverlays(vtkRenderer* renderer)
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    vtkCollectionSimpleIterator cursor;
+    props->InitTraversal(cursor);
+    while (vtkProp* prop = props->GetNextProp(cursor))
+    {
+      const bool overlay = prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume") ||
+        prop->IsA("vtkActor2D");
+      if (overlay && prop->GetVisibility())
+      {
+        prop->VisibilityOff();
+        this->Props.push_back(prop);
+      }
+    }
+  }
+  ~HiddenOverlays()
+  {
+    for (vtkProp* prop : this->Props)
+    {
+      prop->VisibilityOn();
+    }
+  }
+  HiddenOverlays(const HiddenOverlays&) = delete;
+  HiddenOverlays& operator=(const HiddenOverlays&) = delete;
+  bool None() const { return this->Props.empty(); }
+
+private:
+  std::vector<vtkProp*> Props;
+};
+}
+
+Picture CaptureWindow(vtkRenderWindow* window, bool alpha)
+{
+  vtkNew<vtkWindowToImageFilter> capture;
+  capture->SetInput(window);
+  alpha ? capture->SetInputBufferTypeToRGBA() : capture->SetInputBufferTypeToRGB();
+  capture->ReadFrontBufferOff();
+  capture->ShouldRerenderOff();
+  capture->Update();
+  return FromImage(capture->GetOutput(), alpha ? 4 : 3, [](double value) { return value / 255; });
+}
+
+Picture CaptureRadiance(
+  vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render)
+{
+  vtkNew<vtkImageData> image;
+  if (!pass->GetRadiance(renderer, image))
+  {
+    Fail("the pass kept no radiance of the last frame, so that no linear picture can be written");
+  }
+  Picture radiance = FromImage(image, alpha ? 4 : 3, [](double value) { return value; });
+  // Rays draw translucent props themselves; and another scene would be traced from its beginning.
+  vtkGITechnique* tracer = pass->GetTechnique("path-tracing");
+  if (tracer && tracer->GetEnabled())
+  {
+    return radiance;
+  }
+  const HiddenOverlays hidden(renderer);
+  if (hidden.None())
+  {
+    return radiance;
+  }
+  const Picture shown = CaptureWindow(renderer->GetRenderWindow(), alpha);
+  render();
+  const Picture opaque = CaptureWindow(renderer->GetRenderWindow(), alpha);
+  constexpr float rounding = 1.5f / 255; // one step of the 8-bit picture is no difference
+  for (std::size_t i = 0; i < radiance.PixelCount(); ++i)
+  {
+    bool differs = false;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      differs = differs || std::abs(shown.Color(i, channel) - opaque.Color(i, channel)) > rounding;
+    }
+    for (int channel = 0; differs && channel < radiance.Channels; ++channel)
+    {
+      radiance.Pixel(i)[channel] = shown.Pixel(i)[channel];
+    }
+  }
+  return radiance;
+}
+
+namespace
+{
+/// Of the mean of a pixel's luminance, from the sums that the tracer keeps.
+float StandardError(const float* shown, const float* encoded, float samples)
+{
+  const float mean = (0.2126f * (shown[0] + encoded[0]) + 0.7152f * (shown[1] + encoded[1]) +
+                       0.0722f * (shown[2] + encoded[2])) /
+    samples;
+  const float variance = std::max(0.0f, encoded[3] / samples - mean * mean);
+  return samples > 1.0f ? std::sqrt(variance / (samples - 1.0f)) : 0.0f;
+}
+}
+
+void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture)
+{
+  auto* tracer = vtkGIPathTracing::SafeDownCast(pass->GetTechnique("path-tracing"));
+  vtkNew<vtkImageData> albedoImage;
+  vtkNew<vtkImageData> normalImage;
+  vtkNew<vtkImageData> shownImage;
+  vtkNew<vtkImageData> encodedImage;
+  const bool present = tracer && tracer->GetEnabled() &&
+    pass->GetBuffer(renderer, "path-tracing.albedo", albedoImage) &&
+    pass->GetBuffer(renderer, "path-tracing.normal", normalImage) &&
+    pass->GetBuffer(renderer, "path-tracing.shown", shownImage) &&
+    pass->GetBuffer(renderer, "path-tracing.encoded", encodedImage);
+  if (!present)
+  {
+    return;
+  }
+  const auto same = [](double value) { return value; };
+  const Picture albedo = FromImage(albedoImage, 4, same);
+  const Picture normal = FromImage(normalImage, 4, same);
+  const Picture shown = FromImage(shownImage, 4, same);
+  const Picture encoded = FromImage(encodedImage, 4, same);
+  const auto samples = static_cast<float>(tracer->GetSamplesTaken(renderer));
+  const std::vector<std::string> names = { "albedo.R", "albedo.G", "albedo.B", "normal.X",
+    "normal.Y", "normal.Z", "Z", "samples", "error" };
+  Picture all(picture.Width, picture.Height, picture.Channels + static_cast<int>(names.size()));
+  all.Layers = names;
+  for (std::size_t i = 0; i < all.PixelCount(); ++i)
+  {
+    float* out = std::copy_n(picture.Pixel(i), picture.Channels, all.Pixel(i));
+    const float met = std::max(1.0f, albedo.Pixel(i)[3]);
+    out = std::transform(albedo.Pixel(i), albedo.Pixel(i) + 3, out, [met](float v) { return v / met; });
+    out = std::transform(normal.Pixel(i), normal.Pixel(i) + 4, out, [met](float v) { return v / met; });
+    *out++ = samples;
+    *out = StandardError(shown.Pixel(i), encoded.Pixel(i), samples);
+  }
+  picture = std::move(all);
+}
+}

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/build/SceneBuilder.h"
+
+#include "common/Failure.h"
+#include "scene/build/ColorMaps.h"
+#include "scene/build/Lights.h"
+#include "scene/build/ObjectActors.h"
+#include "scene/build/TextureFiles.h"
+
+#include <vtkActor2D.h>
+#include <vtkMath.h>
+#include <vtkPropCollection.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSkybox.h>
+#include <vtkTextProperty.h>
+
+namespace penumbra::tool
+{
+namespace
+{
+void SetBackground(const Background& background, vtkRenderer* renderer)
+{
+  renderer->SetBackground(background.Bottom[0], background.Bottom[1], background.Bottom[2]);
+  renderer->SetBackground2(background.Top[0], background.Top[1], background.Top[2]);
+  renderer->SetGradientBackground(background.Top != background.Bottom && !background.Transparent);
+  renderer->SetBackgroundAlpha(background.Transparent ? 0 : 1);
+}
+
+void SetEnvironment(const Environment& environment, const DefaultView& view, vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkTexture> texture = ReadEnvironmentTexture(environment.Path);
+  Vec3 up = view.Up, right;
+  vtkMath::Cross(view.Up.data(), view.Front.data(), right.data());
+  renderer->UseImageBasedLightingOn();
+  renderer->SetEnvironmentTexture(texture, false);
+  renderer->SetEnvironmentUp(up.data());
+  renderer->SetEnvironmentRight(right.data());
+  if (environment.Visible)
+  {
+    // VTK's skybox begins a quarter turn from where its image-based light does.
+    Vec3 aside;
+    vtkMath::Cross(right.data(), up.data(), aside.data());
+    vtkNew<vtkSkybox> sky;
+    sky->SetProjectionToSphere();
+    sky->SetTexture(texture);
+    sky->SetFloorPlane(
+      static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0);
+    sky->SetFloorRight(
+      static_cast<float>(aside[0]), static_cast<float>(aside[1]), static_cast<float>(aside[2]));
+    sky->GammaCorrectOn();
+    renderer->AddActor(sky);
+  }
+}
+
+bool IsTranslucent(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cursor;
+  props->InitTraversal(cursor);
+  while (vtkProp* prop = props->GetNextProp(cursor))
+  {
+    if (prop->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void AddScalarBar(
+  vtkLookupTable* table, const ColorBy& color, const Background& background, vtkRenderer* renderer)
+{
+  const double light = background.Top[0] + background.Top[1] + background.Top[2];
+  const double ink = light > 1.5 ? 0.12 : 0.92;
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(table);
+  bar->SetTitle(color.Array.c_str());
+  bar->SetNumberOfLabels(5);
+  bar->SetMaximumWidthInPixels(130);
+  bar->SetBarRatio(0.2);
+  bar->UnconstrainedFontSizeOn();
+  bar->SetLabelFormat("%.3g");
+  bar->SetPosition(0.85, 0.2);
+  bar->SetWidth(0.13);
+  bar->SetHeight(0.6);
+  bar->DrawTickLabelsOn();
+  for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
+  {
+    text->SetColor(ink, ink, ink);
+    text->SetFontFamilyToArial();
+    text->SetFontSize(16);
+    text->BoldOff();
+    text->ItalicOff();
+    text->ShadowOff();
+  }
+  renderer->AddActor2D(bar);
+}
+}
+
+BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& reporter)
+{
+  BuiltScene built;
+  built.Renderer = vtkSmartPointer<vtkRenderer>::New();
+  FramedPoints points;
+  TriangleBudget budget(limits.Triangles);
+  DefaultView view;
+  std::size_t paletteIndex = 0;
+  bool hasScalarBar = false;
+  for (const Object& object : scene.Objects)
+  {
+    ObjectActors made =
+      MakeActors(object, scene.Surroundings.has_value(), paletteIndex, points, budget, reporter);
+    view = &object == &scene.Objects.front() ? made.View : view;
+    budget.Spend(made.Triangles, Describe(object));
+    built.Balls += made.Balls;
+    for (vtkActor* actor : made.Actors)
+    {
+      built.Renderer->AddActor(actor);
+      if (!object.Name.empty())
+      {
+        built.Names[actor] = object.Name;
+      }
+    }
+    if (made.Coloring)
+    {
+      hasScalarBar = true;
+      AddScalarBar(made.Coloring, *object.Color, scene.Backdrop, built.Renderer);
+    }
+  }
+  if (scene.Objects.empty())
+  {
+    FailUsage("the scene has no objects: name a file to draw");
+  }
+  built.Triangles = budget.GetSpent();
+  SetBackground(scene.Backdrop, built.Renderer);
+  SetLights(scene.Lights.value_or(DefaultLights()), built.Renderer);
+  if (scene.Surroundings)
+  {
+    SetEnvironment(*scene.Surroundings, view, built.Renderer);
+  }
+  if (scene.DepthPeeling && IsTranslucent(built.Renderer))
+  {
+    built.DepthPeeling = true;
+    built.Renderer->UseDepthPeelingOn();
+    built.Renderer->SetMaximumNumberOfPeels(8);
+    built.Renderer->SetOcclusionRatio(0.001);
+  }
+  // A scalar bar takes the right edge: what is framed keeps away from both.
+  const double free = hasScalarBar ? 0.72 : 1;
+  SetCamera(scene.View, view, points, free * scene.Width / scene.Height, built.Renderer);
+  return built;
+}
+
+void ConfigureWindow(const Scene& scene, const BuiltScene& built, vtkRenderWindow* window)
+{
+  window->SetSize(scene.Width, scene.Height);
+  window->SetAlphaBitPlanes(1); // for depth peeling and transparent backgrounds
+  // VTK's depth peeling loses translucent surfaces on a multisampled window.
+  constexpr int samples = 8;
+  window->SetMultiSamples(built.DepthPeeling ? 0 : samples);
+  built.Renderer->SetUseFXAA(built.DepthPeeling);
+  window->AddRenderer(built.Renderer);
+}
+}

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Refuses a scene of too many triangles as soon as their number is known.
+#ifndef penumbra_tool_TriangleBudget_h
+#define penumbra_tool_TriangleBudget_h
+
+#include "common/Failure.h"
+
+#include <vtkType.h>
+
+#include <string>
+
+namespace penumbra::tool
+{
+class TriangleBudget
+{
+public:
+  explicit TriangleBudget(vtkIdType limit)
+    : Limit(limit)
+  {
+  }
+
+  /// Throws a Failure where so many more would be too many; what names the object that brings them.
+  void Require(vtkIdType triangles, const std::string& what) const
+  {
+    const vtkIdType all = this->Spent + triangles;
+    if (all > this->Limit)
+    {
+      Fail("{} brings the scene to {} triangles and the limit is {}: simplify it, or give "
+           "--max-triangles {}",
+        what, all, this->Limit, all);
+    }
+  }
+
+  void Spend(vtkIdType triangles, const std::string& what)
+  {
+    this->Require(triangles, what);
+    this->Spent += triangles;
+  }
+
+  vtkIdType GetSpent() const { return this->Spent; }
+
+private:
+  vtkIdType Limit;
+  vtkIdType Spent = 0;
+};
+}
+
+#endif

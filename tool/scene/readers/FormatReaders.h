@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// The readers behind the table of formats.
+#ifndef penumbra_tool_FormatReaders_h
+#define penumbra_tool_FormatReaders_h
+
+#include "common/Reporter.h"
+#include "scene/model/Loaded.h"
+
+#include <vtkNew.h>
+
+#include <string>
+
+namespace penumbra::tool
+{
+/// Reads with a VTK reader that needs nothing but the file's name.
+template <typename Reader>
+Loaded ReadWith(const std::string& path, Step& step)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  step.Observe(reader);
+  reader->Update();
+  Loaded loaded;
+  loaded.Data = reader->GetOutputDataObject(0);
+  return loaded;
+}
+
+/// As ReadWith, after a check that finds what the reader does not notice.
+template <typename Reader, void (*Check)(const std::string&)>
+Loaded ReadChecked(const std::string& path, Step& step)
+{
+  Check(path);
+  return ReadWith<Reader>(path, step);
+}
+
+/// As ReadWith, for pictures whose values are elevations.
+Loaded ReadObj(const std::string& path, Step& step);
+Loaded ReadGltf(const std::string& path, Step& step);
+Loaded ReadPdb(const std::string& path, Step& step);
+Loaded ReadNifti(const std::string& path, Step& step);
+Loaded ReadNrrd(const std::string& path, Step& step);
+Loaded ReadExodus(const std::string& path, Step& step);
+Loaded ReadDemHeights(const std::string& path, Step& step);
+Loaded ReadNumpyHeights(const std::string& path, Step& step);
+Loaded ReadPictureHeights(const std::string& path, Step& step);
+}
+
+#endif

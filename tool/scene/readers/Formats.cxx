@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene/readers/Formats.h"
+
+#include "common/Failure.h"
+#include "common/Names.h"
+#include "common/VtkMessages.h"
+#include "scene/readers/CleanGeometry.h"
+#include "scene/readers/Completeness.h"
+#include "scene/readers/ExpatDeferral.h"
+#include "scene/readers/FormatReaders.h"
+
+#include <vtkGenericDataObjectReader.h>
+#include <vtkMetaImageReader.h>
+#include <vtkPLYReader.h>
+#include <vtkSLCReader.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+namespace penumbra::tool
+{
+namespace
+{
+/// Shapes made by modellers stand along y and face z.
+const DefaultView Model = { { 0, 0, 1 }, { 0, 1, 0 }, 25, 12 };
+/// Simulations and volumes stand along z; x points right.
+const DefaultView Simulation = { { 0, -1, 0 }, { 0, 0, 1 }, 30, 20 };
+/// Right, anterior, superior coordinates: look into the face.
+const DefaultView Patient = { { 0, 1, 0 }, { 0, 0, 1 }, 30, 2 };
+/// North is away from the camera.
+const DefaultView Land = { { 0, -1, 0 }, { 0, 0, 1 }, -20, 38 };
+
+template <typename Reader>
+constexpr auto ReadXml = ReadChecked<Reader, RequireCompleteXml>;
+
+/// Some readers never end on damaged files; the slowest good ones (text, XML) do ten megabytes a second.
+double LongestReading(const std::string& path)
+{
+  constexpr double least = 10, secondsPerByte = 1e-6;
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return least + (error ? 0 : secondsPerByte * static_cast<double>(size));
+}
+}
+
+const std::vector<Format>& Formats()
+{
+  static const std::vector<Format> formats = {
+    { ".vti", "VTK image data", ReadXml<vtkXMLImageDataReader>, Simulation },
+    { ".vtp", "VTK polygonal data", ReadXml<vtkXMLPolyDataReader>, Model },
+    { ".vtu", "VTK unstructured grid", ReadXml<vtkXMLUnstructuredGridReader>, Simulation },
+    { ".vtr", "VTK rectilinear grid", ReadXml<vtkXMLRectilinearGridReader>, Simulation },
+    { ".vts", "VTK structured grid", ReadXml<vtkXMLStructuredGridReader>, Simulation },
+    { ".vtm", "VTK multi-block data", ReadXml<vtkXMLMultiBlockDataReader>, Simulation },
+    { ".vtk", "VTK legacy file", ReadWith<vtkGenericDataObjectReader>, Simulation },
+    { ".ply", "Stanford polygons", ReadChecked<vtkPLYReader, RequireCompletePly>, Model },
+    { ".stl", "stereolithography", ReadChecked<vtkSTLReader, RequireCompleteStl>, Simulation },
+    { ".obj", "Wavefront object, with its materials", ReadObj, Model },
+    { ".glb", "glTF 2.0, binary", ReadGltf, Model },
+    { ".gltf", "glTF 2.0", ReadGltf, Model },
+    { ".pdb", "Protein Data Bank", ReadPdb, Model },
+    { ".nii", "NIfTI volume", ReadNifti, Patient },
+    { ".nii.gz", "NIfTI volume, compressed", ReadNifti, Patient },
+    { ".mha", "MetaImage volume", ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>,
+      Simulation },
+    { ".mhd", "MetaImage volume with a header of its own",
+      ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>, Simulation },
+    { ".nrrd", "nearly raw raster data", ReadNrrd, Simulation },
+    { ".slc", "SLC volume", ReadWith<vtkSLCReader>, Simulation },
+    { ".ex2", "Exodus II", ReadExodus, Simulation },
+    { ".e", "Exodus II", ReadExodus, Simulation },
+    { ".exo", "Exodus II", ReadExodus, Simulation },
+    { ".dem", "USGS elevation", ReadDemHeights, Land },
+    { ".npz", "NumPy archive with an elevation array", ReadNumpyHeights, Land },
+    { ".npy", "NumPy elevation array", ReadNumpyHeights, Land },
+    { ".png", "elevation picture", ReadPictureHeights, Land },
+    { ".jpg", "elevation picture", ReadPictureHeights, Land },
+    { ".jpeg", "elevation picture", ReadPictureHeights, Land },
+    { ".tif", "elevation picture", ReadPictureHeights, Land },
+    { ".tiff", "elevation picture", ReadPictureHeights, Land },
+  };
+  return formats;
+}
+
+const Format* FindFormat(const std::string& path)
+{
+  std::string lower = path;
+  std::transform(
+    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const Format* found = nullptr;
+  for (const Format& format : Formats())
+  {
+    const std::string& end = format.Extension;
+    const bool fits =
+      lower.size() > end.size() && lower.compare(lower.size() - end.size(), end.size(), end) == 0;
+    if (fits && (!found || end.size() > found->Extension.size()))
+    {
+      found = &format;
+    }
+  }
+  return found;
+}
+
+void RequireReadableFile(const std::string& path)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+  {
+    Fail("'{}' does not exist: check the name and the folder", path);
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    Fail("'{}' is a folder: name a file in it", path);
+  }
+  if (std::filesystem::is_regular_file(status) && std::filesystem::file_size(path, error) == 0)
+  {
+    Fail("'{}' is empty (0 bytes): copy or download it again", path);
+  }
+  if (!std::ifstream(path))
+  {
+    Fail("'{}' cannot be opened: check that you may read it", path);
+  }
+}
+
+Loaded Load(const std::string& path, Reporter& reporter)
+{
+  KeepXmlReadable();
+  RequireReadableFile(path);
+  const Format* format = FindFormat(path);
+  if (!format)
+  {
+    std::vector<std::string> known;
+    for (const Format& row : Formats())
+    {
+      known.push_back(row.Extension.substr(1));
+    }
+    Fail("'{}' is of no supported format: convert it to one of {}", path, Join(known));
+  }
+  TakeVtkMessages();
+  const std::string damaged =
+    fmt::format("'{}' cannot be read as {}: it is damaged, cut off or of another format", path,
+      format->Description);
+  Loaded loaded;
+  try
+  {
+    Step step(reporter, fmt::format("reading '{}'", path), LongestReading(path));
+    loaded = format->Read(path, step);
+  }
+  catch (const Failure&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    Fail("{} (it asks for more memory than this machine has)", damaged);
+  }
+  catch (const std::exception& error)
+  {
+    Fail("{} ({})", damaged, error.what());
+  }
+  ThrowVtkErrors(damaged);
+  if (!HasValidCells(loaded.Data))
+  {
+    Fail("{} (its cells are not where it says)", damaged);
+  }
+  loaded.View = format->View;
+  if (!loaded.Data && loaded.Actors.empty())
+  {
+    Fail("{}", damaged);
+  }
+  return loaded;
+}
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capture/MaterialTable.h"
+
+#include "vtkProperty.h"
+
+namespace penumbra
+{
+void MaterialTable::Clear()
+{
+  this->Entries.assign(1, { glm::vec4(0.0f), glm::ivec4(GI_MATERIAL_AS_DRAWN, 0, 0, 0) });
+  this->Index.clear();
+  this->PBR = false;
+  this->Specular = false;
+  this->PartCover = false;
+}
+
+int MaterialTable::Find(vtkProperty* property, const Owner& owner)
+{
+  const bool pbr = property->GetInterpolation() == VTK_PBR;
+  const double* color = pbr ? property->GetEdgeTint() : property->GetSpecularColor();
+  const double scale = pbr ? 1.0 : property->GetSpecular();
+  const double last = pbr ? vtkProperty::ComputeReflectanceFromIOR(property->GetBaseIOR(), 1.0)
+                          : property->GetSpecularPower();
+  const bool thin = property->GetRepresentation() != VTK_SURFACE;
+  const std::array<float, 8> key = { { static_cast<float>(color[0] * scale),
+    static_cast<float>(color[1] * scale), static_cast<float>(color[2] * scale),
+    static_cast<float>(last), pbr ? 1.0f : 0.0f, thin ? 1.0f : 0.0f,
+    static_cast<float>(owner.Motion), static_cast<float>(owner.Number) } };
+  const auto found = this->Index.find(key);
+  if (found != this->Index.end())
+  {
+    return found->second;
+  }
+  this->PBR |= pbr;
+  this->Specular |= !pbr && scale > 0.0;
+  constexpr std::size_t limit = 65536;
+  if (this->Entries.size() == limit)
+  {
+    return static_cast<int>(limit) - 1;
+  }
+  this->Entries.push_back({ glm::vec4(key[0], key[1], key[2], key[3]),
+    glm::ivec4(
+      pbr ? GI_MATERIAL_PBR : GI_MATERIAL_PHONG, thin ? 1 : 0, owner.Motion, owner.Number) });
+  return this->Index[key] = static_cast<int>(this->Entries.size()) - 1;
+}
+
+void MaterialTable::Bind(GLuint index)
+{
+  this->Storage.Upload(GL_SHADER_STORAGE_BUFFER, this->Entries.data(),
+    this->Entries.size() * sizeof(this->Entries[0]));
+  this->Storage.BindBase(GL_SHADER_STORAGE_BUFFER, index);
+}
+}

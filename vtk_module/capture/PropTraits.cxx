@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capture/PropTraits.h"
+
+#include "capture/ShaderHooks.h"
+
+#include "vtkActor.h"
+#include "vtkAssembly.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
+#include "vtkProp3DCollection.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+
+namespace penumbra
+{
+namespace
+{
+// Mappers that fill VTK's polydata shader template and call the hooks on every draw.
+constexpr std::array<const char*, 5> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
+  "vtkGlyph3DMapper", "vtkMoleculeMapper", "vtkCompositePolyDataMapper" } };
+// Among their subclasses, those that do not: splats have a template of their own, the low-memory
+// mapper never calls SetShaderParameters, and line integral convolution writes outputs of its own.
+constexpr std::array<const char*, 3> Unhooked = { { "vtkPointGaussianMapper",
+  "vtkOpenGLLowMemoryPolyDataMapper", "vtkSurfaceLICMapper" } };
+// Those that draw the cells of their input.
+constexpr std::array<const char*, 2> OfCells = { { "vtkPolyDataMapper",
+  "vtkCompositePolyDataMapper" } };
+
+template <std::size_t N>
+bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
+{
+  return std::any_of(
+    classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
+}
+
+/// Whether it holds for the prop, or for any part of an assembly; other is the answer for what is no actor.
+template <typename Holds>
+bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
+{
+  if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
+  {
+    vtkProp3DCollection* parts = assembly->GetParts();
+    vtkCollectionSimpleIterator cookie;
+    parts->InitTraversal(cookie);
+    while (vtkProp3D* part = parts->GetNextProp3D(cookie))
+    {
+      if (AnyActor(part, other, holds))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor ? holds(actor) : other;
+}
+
+// Whether a user's own shader code says what the final colour is: there is no light to take apart.
+bool DecidesItsColor(vtkActor* actor)
+{
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  if (shader->HasFragmentShaderCode())
+  {
+    const std::string code = shader->GetFragmentShaderCode();
+    if (!Contains(code, "//VTK::Light::Impl") || !Contains(code, "//VTK::TCoord::Impl"))
+    {
+      return true;
+    }
+  }
+  for (int i = 0; i < shader->GetNumberOfShaderReplacements(); ++i)
+  {
+    std::string tag;
+    std::string code;
+    bool first = false;
+    bool all = false;
+    shader->GetNthShaderReplacement(i, tag, first, code, all);
+    if (Contains(code, "gl_FragData") || Contains(code, "fragOutput"))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The most that a property's highlight reflects of light from all around, facing the eye.
+double HighlightOf(vtkProperty* property)
+{
+  if (!property || !property->GetLighting())
+  {
+    return 0.0;
+  }
+  if (property->GetInterpolation() == VTK_PBR)
+  {
+    const bool metal = property->GetMetallic() > 0.0 || property->GetNumberOfTextures() > 0;
+    return metal || property->GetBaseIOR() > 1.0 ? 1.0 : 0.0;
+  }
+  const double* color = property->GetSpecularColor();
+  return 2.0 * property->GetSpecular() * std::max(color[0], std::max(color[1], color[2])) /
+    (property->GetSpecularPower() + 1.0);
+}
+
+// Whether all of it is drawn as faces. VTK draws some lines and points as they are.
+bool IsAllFaces(vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (!IsAllFaces(it->GetCurrentDataObject()))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  return surface && surface->GetNumberOfVerts() == 0 && surface->GetNumberOfLines() == 0;
+}
+
+bool MayHaveAmbient(vtkProperty* property, bool environment)
+{
+  if (!property)
+  {
+    return false;
+  }
+  // Edges have their own colour by the ambient term.
+  const bool plain = property->GetLighting() && property->GetRepresentation() == VTK_SURFACE &&
+    !property->GetEdgeVisibility() && !property->GetVertexVisibility();
+  // Of coats and brushed metal only the sum is known.
+  const bool pbr = property->GetInterpolation() == VTK_PBR;
+  const bool layered =
+    pbr && (property->GetCoatStrength() > 0.0 || property->GetAnisotropy() > 0.0);
+  return !plain || layered || (pbr ? environment : property->GetAmbient() > 0.0);
+}
+}
+
+bool CanCapture(vtkProp* prop)
+{
+  return !AnyActor(prop, true, [](vtkActor* actor) {
+    return !actor->GetMapper() || actor->IsA("vtkSkybox") || !IsAny(actor->GetMapper(), Hooked) ||
+      IsAny(actor->GetMapper(), Unhooked) || DecidesItsColor(actor);
+  });
+}
+
+bool NeedsExtended(vtkProp* prop)
+{
+  return AnyActor(prop, false, [](vtkActor* actor) {
+    return actor->GetTexture() || actor->GetProperty()->GetInterpolation() == VTK_PBR ||
+      actor->GetProperty()->GetNumberOfTextures() > 0;
+  });
+}
+
+bool ReflectsShare(vtkProp* prop, double share)
+{
+  return AnyActor(prop, false, [share](vtkActor* actor) {
+    return std::max(HighlightOf(actor->GetProperty()), HighlightOf(actor->GetBackfaceProperty())) >=
+      std::max(share, 1e-6);
+  });
+}
+
+bool MayCoverInPart(vtkProp* prop)
+{
+  return AnyActor(prop, false, [](vtkActor* actor) {
+    return actor->GetForceOpaque() || actor->GetProperty()->GetNumberOfTextures() > 0;
+  });
+}
+
+bool MayHaveAmbient(vtkProp* prop, bool environment)
+{
+  return AnyActor(prop, true, [environment](vtkActor* actor) {
+    vtkMapper* mapper = actor->GetMapper();
+    vtkShaderProperty* shader = actor->GetShaderProperty();
+    return !mapper || !IsAny(mapper, OfCells) || !IsAllFaces(mapper->GetInputDataObject(0, 0)) ||
+      shader->HasVertexShaderCode() || shader->HasGeometryShaderCode() ||
+      shader->HasFragmentShaderCode() || shader->GetNumberOfShaderReplacements() > 0 ||
+      MayHaveAmbient(actor->GetProperty(), environment) ||
+      MayHaveAmbient(actor->GetBackfaceProperty(), environment);
+  });
+}
+}

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "capture/SceneCapture.h"
+
+#include "base/Matrices.h"
+#include "capture/CameraOverride.h"
+#include "capture/CaptureHooks.h"
+#include "capture/MotionTable.h"
+#include "capture/PropTraits.h"
+#include "capture/VisibleSky.h"
+#include "gpu/ScopedState.h"
+#include "graph/Frame.h"
+
+#include "vtkActor.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkOpenGLActor.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderWindow.h"
+#include "vtkTexture.h"
+#include "vtkTextureUnitManager.h"
+
+namespace penumbra
+{
+SceneCapture::SceneCapture(const ShaderLibrary& shaders)
+  : Hooks(vtkSmartPointer<vtkGICaptureHooks>::New())
+{
+  this->Hooks->SetTables(&this->Table, &shaders);
+}
+
+SceneCapture::~SceneCapture() = default;
+
+void SceneCapture::ReloadShaders()
+{
+  this->Hooks->CheckSnippets();
+  this->Hooks->Renew();
+}
+
+void SceneCapture::Collect(const vtkRenderState* state)
+{
+  this->Captured.clear();
+  this->Others.clear();
+  this->Behind.clear();
+  this->All.clear();
+  this->Table.Clear();
+  this->SetMotion(nullptr);
+  bool extended = false;
+  bool part = false;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    const bool captured = CanCapture(prop);
+    (captured ? this->Captured : (IsSky(prop) ? this->Behind : this->Others)).push_back(prop);
+    extended |= captured && NeedsExtended(prop);
+    part |= captured && MayCoverInPart(prop);
+  }
+  // VTK culls the list above to the view; what is behind the camera still casts shadows into it.
+  vtkPropCollection* props = state->GetRenderer()->GetViewProps();
+  vtkCollectionSimpleIterator cookie;
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    if (prop->GetVisibility() && CanCapture(prop))
+    {
+      this->All.push_back(prop);
+    }
+  }
+  this->Table.SetCoverInPart(part);
+  this->Environment = state->GetRenderer()->GetUseImageBasedLighting();
+  this->Outputs = CaptureOutputs();
+  this->Outputs.Extended = extended;
+}
+
+bool SceneCapture::Reflects(double share) const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(),
+    [share](vtkProp* prop) { return ReflectsShare(prop, share); });
+}
+
+bool SceneCapture::MayHaveAmbient() const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(),
+    [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->Environment); });
+}
+
+bool SceneCapture::StartForAmbient(const char* resource)
+{
+  // Blending would take its target's alpha for coverage.
+  const bool free = !this->Table.CoverInPart() && !this->MayHaveAmbient();
+  this->Outputs.Third = free ? resource : resource::Ambient;
+  return free;
+}
+
+bool SceneCapture::CastsInPart() const
+{
+  const auto translucent = [](vtkTexture* texture) { return texture && texture->IsTranslucent(); };
+  return std::any_of(this->All.begin(), this->All.end(), [&](vtkProp* prop) {
+    // Opaque by force, or by a colour of PBR, whose alpha VTK does not ask for.
+    vtkActor* actor = vtkActor::SafeDownCast(prop);
+    vtkProperty* property = actor ? actor->GetProperty() : nullptr;
+    return prop->HasTranslucentPolygonalGeometry() ||
+      (property && translucent(property->GetTexture("albedoTex"))) ||
+      (property && actor->GetForceOpaque() &&
+        (property->GetOpacity() < 1.0 || translucent(actor->GetTexture())));
+  });
+}
+
+void SceneCapture::SetMendsNormals(bool mends)
+{
+  this->Hooks->SetMendsNormals(mends);
+}
+
+void SceneCapture::SetMotion(MotionTable* motion)
+{
+  this->Motion = motion;
+  this->Hooks->SetMotion(motion);
+}
+
+void SceneCapture::Contribute(Frame& frame)
+{
+  if (this->Motion && this->Motion->Deform(this->All))
+  {
+    this->Outputs.Request(resource::Displacement);
+  }
+  this->Hooks->SetOutputs(this->Outputs);
+  // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
+  // its linear values need more.
+  auto& pass = frame.AddPass("capture");
+  const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
+  // Blended fragments are rounded to the window's eight bits, as VTK's are.
+  const bool wide = this->Outputs.Extended || this->Outputs.Third != resource::Ambient ||
+    (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
+  const GLenum depth = frame.GetView().DepthFormat;
+  pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
+    .Write(resource::Albedo, frame.WindowTexture(reflectance))
+    .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
+    .Write(this->Outputs.Third, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
+    .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
+  if (this->Outputs.Extended)
+  {
+    pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
+      .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
+  }
+  for (const CaptureOutputs::Optional* optional : this->Outputs.Chosen())
+  {
+    pass.Write(optional->Resource, frame.WindowTexture(optional->Format));
+  }
+  pass.SideEffect().Execute([this](FrameContext& context) { this->Draw(context); });
+}
+
+void SceneCapture::Draw(FrameContext& context)
+{
+  const std::vector<const char*> outputs = this->Outputs.Resources();
+  ScopedState scope(context.State());
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const auto window = static_cast<unsigned int>(bound);
+  context.BindTarget(outputs, resource::Depth);
+  scope.Set(GL_BLEND, this->Table.CoverInPart());
+  if (this->Table.CoverInPart())
+  {
+    context.State()->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthMask(true);
+  // Where nothing is captured only the albedo's alpha is read; blending reads all.
+  const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+  const GLint cleared = this->Table.CoverInPart() ? static_cast<GLint>(outputs.size()) : 1;
+  for (GLint output = 0; output < cleared; ++output)
+  {
+    glClearBufferfv(GL_COLOR, output, nothing);
+  }
+  if (!context.Output(resource::Depth)->IsBorrowed())
+  {
+    // Depth of our own starts from what the window holds: another layer's, or cleared.
+    const GLfloat far = 1.0f;
+    glClearBufferfv(GL_DEPTH, 0, &far);
+  }
+  if (!context.Output(resource::Depth)->IsBorrowed() && context.GetView().DepthFormat)
+  {
+    context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, window);
+    const glm::ivec4& area = context.GetView().Viewport;
+    glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+      area.x + area.z, area.y + area.w, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
+  const View& view = context.GetView();
+  this->Hooks->SetParallel(view.Parallel);
+  CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
+  this->Drawn = this->DrawProps(context.Renderer(), this->Captured, false);
+
+  // A depth buffer must not be bound and read at once: techniques test against the one and read the
+  // other.
+  context.CopyDepth(context.Output(resource::Depth), context.Output(resource::WindowDepth));
+}
+
+int SceneCapture::DrawProps(
+  vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props, bool translucent)
+{
+  vtkRenderState state(renderer);
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  this->Hooks->Attach(&state);
+  vtkTextureUnitManager* units =
+    static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetTextureUnitManager();
+  const int unit = units->Allocate();
+  this->Hooks->SetTextureUnit(unit, renderer);
+  int drawn = 0;
+  int layer = 0;
+  for (vtkProp* prop : props)
+  {
+    if (renderer->GetRenderWindow()->GetAbortRender())
+    {
+      break;
+    }
+    this->Hooks->SetLayer(layer++);
+    drawn += prop->RenderOpaqueGeometry(renderer);
+    if (translucent && prop->HasTranslucentPolygonalGeometry())
+    {
+      // VTK's actors leave the depth alone where they are translucent, unless they are told.
+      vtkInformation* keys = prop->GetPropertyKeys();
+      keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
+      drawn += prop->RenderTranslucentPolygonalGeometry(renderer);
+      keys->Remove(vtkOpenGLActor::GLDepthMaskOverride());
+    }
+  }
+  this->Hooks->Detach(&state);
+  units->Free(unit);
+  return drawn;
+}
+
+void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView,
+  const glm::dmat4& viewToClip, bool parallel, const glm::ivec2& anchor)
+{
+  CameraOverride camera(renderer, worldToView, viewToClip);
+  this->Hooks->SetParallel(parallel);
+  this->Hooks->SetCasting(true, anchor);
+  this->DrawProps(renderer, this->All, true);
+  this->Hooks->SetCasting(false, anchor);
+}
+
+int SceneCapture::DrawOthers(vtkOpenGLRenderer* renderer)
+{
+  int drawn = 0;
+  for (vtkProp* prop : this->Others)
+  {
+    drawn += prop->RenderOpaqueGeometry(renderer);
+  }
+  return drawn;
+}
+}

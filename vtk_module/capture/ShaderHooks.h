@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What render-pass hooks have in common that change the shaders of VTK's mappers and draw nothing themselves.
+ */
+#pragma once
+
+#include "gpu/ShaderLibrary.h"
+
+#include "vtkOpenGLRenderPass.h"
+
+#include <string>
+
+namespace penumbra
+{
+inline bool Contains(const std::string& text, const char* what)
+{
+  return text.find(what) != std::string::npos;
+}
+
+/// A mapper's shaders in the making.
+struct ShaderTexts
+{
+  std::string& Vertex;
+  std::string& Geometry;
+  std::string& Fragment;
+};
+
+/// Have a mapper's finished shaders pass on what capture/facet.glsl needs; which variant of it they take.
+Defines PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders);
+}
+
+class vtkGIShaderHooks : public vtkOpenGLRenderPass
+{
+public:
+  vtkAbstractTypeMacro(vtkGIShaderHooks, vtkOpenGLRenderPass);
+
+  /// Have mappers build their shaders anew.
+  void Renew()
+  {
+    this->Modified();
+    this->StageTime = this->GetMTime();
+  }
+
+  void Render(const vtkRenderState*) override {}
+  bool PreReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+    vtkAbstractMapper* mapper, vtkProp* prop) override
+  {
+    this->BeforeMapper({ vertex, geometry, fragment }, mapper, prop);
+    return true;
+  }
+  bool PostReplaceShaderValues(std::string& vertex, std::string& geometry, std::string& fragment,
+    vtkAbstractMapper*, vtkProp* prop) override
+  {
+    this->AfterMapper({ vertex, geometry, fragment }, prop);
+    return true;
+  }
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* = nullptr) override
+  {
+    this->SetUniforms(program, mapper, prop);
+    return true;
+  }
+  vtkMTimeType GetShaderStageMTime() override { return this->StageTime; }
+
+protected:
+  vtkGIShaderHooks() = default;
+  ~vtkGIShaderHooks() override = default;
+
+  /// Before the mapper's own replacements in its template, and after them.
+  virtual void BeforeMapper(
+    const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) = 0;
+  virtual void AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop) = 0;
+  /// At each draw, the program being in use.
+  virtual void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) = 0;
+
+private:
+  vtkGIShaderHooks(const vtkGIShaderHooks&) = delete;
+  void operator=(const vtkGIShaderHooks&) = delete;
+
+  vtkMTimeType StageTime = 1;
+};

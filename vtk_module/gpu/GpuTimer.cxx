@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gpu/GpuTimer.h"
+
+namespace penumbra
+{
+void GpuTimer::Begin(const std::string& name)
+{
+  GLuint query = 0;
+  glGenQueries(1, &query);
+  this->Names.push_back(name);
+  this->Queries.emplace_back(query);
+  glBeginQuery(GL_TIME_ELAPSED, query);
+}
+
+void GpuTimer::End()
+{
+  glEndQuery(GL_TIME_ELAPSED);
+}
+
+std::vector<GpuTimer::Span> GpuTimer::Collect()
+{
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < this->Queries.size(); ++i)
+  {
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(this->Queries[i].Get(), GL_QUERY_RESULT, &nanoseconds);
+    spans.push_back({ this->Names[i], static_cast<double>(nanoseconds) * 1e-6 });
+  }
+  this->Names.clear();
+  this->Queries.clear();
+  return spans;
+}
+}

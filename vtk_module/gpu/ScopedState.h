@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * OpenGL state through VTK's cache, put back when the scope ends.
+ */
+#pragma once
+
+#include "gpu/GL.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+
+namespace penumbra
+{
+/// VTK's cache puts back, with all else, the buffers and the program that were bound when it was last filled, though
+/// they may have been deleted since, with props that are gone: it is filled anew, with none bound.
+inline void RefreshState(vtkOpenGLRenderWindow* window)
+{
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  window->GetShaderCache()->ReleaseCurrentShader();
+  glUseProgram(0);
+  window->GetState()->Reset();
+}
+
+class ScopedState
+{
+public:
+  explicit ScopedState(vtkOpenGLState* state)
+    : State(state)
+  {
+    state->Push();
+  }
+  ~ScopedState() { this->State->Pop(); }
+  ScopedState(const ScopedState&) = delete;
+  ScopedState& operator=(const ScopedState&) = delete;
+
+  void Set(GLenum capability, bool on)
+  {
+    on ? this->State->vtkglEnable(capability) : this->State->vtkglDisable(capability);
+  }
+  void DepthMask(bool on) { this->State->vtkglDepthMask(on ? GL_TRUE : GL_FALSE); }
+  void DepthFunc(GLenum function) { this->State->vtkglDepthFunc(function); }
+  void ColorMask(bool on)
+  {
+    const GLboolean value = on ? GL_TRUE : GL_FALSE;
+    this->State->vtkglColorMask(value, value, value, value);
+  }
+  void Viewport(int x, int y, int width, int height)
+  {
+    this->State->vtkglViewport(x, y, width, height);
+    this->State->vtkglScissor(x, y, width, height);
+  }
+
+private:
+  vtkOpenGLState* State;
+};
+}

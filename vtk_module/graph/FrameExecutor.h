@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Runs a compiled frame graph on the GPU: lends textures while they live, binds targets, times
+ * passes. The window's own buffers take the place of textures where they can.
+ */
+#pragma once
+
+#include "gpu/GpuTimer.h"
+#include "gpu/HeldTextures.h"
+#include "graph/FrameContext.h"
+
+namespace penumbra
+{
+/// VTK's framebuffer of the window being rendered.
+struct WindowTarget
+{
+  GLuint Framebuffer = 0;
+  bool Direct = false;      ///< passes may draw straight into it
+  Texture* Depth = nullptr; ///< its depth texture where that can be sampled, else nullptr
+};
+
+class FrameExecutor
+{
+public:
+  FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const View& view,
+    vtkOpenGLRenderer* renderer, const WindowTarget& window, const HeldTextures& held,
+    const std::string& viewName, Buffer& viewBlock);
+  ~FrameExecutor();
+
+  /// What VTK holds bound is so whenever a step begins, and at the end. timer may be nullptr.
+  void Run(const FrameGraph& graph, GpuTimer* timer);
+
+private:
+  friend class FrameContext;
+  const Texture* Find(int version) const;
+  bool IsWindow(int version) const;
+  void UploadView();
+  void Prepare(const FrameGraph::Step& step, int position);
+  void Retire(int position);
+
+  ResourcePool& Pool;
+  ShaderLibrary& Library;
+  const View& CurrentView;
+  vtkOpenGLRenderer* Renderer;
+  vtkOpenGLState* State;
+  WindowTarget Window;
+  const HeldTextures& Held;
+  std::string ViewName;
+  const FrameGraph* Graph = nullptr;
+  std::vector<Texture*> Lent; ///< by version
+  VertexArrayHandle EmptyVertexArray;
+  Buffer& ViewBlock; ///< stays bound: what is drawn after the frame graph reads it too
+};
+}

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "light/DirectLight.h"
+
+#include "capture/MaterialTable.h"
+#include "gpu/ScopedState.h"
+#include "light/LightTable.h"
+
+namespace penumbra
+{
+namespace
+{
+// Start the picture from what the window shows already: background and lower layers.
+void CopyWindow(FrameContext& context, const char* target)
+{
+  context.State()->PushFramebufferBindings();
+  GLint window = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
+  context.BindTarget({ target });
+  context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(window));
+  const glm::ivec4& area = context.GetView().Viewport;
+  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+    area.x + area.z, area.y + area.w, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  context.State()->PopFramebufferBindings();
+}
+
+struct Resolve
+{
+  LightTable* Lights;
+  MaterialTable* Materials;
+  DirectLightOptions Options;
+
+  Defines Variant(const FrameContext& context, bool radiance, bool lit) const
+  {
+    Defines defines;
+    const auto flag = [&defines](const char* name, bool set) {
+      if (set)
+      {
+        defines[name] = "1";
+      }
+    };
+    flag("GI_EXTENDED", this->Options.Extended);
+    flag("GI_SPECULAR", this->Materials->HasSpecular());
+    flag("GI_HEADLIGHT", this->Lights->IsSingleHeadlight());
+    flag("GI_POSITIONAL", this->Lights->HasPositional());
+    flag("GI_AMBIENT", context.Input(resource::Ambient) != nullptr);
+    flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
+    flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
+    flag("GI_IRRADIANCE", context.Input(resource::Irradiance) != nullptr);
+    flag("GI_LAMP_LIGHT", context.Input(resource::LampLight) != nullptr);
+    flag("GI_SURROUNDINGS",
+      context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
+    flag("GI_INTERREFLECTION",
+      context.Input(resource::AmbientVisibility) && this->Options.Interreflection > 0.0);
+    flag("GI_COVERAGE", this->Materials->CoverInPart());
+    flag("GI_RADIANCE", radiance);
+    flag("GI_LIT", lit);
+    return defines;
+  }
+
+  void operator()(FrameContext& context) const
+  {
+    if (!context.IsWindow(resource::Color))
+    {
+      CopyWindow(context, resource::Color);
+    }
+    // The radiance by a second drawing: the colour may go straight to the window, alone.
+    if (this->Options.Radiance)
+    {
+      this->StartRadiance(context);
+      this->Draw(context, { resource::Radiance });
+    }
+    if (this->Options.LitRadiance && this->Materials->CoverInPart())
+    {
+      CopyWindow(context, resource::LitRadiance);
+    }
+    // Whoever asks for the lit radiance changes the picture by it, so that both are textures here.
+    this->Draw(context,
+      this->Options.LitRadiance ? std::vector<const char*>{ resource::Color, resource::LitRadiance }
+                : std::vector<const char*>{ resource::Color });
+  }
+
+  // Behind what was captured: the sky's radiance, or what the window shows.
+  static void StartRadiance(FrameContext& context)
+  {
+    const Texture* sky = context.Input(resource::Sky);
+    if (!sky)
+    {
+      CopyWindow(context, resource::Radiance);
+      return;
+    }
+    ScopedState scope(context.State());
+    scope.Set(GL_BLEND, false);
+    scope.Set(GL_DEPTH_TEST, false);
+    context.BindTarget({ resource::Radiance });
+    context.Use(context.Shaders().Fragment("direct_light/sky.frag"), { sky });
+    context.DrawFullscreen();
+  }
+
+  void Draw(FrameContext& context, const std::vector<const char*>& targets) const
+  {
+    ScopedState scope(context.State());
+    scope.Set(GL_BLEND, this->Materials->CoverInPart());
+    context.State()->vtkglBlendFuncSeparate(
+      GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    context.BindTarget(targets, resource::Depth);
+    // The triangle lies at the far plane: only pixels with something nearer are resolved.
+    scope.Set(GL_DEPTH_TEST, true);
+    scope.DepthFunc(GL_GREATER);
+    scope.DepthMask(false);
+    const Program& program = context.Shaders().Fragment("direct_light/resolve.frag",
+      this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1));
+    context.Use(program,
+      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
+        context.Input(resource::Normal), context.Input(resource::Ambient),
+        context.Input(resource::Surface), context.Input(resource::Emission),
+        context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility),
+        context.Input(resource::Irradiance), context.Input(resource::Surroundings),
+        context.Input(resource::LampLight) });
+    this->Lights->Bind(0, 1.0 - this->Options.SpreadShare);
+    this->Materials->Bind(1);
+    glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
+    const glm::vec3 ambient(this->Options.SpreadShare * this->Lights->TotalColor());
+    glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
+    glUniform1f(program.Location("interreflection"), static_cast<GLfloat>(this->Options.Interreflection));
+    context.DrawFullscreen();
+  }
+};
+
+// A multisampled window cannot be the target of the passes before: write every sample of a pixel
+// alike, the colour everywhere, the depth where something was captured.
+void Present(FrameContext& context)
+{
+  const Texture* color = context.Input(resource::Color);
+  if (!color)
+  {
+    return; // the last version was drawn straight into the window
+  }
+  ScopedState scope(context.State());
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, false);
+  context.Use(context.Shaders().Fragment("direct_light/present_color.frag"), { color });
+  context.DrawFullscreen();
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_ALWAYS);
+  scope.DepthMask(true);
+  scope.ColorMask(false);
+  context.Use(context.Shaders().Fragment("direct_light/present_depth.frag"),
+    { context.Input(resource::WindowDepth), context.Input(resource::Albedo) });
+  context.DrawFullscreen();
+}
+}
+
+void ContributeDirectLight(
+  Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options)
+{
+  auto& pass = frame.AddPass("direct-light");
+  pass.Read(resource::Depth)
+    .Read(resource::WindowDepth)
+    .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .ReadIfPresent(resource::Ambient)
+    .ReadIfPresent(resource::Surface)
+    .ReadIfPresent(resource::Emission)
+    .ReadIfPresent(resource::DirectVisibility)
+    .ReadIfPresent(resource::AmbientVisibility)
+    .ReadIfPresent(resource::Irradiance)
+    .ReadIfPresent(resource::Surroundings)
+    .ReadIfPresent(resource::LampLight)
+    .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
+    .SideEffect();
+  if (options.Radiance)
+  {
+    pass.ReadIfPresent(resource::Sky);
+    pass.Write(resource::Radiance, frame.WindowTexture(GL_RGBA32F));
+  }
+  if (options.LitRadiance)
+  {
+    pass.Write(
+      resource::LitRadiance, frame.WindowTexture(options.Radiance ? GL_RGBA32F : GL_RGBA16F));
+  }
+  pass.Execute(Resolve{ &lights, &materials, options });
+  frame.AddPass("present")
+    .Read(resource::Color)
+    .Read(resource::WindowDepth)
+    .Read(resource::Albedo)
+    .SideEffect()
+    .Execute(Present);
+}
+}

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "light/ForwardShaders.h"
+
+#include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <regex>
+
+namespace penumbra
+{
+namespace
+{
+const char* const DeclareHere = "//PENUMBRA::ForwardDec";
+const char* const ShadeHere = "//PENUMBRA::ForwardImpl";
+
+void Substitute(std::string& text, const std::string& what, const std::string& by)
+{
+  vtkShaderProgram::Substitute(text, what, by);
+}
+
+// Where a volume's shader begins to add up what its lights give, npos where it has no lights.
+std::size_t LightLoop(const std::string& text)
+{
+  std::size_t loop = std::string::npos;
+  const std::size_t lighting = text.find("vec4 computeLighting(");
+  for (const char* head : { "for (int posNum", "for (int dirNum", "for (int lightNum" })
+  {
+    loop = std::min(loop, text.find(head, lighting));
+  }
+  return lighting == std::string::npos || !Contains(text, "g_dataPos") ? std::string::npos : loop;
+}
+
+// A sample's place in view coordinates, by the names that different versions have for it.
+std::string PlaceOfSample(const std::string& text)
+{
+  return Contains(text, "g_texToView") ? "g_texToView * vec4(g_dataPos, 1.0)"
+                                       : "in_modelViewMatrix * (in_volumeMatrix[0] * "
+                                         "(in_textureDatasetMatrix[0] * vec4(g_dataPos, 1.0)))";
+}
+}
+
+void ForwardShaders::MarkSurface(std::string& text)
+{
+  Substitute(text, "//VTK::Light::Dec", std::string("//VTK::Light::Dec\n") + DeclareHere);
+  Substitute(text, "//VTK::Light::Impl", std::string(ShadeHere) + "\n//VTK::Light::Impl");
+}
+
+void ForwardShaders::MarkVolume(std::string& text)
+{
+  const std::string tag = "//VTK::ComputeLighting::Dec";
+  Substitute(text, tag, std::string(DeclareHere) + "\n" + tag);
+}
+
+std::string ForwardShaders::Parts(bool volume) const
+{
+  std::string text = this->Shaders.Source("forward/needs.glsl");
+  const std::size_t count = std::min(this->Light.Indirect.size(), MostParts);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const ForwardPart& part = this->Light.Indirect[i];
+    const Defines& variant = volume ? part.InVolumes : part.OnSurfaces;
+    // Two parts may declare the same names.
+    text += std::regex_replace(this->Shaders.Source(part.Source, variant),
+      std::regex("\\bfield([A-Z])"), ForwardProgram::FieldName(i) + "$1");
+    for (const auto& define : variant)
+    {
+      text += "#undef " + define.first + "\n";
+    }
+  }
+  text += this->Shaders.Source("forward/indirect.glsl", { { "GI_PARTS", std::to_string(count) } });
+  return volume ? text + this->Shaders.Source("forward/volume.glsl") : text;
+}
+
+void ForwardShaders::Declare(std::string& text, bool volume, Defines visibility) const
+{
+  std::string declarations;
+  if (!this->Light.Visibility.IsEmpty())
+  {
+    declarations += this->Shaders.Source(this->Light.Visibility.Source, visibility) +
+      this->Shaders.Source("forward/lights.glsl");
+  }
+  if (!this->Light.Indirect.empty())
+  {
+    declarations += this->Parts(volume);
+  }
+  Substitute(text, "//VTK::System::Dec", this->Shaders.Source("forward/head.glsl"));
+  Substitute(text, DeclareHere, declarations);
+}
+
+void ForwardShaders::DimLamps(std::string& text) const
+{
+  text = std::regex_replace(text, std::regex("uniform vec3 lightColor"), "uniform vec3 giColor");
+  text = std::regex_replace(
+    text, std::regex("\\blightColor([0-9]+)\\b"), "(giArrives[$1] * lightColor$1)");
+  text = std::regex_replace(text, std::regex("uniform vec3 giColor"), "uniform vec3 lightColor");
+}
+
+void ForwardShaders::AddAround(std::string& text) const
+{
+  const std::string pbr = "  vec3 color = iblDiffuse + iblSpecular;";
+  const std::string phong = "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);";
+  Defines variant;
+  if (Contains(text, "prefilterTex"))
+  {
+    variant["GI_ENVIRONMENT"] = "1";
+  }
+  if (this->Light.IsSpread())
+  {
+    variant["GI_SPREAD"] = "1";
+  }
+  Substitute(text, pbr, this->Shaders.Source("forward/pbr.glsl", variant) + pbr);
+  Substitute(text, phong, phong + "\n" + this->Shaders.Source("forward/phong.glsl"));
+}
+
+void ForwardShaders::LightSurface(const ShaderTexts& texts) const
+{
+  std::string& text = texts.Fragment;
+  const bool lit = Contains(text, "lightColor0") && Contains(text, "vertexVC") &&
+    Contains(text, "normalVCVSOutput") && Contains(text, ShadeHere) && Contains(text, DeclareHere);
+  if (!lit)
+  {
+    return;
+  }
+  std::string before;
+  if (!this->Light.Visibility.IsEmpty())
+  {
+    before += this->Shaders.Source("forward/surface.glsl", PassShape(texts, this->Shaders));
+    this->DimLamps(text);
+  }
+  if (!this->Light.Indirect.empty())
+  {
+    before += this->Shaders.Source("forward/around.glsl");
+    this->AddAround(text);
+  }
+  Substitute(text, ShadeHere, before);
+  this->Declare(text, false, this->Light.Visibility.OnSurfaces);
+}
+
+bool ForwardShaders::DimLampsOfVolume(std::string& text, Defines& variant) const
+{
+  const std::size_t loop = LightLoop(text);
+  if (loop == std::string::npos)
+  {
+    return false;
+  }
+  if (Contains(text, "posNum") || Contains(text, "dirNum"))
+  {
+    variant["GI_POSITIONAL_FIRST"] = "1";
+  }
+  text.insert(loop, "giArriveAt(" + PlaceOfSample(text) + ");\n  ");
+  text = std::regex_replace(text,
+    std::regex("in_light(Diffuse|Specular)Color\\[(posNum|dirNum|lightNum)\\]"),
+    "giArrives[$2] * $&");
+  return true;
+}
+
+bool ForwardShaders::AddScattered(std::string& text) const
+{
+  // Where a shaded sample's colour is made, before it is returned.
+  const std::string made = "finalColor.xyz = in_ambient[";
+  const std::size_t at = text.find(made);
+  const std::size_t end = at == std::string::npos ? at : text.find("finalColor.a = color.a;", at);
+  if (end == std::string::npos)
+  {
+    return false;
+  }
+  const std::size_t name = at + made.size();
+  const std::string component = text.substr(name, text.find(']', name) - name);
+  const bool several = Contains(text, "const int volIdx");
+  const std::string gradient =
+    Contains(text, "vec4 shading_gradient") ? "shading_gradient" : "gradient";
+  text.insert(end,
+    "finalColor.xyz += in_diffuse[" + component + "] * color.rgb * giScattered(" +
+      PlaceOfSample(text) + ", " + gradient +
+      (several ? ", in_textureToEye[volIdx + 1], in_cellSpacing[volIdx]"
+               : ", in_textureToEye[0], in_cellSpacing[0]") +
+      ");\n  ");
+  return true;
+}
+
+void ForwardShaders::LightVolume(std::string& text) const
+{
+  Defines variant = this->Light.Visibility.InVolumes;
+  const bool dimmed = !this->Light.Visibility.IsEmpty() && this->DimLampsOfVolume(text, variant);
+  const bool added = !this->Light.Indirect.empty() && this->AddScattered(text);
+  if (dimmed || added)
+  {
+    this->Declare(text, true, variant);
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> ForwardShaders::Examples() const
+{
+  std::vector<std::pair<std::string, std::string>> examples;
+  for (const char* kind : { "phong", "pbr", "volume" })
+  {
+    const std::string name = std::string("forward/like_") + kind + ".glsl";
+    std::string vertex =
+      "out vec3 normalVCVSOutput;\nvoid main()\n{\n  vertexVCVSOutput = vec4(0.0);\n}\n";
+    std::string text = this->Shaders.Source(name);
+    if (*kind == 'v')
+    {
+      MarkVolume(text);
+      this->LightVolume(text);
+    }
+    else
+    {
+      MarkSurface(text);
+      std::string geometry;
+      this->LightSurface({ vertex, geometry, text });
+    }
+    // As VTK does with its outputs.
+    Substitute(text, "gl_FragData[0]", "fragOutput0");
+    examples.emplace_back(name, text);
+  }
+  return examples;
+}
+
+void ForwardShaders::Check() const
+{
+  for (const auto& example : this->Examples())
+  {
+    this->Shaders.Check(example.first, GL_FRAGMENT_SHADER, example.second);
+  }
+}
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Which technique's indirect diffuse light a pixel takes: the first of those enabled that knows it.
+ */
+#pragma once
+
+#include "gpu/ShaderLibrary.h"
+#include "light/ForwardPart.h"
+
+#include <functional>
+#include <vector>
+
+namespace penumbra
+{
+class Frame;
+class FrameContext;
+class LightTable;
+class SceneCapture;
+class Texture;
+
+/// By how much is known of a surface point: earlier ones come first.
+enum class IndirectKind
+{
+  BakedOnSurfaces, ///< at this very point
+  LiveProbes,      ///< around it, as things are now
+  BakedProbes      ///< around it, as things were
+};
+
+/// What a technique knows of indirect light, on the surfaces in the G-buffer and elsewhere.
+struct IndirectLight
+{
+  IndirectKind Kind;
+  /// What is nearer than this hides light without its knowing: how far occlusion may still darken it, world units.
+  double Detail;
+  std::vector<const char*> Reads; ///< resources
+  /// Draw over resource::Irradiance, bound with the depth that the props left, tests and writing of depth off:
+  /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is
+  /// drawn later counts where and as far as a is below 1.
+  std::function<void(FrameContext&)> Draw;
+  /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
+  ForwardPart Forward;
+  /// Draw knows what arrives straight from lamps, too, but for those that follow the camera, and writes it to
+  /// resource::LampLight, in the same way, as the second output: such lamps light the matter there no more.
+  bool KnowsLamps = false;
+};
+
+/// The mean direction that light comes from past what is near, for probes/gather.glsl: a texture for its unit and the
+/// variant that reads it; nullptr and none where nothing knows it.
+struct OpenDirection
+{
+  const Texture* Map = nullptr;
+  Defines Variant;
+  explicit OpenDirection(const FrameContext& context);
+};
+
+/// Add the passes that make resource::Irradiance, and resource::LampLight where one knows it, of what the techniques
+/// know, in their order.
+void ContributeIndirectLight(
+  Frame& frame, const LightTable& lamps, SceneCapture& capture, std::vector<IndirectLight> lights);
+}

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "light/LightTable.h"
+
+#include "base/Matrices.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkTransform.h"
+
+namespace penumbra
+{
+void LightTable::Collect(vtkOpenGLRenderer* renderer)
+{
+  this->All.clear();
+  this->Positional = false;
+  vtkTransform* toView = renderer->GetActiveCamera()->GetModelViewTransformObject();
+  vtkTransform* userTransform = renderer->GetUserLightTransform();
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator cookie;
+  lights->InitTraversal(cookie);
+  while (vtkLight* light = lights->GetNextLight(cookie))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    Light entry;
+    entry.Color = ToVec3(light->GetDiffuseColor()) * light->GetIntensity();
+    double focal[3];
+    double position[3];
+    light->GetTransformedFocalPoint(focal);
+    light->GetTransformedPosition(position);
+    const glm::dvec3 travel = ToVec3(focal) - ToVec3(position);
+    const double length = glm::length(travel);
+    entry.WorldPosition = ToVec3(position);
+    glm::dvec3 direction = length > 0.0 ? travel / length : glm::dvec3(0.0, 0.0, -1.0);
+    entry.WorldDirection = direction;
+    toView->TransformNormal(&direction[0], &direction[0]);
+    toView->TransformPoint(position, position);
+    if (userTransform && !light->LightTypeIsSceneLight())
+    {
+      userTransform->TransformNormal(&direction[0], &direction[0]);
+      userTransform->TransformPoint(position, position);
+      vtkLinearTransform* toWorld = toView->GetLinearInverse();
+      toWorld->TransformNormal(&direction[0], &entry.WorldDirection[0]);
+      toWorld->TransformPoint(position, &entry.WorldPosition[0]);
+    }
+    entry.Direction = direction;
+    entry.Position = ToVec3(position);
+    entry.Attenuation = ToVec3(light->GetAttenuationValues());
+    entry.ConeAngle = light->GetConeAngle();
+    entry.Exponent = light->GetExponent();
+    entry.Positional = light->GetPositional() != 0;
+    entry.Headlight = light->LightTypeIsHeadlight() != 0;
+    entry.FollowsCamera = light->LightTypeIsSceneLight() == 0;
+    this->Positional |= entry.Positional;
+    this->All.push_back(entry);
+  }
+  // VTK's own verdict, which lights that are off sway too.
+  this->SingleHeadlight = this->All.size() == 1 && renderer->GetLightingComplexity() == 1;
+}
+
+LightTable::Shadowed LightTable::AssignMask(int maximum)
+{
+  Shadowed shadowed;
+  for (std::size_t i = 0; i < this->All.size(); ++i)
+  {
+    if (this->All[i].MaskChannel >= 0)
+    {
+      return {};
+    }
+    if (!this->All[i].Headlight && glm::length(this->All[i].Color) > 0.0)
+    {
+      shadowed.With.push_back(i);
+    }
+  }
+  // Strongest first: their missing shadows would be seen most.
+  std::stable_sort(
+    shadowed.With.begin(), shadowed.With.end(), [this](std::size_t a, std::size_t b) {
+      return glm::length(this->All[a].Color) > glm::length(this->All[b].Color);
+    });
+  const std::size_t most = std::min(shadowed.With.size(), static_cast<std::size_t>(maximum));
+  shadowed.Without = static_cast<int>(shadowed.With.size() - most);
+  shadowed.With.resize(most);
+  for (std::size_t channel = 0; channel < most; ++channel)
+  {
+    this->All[shadowed.With[channel]].MaskChannel = static_cast<int>(channel);
+  }
+  return shadowed;
+}
+
+glm::dvec3 LightTable::TotalColor() const
+{
+  glm::dvec3 total(0.0);
+  for (const auto& light : this->All)
+  {
+    total += light.Color;
+  }
+  return total;
+}
+
+shared::LightData LightTable::Entry(const Light& light, double scale) const
+{
+  shared::LightData entry;
+  const double cone = light.IsCone() ? std::cos(glm::radians(light.ConeAngle)) : -2.0;
+  entry.Color = glm::vec4(light.Color * scale, cone);
+  entry.Direction = glm::vec4(light.Direction, light.Exponent);
+  entry.Position = glm::vec4(light.Position, 0.0);
+  entry.Attenuation = glm::vec4(light.Attenuation, 0.0);
+  entry.Kind = glm::ivec4(this->SingleHeadlight ? GI_LIGHT_HEADLIGHT
+      : light.Positional                        ? GI_LIGHT_POSITIONAL
+                                                : GI_LIGHT_DIRECTIONAL,
+    light.MaskChannel, light.Headlight ? 1 : 0, light.FollowsCamera ? 0 : 1);
+  return entry;
+}
+
+void LightTable::Bind(GLuint index, double scale)
+{
+  std::vector<shared::LightData> data;
+  for (const auto& light : this->All)
+  {
+    data.push_back(this->Entry(light, scale));
+  }
+  this->Upload(index, std::move(data));
+}
+
+void LightTable::BindWorld(GLuint index, const glm::dvec3& origin)
+{
+  std::vector<shared::LightData> data;
+  for (const auto& light : this->All)
+  {
+    data.push_back(this->Entry(light, 1.0));
+    data.back().Direction = glm::vec4(light.WorldDirection, light.Exponent);
+    data.back().Position = glm::vec4(light.WorldPosition - origin, 0.0);
+  }
+  this->Upload(index, std::move(data));
+}
+
+void LightTable::Upload(GLuint index, std::vector<shared::LightData> data)
+{
+  if (data.empty())
+  {
+    data.emplace_back(); // an empty buffer may not be bound
+  }
+  this->Storage.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), data.size() * sizeof(data[0]));
+  this->Storage.BindBase(GL_SHADER_STORAGE_BUFFER, index);
+}
+}

@@ -1,0 +1,408 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass/PassInternals.h"
+
+#include "base/Matrices.h"
+#include "capture/CameraOverride.h"
+#include "capture/VisibleSky.h"
+#include "gpu/BoundFramebuffer.h"
+#include "light/DirectLight.h"
+#include "technique/FrameBuilder.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkTextureObject.h"
+
+#include <stdexcept>
+
+using namespace penumbra;
+
+vtkGIPass::Internals::Internals()
+  : Techniques(CreateTechniques())
+{
+  this->Forward->SetShaders(&this->Shaders);
+  this->Guard->SetFree([this] { this->Free(); });
+}
+
+vtkGIPass::Internals::~Internals()
+{
+  this->Guard->Leave();
+}
+
+const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer* renderer) const
+{
+  for (const auto& view : this->Views)
+  {
+    if (renderer && view.second.Renderer == renderer)
+    {
+      return &view.second;
+    }
+  }
+  return nullptr;
+}
+
+void vtkGIPass::Internals::Restart()
+{
+  ++this->Restarts; // views that are not known yet count, too
+}
+
+vtkGIPass::Internals::Memory& vtkGIPass::Internals::Remember(vtkRenderer* renderer)
+{
+  Memory& memory = this->Views[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
+  if (!memory.Renderer)
+  {
+    memory = Memory(); // another renderer at a dead one's address
+    memory.Renderer = renderer;
+    memory.Name = std::to_string(++this->ViewsMade);
+  }
+  return memory;
+}
+
+bool vtkGIPass::Internals::ShowTile(
+  const vtkRenderState* state, bool join, const WholePicture::Draw& draw)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  if (join && !renderer->GetSelector() && WholePicture::IsTile(renderer))
+  {
+    return this->Remember(renderer).Whole.Show(state, draw);
+  }
+  for (auto& view : this->Views)
+  {
+    if (view.first.first == renderer)
+    {
+      view.second.Whole = WholePicture();
+    }
+  }
+  return false;
+}
+
+std::string vtkGIPass::Internals::CheckContext()
+{
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major * 10 + minor < 43)
+  {
+    return "global illumination needs OpenGL 4.3, and this window has " + std::to_string(major) +
+      "." + std::to_string(minor) +
+      "; use a newer driver, or software rendering (PENUMBRA_BACKEND=egl or osmesa).";
+  }
+  return "";
+}
+
+namespace
+{
+// So that depth can be copied; 0 where it cannot.
+GLenum BoundDepthFormat()
+{
+  const TextureDesc desc = { BoundFormat(GL_DEPTH_ATTACHMENT), 0, 0, 0 };
+  return desc.IsDepth() ? desc.Format : 0;
+}
+}
+
+View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
+{
+  View view;
+  const int* size = renderer->GetRenderWindow()->GetActualSize();
+  renderer->GetTiledSizeAndOrigin(
+    &view.Viewport.z, &view.Viewport.w, &view.Viewport.x, &view.Viewport.y);
+  // A picture larger than the window is drawn to a framebuffer of its size.
+  view.WindowSize = { std::max(size[0], view.Viewport.x + view.Viewport.z),
+    std::max(size[1], view.Viewport.y + view.Viewport.w) };
+  view.WorldToView = CameraOverride::WorldToView(renderer);
+  view.ViewToWorld = glm::inverse(view.WorldToView);
+  view.ViewToClip = CameraOverride::ViewToClip(renderer);
+  view.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  view.DepthFormat = BoundDepthFormat();
+  view.WantsAntiAliasing = renderer->GetRenderWindow()->GetMultiSamples() > 1;
+  renderer->ComputeVisiblePropBounds(view.Bounds.data());
+  if (view.Bounds[0] <= view.Bounds[1])
+  {
+    view.Diagonal = glm::length(glm::dvec3(view.Bounds[1] - view.Bounds[0],
+      view.Bounds[3] - view.Bounds[2], view.Bounds[5] - view.Bounds[4]));
+  }
+  const SceneSignature signature = this->Sign(renderer, view);
+  view.Changes = signature.ChangesSince(memory.Signature);
+  memory.StillFrames = view.Changes.Any ? 0 : memory.StillFrames;
+  view.StillFrames = memory.StillFrames;
+  view.Sequence = memory.StillFrames;
+  view.FrameNumber = memory.FrameNumber;
+  view.FirstFrame = memory.FirstFrame;
+  return view;
+}
+
+SceneSignature vtkGIPass::Internals::Sign(vtkOpenGLRenderer* renderer, const View& view)
+{
+  vtkMTimeType time = 0;
+  for (auto& technique : this->Techniques)
+  {
+    time = std::max(time, technique->GetMTime());
+  }
+  return SceneSignature::Of(renderer, view, time, this->Dark);
+}
+
+std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderState* state)
+{
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
+  this->CapturedProps = 0;
+  std::string problem = this->CheckContext();
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  Memory& memory = this->Remember(renderer);
+  const bool alone = memory.Restarts != this->Restarts;
+  if (alone)
+  {
+    memory.Restarts = this->Restarts;
+    memory.StillFrames = 0;
+    memory.FirstFrame = memory.FrameNumber;
+    memory.Motion = MotionTable(); // nothing is reprojected from before
+  }
+  try
+  {
+    if (this->ShaderPath != this->Shaders.OverrideFolder() || this->ShadersUnchecked)
+    {
+      this->ShadersUnchecked = true;
+      this->Shaders.SetOverrideFolder(this->ShaderPath);
+      this->Capture.ReloadShaders();
+      this->Forward->ReloadShaders();
+      this->ShadersUnchecked = false;
+    }
+    this->DrawFrame(self, state, memory, alone);
+    ++memory.StillFrames;
+    ++memory.FrameNumber;
+  }
+  catch (const std::exception& error)
+  {
+    problem = error.what();
+  }
+  this->Pool.EndFrame(memory.Name);
+  for (auto it = this->Views.begin(); it != this->Views.end();)
+  {
+    if (it->second.Renderer)
+    {
+      ++it;
+      continue;
+    }
+    this->Pool.ForgetView(it->second.Name);
+    this->Worlds.erase(it->first.first);
+    it = this->Views.erase(it);
+  }
+  return problem;
+}
+
+void vtkGIPass::Internals::SkipFrame(vtkRenderer* renderer)
+{
+  for (auto& view : this->Views)
+  {
+    if (view.second.Renderer == renderer)
+    {
+      view.second.Radiance = nullptr;
+    }
+  }
+}
+
+namespace
+{
+// VTK's depth buffer as a texture, where it can be bound and sampled as such: not if it is
+// multisampled, or if another pass has bound a framebuffer of its own.
+std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound)
+{
+  vtkOpenGLFramebufferObject* framebuffer = window->GetRenderFramebuffer();
+  vtkTextureObject* depth = framebuffer->GetDepthAttachmentAsTextureObject();
+  if (bound != framebuffer->GetFBOIndex() || !depth || window->GetMultiSamples() > 1 ||
+    depth->GetTarget() != GL_TEXTURE_2D)
+  {
+    return nullptr;
+  }
+  const int width = static_cast<int>(depth->GetWidth());
+  const int height = static_cast<int>(depth->GetHeight());
+  return std::make_unique<Texture>(Texture::Borrow(depth->GetHandle(),
+    { TextureFormat(depth->GetTarget(), depth->GetHandle()), width, height, 0 }));
+}
+}
+
+void vtkGIPass::Internals::DrawFrame(
+  vtkGIPass* self, const vtkRenderState* state, Memory& memory, bool alone)
+{
+  auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  View view = this->MakeView(renderer, memory);
+  view.KeepsRadiance = self->GetKeepRadiance();
+  view.StandsAlone = alone;
+  this->Capture.Collect(state);
+  this->Lights.Collect(renderer);
+
+  const View unshifted = view;
+  FrameGraph graph;
+  RayProps& rays = this->Worlds[renderer];
+  FrameBuilder builder(
+    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, renderer);
+  bool lit = false;
+  for (auto& technique : this->Techniques)
+  {
+    const bool takesPart = technique->GetEnabled() || technique->StandsIn(builder);
+    technique->SetTookPart(takesPart);
+    if (takesPart)
+    {
+      technique->Contribute(builder);
+      lit |= technique->ChangesLight();
+    }
+  }
+  this->Capture.SetMendsNormals(lit);
+  this->DrawnByRays = builder.IsDrawnByRays() ? &rays : nullptr;
+  this->Notes.clear();
+  for (const auto& note : builder.GetNotes())
+  {
+    this->Notes += (this->Notes.empty() ? "" : "\n") + note;
+  }
+  ContributeIndirectLight(
+    builder, this->Lights, this->Capture, builder.GetIndirectLights());
+  if (!builder.GetIndirectLights().empty())
+  {
+    this->Dark.Add(renderer);
+  }
+  this->Capture.Contribute(builder);
+  ContributeSky(builder, this->Capture.Skies());
+  ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
+    { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
+      builder.GetSpreadShare(), builder.GetInterreflection() });
+  memory.Radiance = nullptr;
+  if (self->GetKeepRadiance())
+  {
+    this->KeepRadiance(builder, memory);
+  }
+  graph.Compile();
+
+  WindowTarget target;
+  target.Framebuffer = BoundFramebuffer();
+  const std::unique_ptr<Texture> depth = WindowDepth(window, target.Framebuffer);
+  target.Direct = depth != nullptr;
+  target.Depth = depth.get();
+  GpuTimer timer;
+  FrameExecutor executor(
+    this->Pool, this->Shaders, view, renderer, target, this->Held, memory.Name, this->ViewBlock);
+  const int skies = DrawSkies(renderer, this->Capture.Skies());
+  executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
+  this->CapturedProps = this->Capture.CapturedProps() + skies + this->Capture.DrawOthers(renderer);
+  this->Forward->SetLights(this->Lights, builder.GetForwardLight());
+  // Signed after drawing, as drawing brings pipelines and lights up to date.
+  memory.Signature = this->Sign(renderer, unshifted);
+  if (self->GetCollectStatistics())
+  {
+    this->WriteStatistics(timer.Collect(), view);
+  }
+}
+
+namespace
+{
+// Four floats a pixel, bottom row first. Returns the first of them.
+float* ReadTexture(const Texture& texture, vtkImageData* image)
+{
+  image->SetDimensions(texture.Desc().Width, texture.Desc().Height, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  auto* values = static_cast<float*>(image->GetScalarPointer());
+  glBindTexture(GL_TEXTURE_2D, texture.Get());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return values;
+}
+}
+
+void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
+{
+  frame.AddPass("keep-radiance")
+    .Read(resource::Radiance)
+    .Read(resource::Albedo)
+    .ReadIfPresent(resource::Sky)
+    .SideEffect()
+    .Execute([&memory](FrameContext& context) {
+      const Texture* radiance = context.Input(resource::Radiance);
+      auto kept = vtkSmartPointer<vtkImageData>::New();
+      float* values = ReadTexture(*radiance, kept);
+      vtkNew<vtkImageData> albedo;
+      const float* captured = ReadTexture(*context.Input(resource::Albedo), albedo);
+      for (vtkIdType i = 3; i < 4 * kept->GetNumberOfPoints(); i += 4)
+      {
+        values[i] = context.Input(resource::Sky) ? 1.0f : captured[i];
+      }
+      memory.Radiance = kept;
+    });
+}
+
+bool vtkGIPass::Internals::ReadHistory(
+  vtkRenderer* renderer, const std::string& name, vtkImageData* image)
+{
+  const Memory* memory = this->FindMemory(renderer);
+  const Texture* texture = memory ? this->Pool.FindHistory(memory->Name, name) : nullptr;
+  const bool readable = texture && texture->Target() == GL_TEXTURE_2D &&
+    (texture->Desc().Format == GL_RGBA32F || texture->Desc().Format == GL_RGBA16F);
+  if (!readable || !image || !this->Guard->Window())
+  {
+    return false;
+  }
+  this->Guard->Window()->MakeCurrent();
+  ReadTexture(*texture, image);
+  return true;
+}
+
+bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* image)
+{
+  const Memory* memory = this->FindMemory(renderer);
+  if (!memory || !image || !memory->Radiance)
+  {
+    return false;
+  }
+  image->DeepCopy(memory->Radiance);
+  return true;
+}
+
+void vtkGIPass::Internals::WriteStatistics(
+  const std::vector<GpuTimer::Span>& spans, const View& view)
+{
+  std::ostringstream json;
+  json << "{\"passes\": [";
+  double total = 0.0;
+  const char* separator = "";
+  for (const auto& span : spans)
+  {
+    json << separator << "{\"name\": \"" << span.Name
+         << "\", \"milliseconds\": " << span.Milliseconds << "}";
+    separator = ", ";
+    total += span.Milliseconds;
+  }
+  json << "], \"milliseconds\": " << total << ", \"textures\": " << this->Pool.Count()
+       << ", \"bytes\": " << this->Pool.Bytes() << ", \"lights\": " << this->Lights.Lights().size()
+       << ", \"frames\": " << view.StillFrames + 1 << "}";
+  this->Statistics = json.str();
+}
+
+void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (!window || window == this->Guard->Window())
+  {
+    this->Guard->Leave();
+  }
+}
+
+void vtkGIPass::Internals::Free()
+{
+  for (auto& technique : this->Techniques)
+  {
+    technique->ReleaseGraphicsResources(this->Guard->Window());
+  }
+  this->FxaaFilter->ReleaseGraphicsResources();
+  this->Pool.Clear();
+  this->Shaders.Release();
+  this->Lights.ReleaseGraphicsResources();
+  this->Capture.Materials().ReleaseGraphicsResources();
+  this->ViewBlock = Buffer();
+  this->Views.clear();
+  this->DrawnByRays = nullptr;
+  this->Worlds.clear();
+}

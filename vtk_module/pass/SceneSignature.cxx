@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass/SceneSignature.h"
+
+#include "capture/ChangeTimes.h"
+#include "rays/SkyPictures.h"
+#include "rays/TexturePixels.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
+#include "vtkTexture.h"
+
+namespace penumbra
+{
+namespace
+{
+double AsNumber(vtkMTimeType time)
+{
+  return static_cast<double>(time); // exact up to 2^53
+}
+}
+
+void SceneSignature::Add(Group group, const double* values, int count)
+{
+  this->Values[group].insert(this->Values[group].end(), values, values + count);
+}
+
+void SceneSignature::AddProp(vtkProp* prop)
+{
+  const bool visible = prop->GetVisibility() != 0;
+  for (const Group group : { Props, Looks })
+  {
+    this->Values[group].push_back(visible);
+  }
+  if (!visible)
+  {
+    return;
+  }
+  vtkMTimeType moved = prop->GetRedrawMTime();
+  vtkMTimeType look = 0;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkProp* part = path->GetLastNode()->GetViewProp();
+    moved = std::max(moved, part->GetRedrawMTime());
+    if (auto* actor = vtkActor::SafeDownCast(part))
+    {
+      look = std::max(look, LookTime(actor));
+    }
+  }
+  this->Values[Props].push_back(AsNumber(std::max(moved, look)));
+  this->Values[Looks].push_back(AsNumber(look));
+}
+
+SceneSignature SceneSignature::Of(
+  vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques, const DarkLamp& dark)
+{
+  SceneSignature signature;
+  for (const auto* matrix : { &view.WorldToView, &view.ViewToClip })
+  {
+    signature.Add(Camera, &(*matrix)[0][0], 16);
+  }
+  const glm::dvec4 viewport(view.Viewport);
+  signature.Add(Camera, &viewport[0], 4);
+  for (const double* color : { renderer->GetBackground(), renderer->GetBackground2() })
+  {
+    signature.Add(Looks, color, 3);
+  }
+  signature.Values[Looks].push_back(renderer->GetGradientBackground());
+  signature.Values[Techniques].push_back(AsNumber(techniques));
+  if (vtkTexture* environment = renderer->GetEnvironmentTexture())
+  {
+    signature.Values[Lights].push_back(AsNumber(TextureTime(environment)));
+    signature.Values[Lights].push_back(renderer->GetUseImageBasedLighting());
+    const SkyDecoding decoding = SkyDecoding::Of(renderer);
+    for (const bool flag : { decoding.Harmonics, decoding.MatteToLinear, decoding.GlossToLinear })
+    {
+      signature.Values[Lights].push_back(flag);
+    }
+    for (const double* axis : { renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight() })
+    {
+      signature.Add(Lights, axis, 3);
+    }
+  }
+  vtkCollectionSimpleIterator cookie;
+  vtkLightCollection* lights = renderer->GetLights();
+  lights->InitTraversal(cookie);
+  while (vtkLight* light = lights->GetNextLight(cookie))
+  {
+    if (!dark.Is(light))
+    {
+      signature.Values[Lights].push_back(AsNumber(light->GetMTime()));
+      signature.Values[Lights].push_back(light->GetSwitch());
+    }
+  }
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(cookie);
+  while (vtkProp* prop = props->GetNextProp(cookie))
+  {
+    signature.AddProp(prop);
+  }
+  return signature;
+}
+
+SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
+{
+  const auto differs = [&](Group group) { return this->Values[group] != before.Values[group]; };
+  SceneChanges changes;
+  changes.Lights = differs(Lights);
+  changes.Props = differs(Props);
+  changes.Looks = differs(Looks);
+  changes.Any =
+    changes.Lights || changes.Props || changes.Looks || differs(Camera) || differs(Techniques);
+  return changes;
+}
+}

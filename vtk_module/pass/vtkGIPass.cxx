@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGIPass.h"
+
+#include "gpu/ScopedState.h"
+#include "graph/FrameExecutor.h"
+#include "light/DirectLight.h"
+#include "pass/PassInternals.h"
+#include "pass/StockStages.h"
+
+#include "vtkImageData.h"
+#include "vtkRenderState.h"
+
+#include <cstring>
+
+vtkStandardNewMacro(vtkGIPass);
+
+namespace
+{
+constexpr std::array<const char*, 5> PresetNames = { { "off", "fast", "balanced", "high",
+  "reference" } };
+}
+
+vtkGIPass::vtkGIPass()
+  : Impl(new Internals)
+{
+  this->SetPreset("off");
+  const char* folder = std::getenv("PENUMBRA_SHADER_PATH");
+  this->SetShaderPath(folder ? folder : "");
+}
+
+vtkGIPass::~vtkGIPass()
+{
+  delete[] this->Preset;
+}
+
+void vtkGIPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Preset: " << this->Preset << "\n";
+  for (int i = 0; i < this->GetNumberOfTechniques(); ++i)
+  {
+    os << indent << this->GetTechnique(i)->GetName() << ":\n";
+    this->GetTechnique(i)->PrintSelf(os, indent.GetNextIndent());
+  }
+}
+
+int vtkGIPass::GetNumberOfPresets()
+{
+  return static_cast<int>(PresetNames.size());
+}
+
+const char* vtkGIPass::GetPresetName(int index)
+{
+  return index >= 0 && index < GetNumberOfPresets() ? PresetNames[index] : nullptr;
+}
+
+bool vtkGIPass::SetPreset(const char* preset)
+{
+  const auto known = std::find_if(PresetNames.begin(), PresetNames.end(),
+    [preset](const char* name) { return preset && std::strcmp(name, preset) == 0; });
+  if (known == PresetNames.end())
+  {
+    vtkErrorMacro(<< "there is no preset '" << (preset ? preset : "")
+                  << "': choose off, fast, balanced, high or reference.");
+    return false;
+  }
+  for (auto& technique : this->Impl->Techniques)
+  {
+    technique->ApplyPreset(preset);
+  }
+  delete[] this->Preset;
+  this->Preset = new char[std::strlen(preset) + 1];
+  std::strcpy(this->Preset, preset);
+  this->Modified();
+  return true;
+}
+
+int vtkGIPass::GetNumberOfTechniques()
+{
+  return static_cast<int>(this->Impl->Techniques.size());
+}
+
+vtkGITechnique* vtkGIPass::GetTechnique(int index)
+{
+  const bool inside = index >= 0 && index < this->GetNumberOfTechniques();
+  return inside ? this->Impl->Techniques[index].Get() : nullptr;
+}
+
+vtkGITechnique* vtkGIPass::GetTechnique(const char* name)
+{
+  for (auto& technique : this->Impl->Techniques)
+  {
+    if (name && std::strcmp(technique->GetName(), name) == 0)
+    {
+      return technique;
+    }
+  }
+  return nullptr;
+}
+
+void vtkGIPass::SetShaderPath(const char* path)
+{
+  const std::string folder = path ? path : "";
+  if (folder != this->Impl->ShaderPath)
+  {
+    this->Impl->ShaderPath = folder;
+    this->Modified();
+  }
+}
+
+const char* vtkGIPass::GetShaderPath()
+{
+  return this->Impl->ShaderPath.c_str();
+}
+
+const char* vtkGIPass::GetStatistics()
+{
+  return this->Impl->Statistics.c_str();
+}
+
+const char* vtkGIPass::GetNotes()
+{
+  return this->Impl->Notes.c_str();
+}
+
+const char* vtkGIPass::GetLastError()
+{
+  return this->Impl->LastError.c_str();
+}
+
+void vtkGIPass::Restart()
+{
+  this->Impl->Restart();
+}
+
+int vtkGIPass::GetAccumulatedFrames(vtkRenderer* renderer)
+{
+  const auto* memory = this->Impl->FindMemory(renderer);
+  return memory ? memory->StillFrames : 0;
+}
+
+bool vtkGIPass::GetRadiance(vtkRenderer* renderer, vtkImageData* image)
+{
+  return this->Impl->ReadRadiance(renderer, image);
+}
+
+bool vtkGIPass::GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image)
+{
+  return name && this->Impl->ReadHistory(renderer, name, image);
+}
+
+void vtkGIPass::Render(const vtkRenderState* state)
+{
+  auto* renderer = vtkOpenGLRenderer::SafeDownCast(state->GetRenderer());
+  auto* window =
+    renderer ? vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()) : nullptr;
+  if (!window)
+  {
+    vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
+    return;
+  }
+  // VTK's translucent stage and its volumes report OpenGL errors where there is not one pixel.
+  int width = 0;
+  int height = 0;
+  renderer->GetTiledSize(&width, &height);
+  if (width <= 0 || height <= 0)
+  {
+    this->Impl->SkipFrame(renderer);
+    this->NumberOfRenderedProps = 0;
+    return;
+  }
+  this->Impl->Enter(window);
+  penumbra::RefreshState(window);
+  this->Impl->Held.Record(window);
+  this->CopiedTile = true;
+  const auto draw = [this](const vtkRenderState* picture) {
+    this->CopiedTile = false;
+    this->RenderPicture(picture);
+  };
+  if (!this->Impl->ShowTile(state, this->JoinTiles, draw))
+  {
+    draw(state);
+  }
+  this->Impl->Held.LeaveNoOthers(window);
+}
+
+void vtkGIPass::RenderPicture(const vtkRenderState* state)
+{
+  penumbra::StockStages stages(state);
+  stages.UpdateCameraAndLights();
+  if (stages.RenderSelection())
+  {
+    this->NumberOfRenderedProps = stages.RenderedProps();
+    return;
+  }
+  std::string problem;
+  this->Impl->CapturedProps = 0;
+  this->Impl->DrawnByRays = nullptr;
+  this->Impl->Forward->SetNothing();
+  if (stages.NeedsStockOpaque())
+  {
+    stages.RenderOpaque();
+  }
+  else
+  {
+    problem = this->Impl->RenderFrame(this, state);
+    this->Impl->Held.Restore(static_cast<vtkOpenGLRenderer*>(state->GetRenderer())->GetState());
+  }
+  if (!problem.empty())
+  {
+    // Draw as VTK does rather than nothing, and say why once.
+    this->Impl->Dark.Remove();
+    stages.RenderOpaque();
+    if (problem != this->Impl->LastError)
+    {
+      vtkErrorMacro(<< problem);
+    }
+  }
+  this->Impl->LastError = problem;
+  if (const auto* rays = problem.empty() ? this->Impl->DrawnByRays : nullptr)
+  {
+    stages.LeaveOutTranslucent([rays](vtkProp* prop) { return rays->Contains(prop); });
+  }
+  this->Impl->Forward->Attach(state);
+  stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
+  this->Impl->Forward->Detach();
+  this->Impl->Dark.Remove();
+  this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
+}
+
+void vtkGIPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Impl->ReleaseGraphicsResources(window);
+  if (window) // VTK's class insists
+  {
+    this->Superclass::ReleaseGraphicsResources(window);
+  }
+}

@@ -1,0 +1,454 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rays/RayProps.h"
+
+#include "base/Matrices.h"
+
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace penumbra
+{
+namespace
+{
+constexpr std::size_t MostEmitters = 4000000; // beyond, light finds them only by chance
+
+double Luminance(const glm::vec3& color)
+{
+  return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+}
+
+/// What a part emits, roughly: how often its points are picked hangs on it, not what they emit.
+double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
+{
+  const int flags = surface.Where.z;
+  const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0 ||
+    glm::floatBitsToInt(surface.More.x) >= 0;
+  const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  const bool never = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
+    (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
+  return never ? 0.0
+               : (colored && phong ? 0.5 * surface.Factors.y
+                                   : Luminance(glm::vec3(surface.Emission) * picture));
+}
+}
+
+void RayProps::Update(vtkRenderer* renderer)
+{
+  std::vector<vtkProp*> left;
+  const std::vector<RayPart> parts = GatherRayParts(renderer, left, this->Cache);
+  this->Left = left.size();
+  this->Seen.clear();
+  for (const RayPart& part : parts)
+  {
+    this->Seen.insert(part.Prop);
+  }
+  for (vtkProp* prop : left)
+  {
+    this->Seen.erase(prop);
+  }
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  glm::dvec3 center = this->Scene.Origin();
+  if (bounds[0] <= bounds[1])
+  {
+    center = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+      0.5 * (bounds[4] + bounds[5]) };
+  }
+  bool changed = center != this->Scene.Origin();
+  this->Scene.SetOrigin(center);
+  changed |= this->UpdateMeshes(parts);
+  this->UpdateAttributes(parts);
+
+  std::vector<shared::RaySurface> surfaces;
+  std::vector<std::int32_t> indices;
+  std::vector<glm::vec3> glows;
+  this->Partly = false;
+  this->Edges = false;
+  for (const RayPart& part : parts)
+  {
+    const Block& block = this->Blocks[part.AttributeKey];
+    indices.push_back(static_cast<std::int32_t>(surfaces.size()));
+    surfaces.push_back(part.Surface);
+    if (part.HasBack)
+    {
+      surfaces.back().Where.w = indices.back() + 1;
+      surfaces.push_back(part.Back);
+    }
+    const auto first = static_cast<std::size_t>(indices.back());
+    glows.push_back(this->UpdatePictures(part, &surfaces[first], surfaces.size() - first));
+    for (std::size_t i = first; i < surfaces.size(); ++i)
+    {
+      surfaces[i].Where.x = static_cast<int>(block.FirstPrimitive);
+      surfaces[i].Where.y = static_cast<int>(block.FirstPoint);
+      surfaces[i].Where.z |= part.Clip.empty() ? 0 : GI_SURFACE_PARTLY;
+      this->Partly |= (surfaces[i].Where.z & GI_SURFACE_PARTLY) != 0;
+      this->Edges |= surfaces[i].Edge.a > 0.0f;
+    }
+  }
+  this->Pictures.Sweep();
+  this->Sky.Update(renderer);
+  changed |= this->Places.size() != parts.size();
+  for (std::size_t i = 0; i < parts.size() && !changed; ++i)
+  {
+    const Place& place = this->Places[i];
+    changed = place.Mesh != parts[i].MeshKey || place.ToWorld != parts[i].ToWorld ||
+      place.Surface != indices[i] || place.Many != parts[i].Places;
+  }
+  this->UpdateClipping(parts, surfaces, indices);
+  this->UpdatePlaces(parts, indices);
+  this->UpdateEmitters(parts, surfaces, indices, glows, changed);
+  if (surfaces.empty())
+  {
+    surfaces.emplace_back(); // an empty buffer may not be bound
+  }
+  const bool same = surfaces.size() == this->Surfaces.size() &&
+    std::memcmp(surfaces.data(), this->Surfaces.data(), surfaces.size() * sizeof(surfaces[0])) == 0;
+  if (!same)
+  {
+    this->Surfaces = surfaces;
+    this->SurfaceStorage.Upload(
+      GL_SHADER_STORAGE_BUFFER, surfaces.data(), surfaces.size() * sizeof(surfaces[0]));
+  }
+  this->Scene.Update();
+}
+
+bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
+{
+  bool changed = false;
+  for (auto& shape : this->Shapes)
+  {
+    shape.second.Used = false;
+  }
+  for (const RayPart& part : parts)
+  {
+    const auto found = this->Shapes.find(part.MeshKey);
+    const bool known = found != this->Shapes.end();
+    Shape& shape = known ? found->second : this->Shapes[part.MeshKey];
+    const bool moved =
+      known && shape.CellTime == part.CellTime && shape.PointTime != part.PointTime;
+    if (!known || shape.CellTime != part.CellTime || moved)
+    {
+      const RayGeometry geometry = part.MakeGeometry();
+      moved ? this->Scene.RefitMesh(part.MeshKey, geometry)
+            : this->Scene.SetMesh(part.MeshKey, geometry);
+      shape.Size = geometry.Size();
+      shape.CellTime = part.CellTime;
+      shape.PointTime = part.PointTime;
+      changed = true;
+    }
+    shape.Used = true;
+  }
+  this->Primitives = 0;
+  for (auto it = this->Shapes.begin(); it != this->Shapes.end();)
+  {
+    this->Primitives += it->second.Used ? it->second.Size : 0;
+    if (it->second.Used)
+    {
+      ++it;
+      continue;
+    }
+    this->Scene.RemoveMesh(it->first);
+    it = this->Shapes.erase(it);
+    changed = true;
+  }
+  return changed;
+}
+
+void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
+{
+  this->LackNormals = 0;
+  for (auto& block : this->Blocks)
+  {
+    block.second.Used = false;
+  }
+  for (const RayPart& part : parts)
+  {
+    Block& block = this->Blocks[part.AttributeKey];
+    if (block.Time != part.AttributeTime)
+    {
+      const RayAttributes attributes = part.MakeAttributes();
+      if (block.PrimitiveCount != attributes.Primitives.size() ||
+        block.PointCount != attributes.Points.size())
+      {
+        this->Attributes.Free(block.FirstPrimitive, block.PrimitiveCount);
+        this->Points.Free(block.FirstPoint, block.PointCount);
+        block = Block();
+        // Allocating may throw: what is not there yet counts for nothing.
+        const std::size_t primitives = attributes.Primitives.size();
+        const std::size_t points = attributes.Points.size();
+        block.FirstPrimitive = primitives ? this->Attributes.Allocate(primitives) : 0;
+        block.PrimitiveCount = primitives;
+        block.FirstPoint = points ? this->Points.Allocate(points) : 0;
+        block.PointCount = points;
+      }
+      this->Attributes.Write(
+        block.FirstPrimitive, attributes.Primitives.data(), block.PrimitiveCount);
+      this->Points.Write(block.FirstPoint, attributes.Points.data(), block.PointCount);
+      block.Time = part.AttributeTime;
+      block.LacksNormals = attributes.LacksNormals;
+    }
+    block.Used = true;
+    this->LackNormals += block.LacksNormals && (part.Surface.Where.z & GI_SURFACE_SMOOTH) != 0;
+  }
+  for (auto it = this->Blocks.begin(); it != this->Blocks.end();)
+  {
+    if (it->second.Used)
+    {
+      ++it;
+      continue;
+    }
+    this->Attributes.Free(it->second.FirstPrimitive, it->second.PrimitiveCount);
+    this->Points.Free(it->second.FirstPoint, it->second.PointCount);
+    it = this->Blocks.erase(it);
+  }
+}
+
+glm::vec3 RayProps::UpdatePictures(
+  const RayPart& part, shared::RaySurface* surfaces, std::size_t count)
+{
+  std::array<RayPictures::Picture, PictureSlots> shown;
+  for (std::size_t slot = 0; slot < shown.size(); ++slot)
+  {
+    if (part.Pictures[slot])
+    {
+      shown[slot] = this->Pictures.Use(part.Pictures[slot]);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    shared::RaySurface& surface = surfaces[i];
+    surface.Pictures = glm::ivec4(shown[BasePicture].First, shown[MaterialPicture].First,
+      (surface.Where.z & GI_SURFACE_TANGENTS) ? shown[NormalPicture].First : -1,
+      shown[EmissionPicture].First);
+    surface.More.x = glm::intBitsToFloat(shown[ColorPicture].First);
+    surface.Where.z |=
+      shown[BasePicture].Partly || shown[ColorPicture].Partly ? GI_SURFACE_PARTLY : 0;
+  }
+  const bool phong = (surfaces->Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  return phong ? shown[BasePicture].Mean : shown[EmissionPicture].Mean;
+}
+
+void RayProps::UpdateClipping(const std::vector<RayPart>& parts,
+  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices)
+{
+  std::vector<glm::vec4> planes;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const glm::ivec4 clip(
+      static_cast<int>(planes.size()), static_cast<int>(parts[i].Clip.size()), 0, 0);
+    for (const glm::dvec4& plane : parts[i].Clip)
+    {
+      const double there = glm::dot(glm::dvec3(plane), this->Scene.Origin()) + plane.w;
+      planes.emplace_back(glm::vec3(plane), static_cast<float>(there));
+    }
+    surfaces[indices[i]].Clip = clip;
+    if (parts[i].HasBack)
+    {
+      surfaces[indices[i] + 1].Clip = clip;
+    }
+  }
+  if (planes != this->Planes)
+  {
+    if (planes.size() != this->Planes.size())
+    {
+      this->Points.Free(this->FirstPlane, this->Planes.size());
+      this->Planes.clear();
+      this->FirstPlane = planes.empty() ? 0 : this->Points.Allocate(planes.size());
+    }
+    this->Planes = planes;
+    this->Points.Write(this->FirstPlane, planes.data(), planes.size());
+  }
+  for (shared::RaySurface& surface : surfaces)
+  {
+    surface.Clip.x += static_cast<int>(this->FirstPlane);
+  }
+}
+
+void RayProps::UpdatePlaces(
+  const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces)
+{
+  for (std::size_t i = parts.size(); i < this->Places.size(); ++i)
+  {
+    this->Scene.RemoveInstance(i);
+  }
+  this->Places.resize(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    Place& place = this->Places[i];
+    const bool same = place.Mesh == parts[i].MeshKey && place.ToWorld == parts[i].ToWorld &&
+      place.Surface == surfaces[i] && place.Many == parts[i].Places;
+    if (!same)
+    {
+      place = { parts[i].MeshKey, parts[i].ToWorld, surfaces[i], parts[i].Places };
+      this->Scene.SetInstances(i, place.Mesh, place.ToWorld, place.Surface, place.Many);
+    }
+  }
+}
+
+void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
+  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices,
+  const std::vector<glm::vec3>& glows, bool changed)
+{
+  std::vector<Shining> shine;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    shared::RaySurface& surface = surfaces[indices[i]];
+    const double strength = Strength(surface, glows[i]);
+    surface.Emission.w = 0.0f;
+    // The back of a two-coloured surface would need a density of its own.
+    if (strength > 0.0 && !parts[i].HasBack)
+    {
+      shine.push_back({ i, strength, 0.0f });
+    }
+  }
+  for (std::size_t i = 0; i < shine.size() && !changed; ++i)
+  {
+    changed = i >= this->Shine.size() || shine[i].Part != this->Shine[i].Part ||
+      shine[i].Strength != this->Shine[i].Strength;
+  }
+  if (changed || !this->EmittersMade || shine.size() != this->Shine.size())
+  {
+    this->EmittersMade = true;
+    this->Shine = std::move(shine);
+    this->MakeEmitters(parts, indices);
+  }
+  for (const Shining& part : this->Shine)
+  {
+    surfaces[indices[part.Part]].Emission.w = part.Density;
+  }
+}
+
+void RayProps::MakeEmitters(
+  const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices)
+{
+  std::vector<shared::RayEmitter> table;
+  std::vector<double> sums;
+  double total = 0.0;
+  for (Shining& part : this->Shine)
+  {
+    const RayPart& source = parts[part.Part];
+    const RayGeometry geometry = source.MakeGeometry();
+    const std::vector<RayPlace> once(1);
+    const std::vector<RayPlace>& places = source.Places ? *source.Places : once;
+    part.Density = 0.0f;
+    // Points are picked on triangles only.
+    if (geometry.Triangles.size() != geometry.Size() ||
+      table.size() + places.size() * geometry.Triangles.size() > MostEmitters)
+    {
+      continue;
+    }
+    part.Density = 1.0f;
+    for (const RayPlace& place : places)
+    {
+      glm::dmat4 toScene = source.ToWorld;
+      if (source.Places)
+      {
+        glm::dmat4 placed{ glm::dmat3(place.Turn) };
+        placed[3] = glm::dvec4(place.At, 1.0);
+        toScene = toScene * placed;
+      }
+      toScene[3] =
+        toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(this->Scene.Origin(), 0.0);
+      for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
+      {
+        glm::dvec3 corner[3];
+        for (int c = 0; c < 3; ++c)
+        {
+          corner[c] =
+            glm::dvec3(toScene * glm::dvec4(geometry.Points[geometry.Triangles[t][c]], 1.0));
+        }
+        const double area =
+          0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
+        if (area > 0.0 && std::isfinite(area))
+        {
+          total += part.Strength * area;
+          sums.push_back(total);
+          table.push_back({ glm::vec4(corner[0], 0.0f),
+            glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),
+            glm::vec4(corner[2], glm::intBitsToFloat(static_cast<int>(t))) });
+        }
+      }
+    }
+  }
+  for (Shining& part : this->Shine)
+  {
+    part.Density = total > 0.0 ? static_cast<float>(part.Density * part.Strength / total) : 0.0f;
+  }
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    table[i].A.w = static_cast<float>(sums[i] / total);
+  }
+  this->Emitters = table.size();
+  if (table.empty())
+  {
+    table.emplace_back();
+  }
+  this->EmitterStorage.Upload(
+    GL_SHADER_STORAGE_BUFFER, table.data(), table.size() * sizeof(table[0]));
+}
+
+void RayProps::Bind(const Program& program) const
+{
+  this->Scene.Bind();
+  this->Attributes.BindTexture(GI_RAY_ATTRIBUTE_UNIT);
+  this->Points.BindTexture(GI_RAY_POINT_UNIT);
+  if (!this->Pictures.IsEmpty())
+  {
+    this->Pictures.Bind();
+  }
+  if (this->Sky.Shines())
+  {
+    this->Sky.Bind(program);
+  }
+  this->SurfaceStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_SURFACE_BINDING);
+  this->EmitterStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_EMITTER_BINDING);
+}
+
+Defines RayProps::ShaderDefines() const
+{
+  Defines defines = this->Scene.ShaderDefines();
+  if (this->Edges)
+  {
+    defines["GI_RAY_EDGES"] = "1";
+  }
+  if (this->Partly)
+  {
+    defines["GI_RAY_PARTLY"] = "1";
+  }
+  if (!this->Pictures.IsEmpty())
+  {
+    defines["GI_RAY_PICTURES"] = "1";
+  }
+  if (this->Sky.Shines())
+  {
+    defines["GI_RAY_SKY"] = "1";
+  }
+  if (!this->Planes.empty())
+  {
+    defines["GI_RAY_CLIPPED"] = "1";
+  }
+  return defines;
+}
+
+void RayProps::ReleaseGraphicsResources()
+{
+  this->Scene.ReleaseGraphicsResources();
+  this->Scene.Clear();
+  this->Attributes.Release();
+  this->Points.Release();
+  this->Pictures.Release();
+  this->Sky.Release();
+  this->SurfaceStorage = Buffer();
+  this->EmitterStorage = Buffer();
+  this->Shapes.clear();
+  this->Blocks.clear();
+  this->Places.clear();
+  this->Surfaces.clear();
+  this->Shine.clear();
+  this->EmittersMade = false;
+  this->Planes.clear();
+}
+}

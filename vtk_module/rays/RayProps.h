@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * What a renderer shows, ready for rays: its parts in a RayScene, and the materials, attributes and
+ * emitters that a shader looks up where a ray ends (rays/surface.glsl).
+ */
+#pragma once
+
+#include "gpu/GLObjects.h"
+#include "rays/RayPart.h"
+#include "rays/RayPictures.h"
+#include "rays/RayScene.h"
+#include "rays/RaySky.h"
+#include "rays/parts/GatherCache.h"
+
+#include <cstdint>
+#include <set>
+
+namespace penumbra
+{
+class RayProps
+{
+public:
+  /// Bring everything up to date with the renderer's visible props; costs what changed. Throws
+  /// std::runtime_error where the scene does not fit into memory. The context must be current.
+  void Update(vtkRenderer* renderer);
+
+  /// Bind for a shader in use that includes rays/surface.glsl, and rays/sky.glsl.
+  void Bind(const Program& program) const;
+  Defines ShaderDefines() const;
+
+  /// After Bind(), the means of the surroundings for so many rays that are spread evenly over all directions.
+  void BindSkyCells(int rays)
+  {
+    if (this->Sky.Shines())
+    {
+      this->Sky.BindCells(rays);
+    }
+  }
+
+  const glm::dvec3& Origin() const { return this->Scene.Origin(); }
+  std::size_t EmitterCount() const { return this->Emitters; }
+  bool Contains(vtkProp* prop) const { return this->Seen.count(prop) > 0; }
+  /// Visible props with surfaces that rays do not see.
+  std::size_t LeftOut() const { return this->Left; }
+  /// Surfaces of which some points have no normal that could be used.
+  std::size_t WithoutNormals() const { return this->LackNormals; }
+  std::size_t Bytes() const { return this->Scene.Bytes(); }
+  std::size_t Triangles() const { return this->Primitives; }
+
+  void ReleaseGraphicsResources();
+
+private:
+  struct Block
+  {
+    std::size_t FirstPrimitive = 0, PrimitiveCount = 0;
+    std::size_t FirstPoint = 0, PointCount = 0;
+    vtkMTimeType Time = 0;
+    bool Used = false;
+    bool LacksNormals = false;
+  };
+  struct Shape
+  {
+    vtkMTimeType CellTime = 0;
+    vtkMTimeType PointTime = 0;
+    std::size_t Size = 0;
+    bool Used = false;
+  };
+  struct Place
+  {
+    std::uint64_t Mesh = 0;
+    glm::dmat4 ToWorld{ 0.0 };
+    std::int32_t Surface = -1;
+    RayScene::Places Many;
+  };
+
+  bool UpdateMeshes(const std::vector<RayPart>& parts);
+  void UpdateAttributes(const std::vector<RayPart>& parts);
+  /// The part's surfaces get their pictures, and what they emit on the average is returned.
+  glm::vec3 UpdatePictures(const RayPart& part, shared::RaySurface* surfaces, std::size_t count);
+  void UpdateClipping(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
+    const std::vector<std::int32_t>& indices);
+  void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
+  void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
+    const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& glows, bool changed);
+  void MakeEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
+
+  GatherCache Cache;
+  RayScene Scene;
+  RayBuffer Attributes{ "attributes of triangles", 1 };
+  RayPictures Pictures;
+  RaySky Sky;
+  RayBuffer Points{ "attributes of points", 1 };
+  Buffer SurfaceStorage;
+  Buffer EmitterStorage;
+  std::map<std::uint64_t, Shape> Shapes;
+  std::map<std::uint64_t, Block> Blocks;
+  std::vector<Place> Places;
+  std::vector<shared::RaySurface> Surfaces;
+  std::vector<glm::vec4> Planes; ///< that clip, among the points from FirstPlane on
+  std::size_t FirstPlane = 0;
+  std::set<vtkProp*> Seen;
+  std::size_t LackNormals = 0;
+  std::size_t Left = 0;
+  std::size_t Primitives = 0;
+  std::size_t Emitters = 0;
+  /// Surfaces that emit, with their strength and their chance per area in the last table.
+  struct Shining
+  {
+    std::size_t Part;
+    double Strength;
+    float Density;
+  };
+  std::vector<Shining> Shine;
+  bool EmittersMade = false;
+  bool Partly = false;
+  bool Edges = false;
+};
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Builds a tree with Embree (3 or 4). Where Embree gives up, because bounds that it cannot tell
+ * apart would make the tree too deep, or was not there at build time, halves by position do.
+ */
+#pragma once
+
+#include "rays/RayTree.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace penumbra
+{
+/// A node with two children or a leaf with up to GI_RAY_LEAF_SIZE items.
+struct RayBuildNode
+{
+  std::uint32_t Count = 0; ///< items of a leaf; 0 for a node with children
+  bool IsLeaf() const { return this->Count > 0; }
+};
+struct RayBuildInner : RayBuildNode
+{
+  RayBounds Bounds[2];
+  const RayBuildNode* Children[2] = { nullptr, nullptr };
+};
+struct RayBuildLeaf : RayBuildNode
+{
+  std::uint32_t Items[GI_RAY_LEAF_SIZE] = {};
+};
+
+class RayTreeBuilder
+{
+public:
+  /// count: of the items whose bounds are not empty, at least 1.
+  RayTreeBuilder(
+    const std::vector<RayBounds>& items, std::size_t count, int leafSize, int depthLimit);
+  ~RayTreeBuilder();
+  RayTreeBuilder(const RayTreeBuilder&) = delete;
+  RayTreeBuilder& operator=(const RayTreeBuilder&) = delete;
+
+  const RayBuildNode* Root() const { return this->Top; }
+  /// Whether Embree built it.
+  bool ByEmbree() const { return this->Embree; }
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Owned;
+  const RayBuildNode* Top = nullptr;
+  bool Embree = false;
+};
+}

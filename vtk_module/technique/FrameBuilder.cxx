@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "technique/FrameBuilder.h"
+
+#include "capture/MotionTable.h"
+#include "capture/SceneCapture.h"
+#include "rays/RayProps.h"
+
+#include "vtkOpenGLRenderer.h"
+#include "vtkTexture.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace penumbra
+{
+RayProps& FrameBuilder::Rays()
+{
+  if (!this->WorldReady)
+  {
+    this->World.Update(this->GetRenderer());
+    this->WorldReady = true;
+    if (this->World.WithoutNormals() > 0)
+    {
+      this->AddNote("points of " + std::to_string(this->World.WithoutNormals()) +
+        " surfaces have normals that are zero or no numbers: they are lit by the normals of their "
+        "cells");
+    }
+  }
+  return this->World;
+}
+
+MotionTable& FrameBuilder::Motion()
+{
+  if (!this->MotionReady)
+  {
+    this->Motions.Begin(this->CurrentView);
+    this->Scene.SetMotion(&this->Motions);
+    this->MotionReady = true;
+  }
+  return this->Motions;
+}
+
+void FrameBuilder::RequestLitRadiance()
+{
+  this->LitRadianceWanted = true;
+  this->RequestSurroundings();
+}
+
+void FrameBuilder::AddIndirectLight(IndirectLight light)
+{
+  const auto later = std::upper_bound(this->Indirect.begin(), this->Indirect.end(), light,
+    [](const IndirectLight& a, const IndirectLight& b) { return a.Kind < b.Kind; });
+  this->Indirect.insert(later, std::move(light));
+  this->RequestSurroundings();
+}
+
+ForwardLight FrameBuilder::GetForwardLight() const
+{
+  ForwardLight light;
+  light.Visibility = this->Visibility;
+  for (const IndirectLight& indirect : this->Indirect)
+  {
+    if (!indirect.Forward.IsEmpty())
+    {
+      light.Indirect.push_back(indirect.Forward);
+    }
+  }
+  if (this->GetSpreadShare() > 0.0)
+  {
+    light.Spread(this->GetSpreadShare(), this->CurrentLights.TotalColor());
+  }
+  return light;
+}
+
+double FrameBuilder::GetIndirectDetail() const
+{
+  double detail = this->Indirect.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+  for (const IndirectLight& light : this->Indirect)
+  {
+    detail = std::max(detail, light.Detail);
+  }
+  return detail;
+}
+
+void FrameBuilder::RequestSurroundings()
+{
+  // Environments light PBR only, and PBR needs the extended set.
+  if (this->GetRenderer()->GetUseImageBasedLighting() && this->GetRenderer()->GetEnvironmentTexture() &&
+    this->Scene.IsExtended())
+  {
+    this->Scene.Request(resource::Surroundings);
+  }
+}
+
+void FrameBuilder::SetJitter(const glm::dvec2& pixels)
+{
+  View& view = this->CurrentView;
+  const glm::dvec2 size(view.Viewport.z, view.Viewport.w);
+  const glm::dvec3 shift(2.0 * (pixels - view.Jitter) / size, 0.0);
+  view.ViewToClip = glm::translate(glm::dmat4(1.0), shift) * view.ViewToClip;
+  view.Jitter = pixels;
+}
+}

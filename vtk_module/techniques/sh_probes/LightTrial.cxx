@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "techniques/sh_probes/LightTrial.h"
+
+#include "bake/GatherStage.h"
+#include "techniques/sh_probes/ProbePlacement.h"
+#include "techniques/sh_probes/ProbeTextures.h"
+
+#include "vtkGISHProbes.h"
+
+#include "vtkNew.h"
+
+#include "gathering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace penumbra
+{
+namespace
+{
+constexpr int Lines = 1 << 17;
+constexpr int LineNumbers = 7; // as in glsl/gathering/surfaces.comp
+
+// Paths, of each half of them. Errors of halves are multiplied, so that what chance does to them cancels out.
+constexpr int PointSamples = 16;
+constexpr int ProbeSamples = 64;
+
+// Cells of space along a scene's longest side.
+constexpr double CellsAcross = 24.0;
+
+std::vector<float> FindSurfaces(GatherStage& stage, const glm::dvec3& middle, double radius)
+{
+  std::vector<float> found(static_cast<std::size_t>(Lines) * LineNumbers, 0.0f);
+  stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, found.data(), found.size() * sizeof(found[0]));
+  const Program& program = stage.Use("gathering/surfaces.comp", {});
+  stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
+  const glm::vec3 at(middle - stage.Origin());
+  glUniform3fv(program.Location("middle"), 1, &at[0]);
+  glUniform1f(program.Location("radius"), static_cast<GLfloat>(radius));
+  glUniform1i(program.Location("pointCount"), Lines);
+  GatherStage::Dispatch(Lines / GI_GATHER_GROUP);
+  GatherStage::Read(stage.Results, found);
+  return found;
+}
+}
+
+// Of the points found, so many, evenly by area. They count by how much area there is in their cell of space: who looks at
+// a scene looks at what is in it.
+void LightTrial::Pick(const std::vector<float>& found, const glm::dvec3& origin,
+  const std::array<double, 6>& bounds, std::size_t count)
+{
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 extent = glm::dvec3(bounds[1], bounds[3], bounds[5]) - low;
+  const double side = std::max({ extent.x, extent.y, extent.z, 1e-30 * CellsAcross }) / CellsAcross;
+  const glm::dvec3 first = glm::floor(low / side);
+  std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
+  std::map<std::array<int, 3>, double> areas;
+  for (std::size_t i = 0; i < found.size(); i += LineNumbers)
+  {
+    if (found[i + 6] > 0.0f)
+    {
+      const glm::dvec3 place = origin + glm::dvec3(found[i], found[i + 1], found[i + 2]);
+      const glm::ivec3 cell(glm::floor(place / side) - first);
+      cells[{ cell.x, cell.y, cell.z }].push_back(i);
+      areas[{ cell.x, cell.y, cell.z }] += found[i + 6];
+    }
+  }
+  double area = 0.0;
+  double squares = 0.0;
+  for (const auto& cell : areas)
+  {
+    area += cell.second;
+    squares += cell.second * cell.second;
+  }
+  for (const auto& cell : cells)
+  {
+    const std::vector<std::size_t>& lines = cell.second;
+    const double here = areas[cell.first];
+    const double wanted = std::ceil(static_cast<double>(count) * here / area);
+    // Evenly among the lines' numbers, which are spread evenly.
+    const std::size_t stride = std::max<std::size_t>(
+      1, static_cast<std::size_t>(static_cast<double>(lines.size()) / wanted));
+    double sum = 0.0;
+    const std::size_t before = this->Weights.size();
+    for (std::size_t k = 0; k < lines.size(); k += stride)
+    {
+      const float* line = &found[lines[k]];
+      this->Points.push_back(origin + glm::dvec3(line[0], line[1], line[2]));
+      this->Normals.push_back(glm::dvec3(line[3], line[4], line[5]));
+      this->Weights.push_back(line[6]);
+      sum += line[6];
+    }
+    for (std::size_t k = before; k < this->Weights.size(); ++k)
+    {
+      this->Weights[k] *= here * here / (sum * squares);
+    }
+  }
+}
+
+bool LightTrial::Prepare(
+  GatherStage& stage, const std::array<double, 6>& bounds, int points, const Gather& gather)
+{
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  const double radius = 0.501 * glm::length(high - low);
+  this->Pick(FindSurfaces(stage, 0.5 * (low + high), radius), stage.Origin(), bounds,
+    static_cast<std::size_t>(points));
+  std::vector<float> surroundings[2];
+  for (int half = 0; half < 2 && !this->Points.empty(); ++half)
+  {
+    this->Light[half] =
+      gather(this->Points, this->Normals, half * PointSamples, PointSamples, &surroundings[half]);
+    if (this->Light[half].empty())
+    {
+      return false;
+    }
+  }
+  return this->ForgetTheUnseen(surroundings);
+}
+
+// What is within something solid, or faces the void around the scene, is not seen: no light comes there, and rays meet
+// backs of surfaces or nothing.
+bool LightTrial::ForgetTheUnseen(const std::vector<float>* surroundings)
+{
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    double here = 0.0;
+    for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+    {
+      here += (this->Light[0][k] + this->Light[1][k]) / 6.0;
+    }
+    const double backs = 0.5 * (surroundings[0][3 * i] + surroundings[1][3 * i]);
+    const double hits = 0.5 * (surroundings[0][3 * i + 1] + surroundings[1][3 * i + 1]);
+    const bool seen = here > 0.0 || (hits > 0.0 && backs < ManyBacks);
+    this->Weights[i] = seen ? this->Weights[i] : 0.0;
+    weights += this->Weights[i];
+    sum += this->Weights[i] * here;
+  }
+  for (double& weight : this->Weights)
+  {
+    weight /= std::max(weights, 1e-300);
+  }
+  this->MeanSquare = sum > 0.0 ? sum / weights * sum / weights : 0.0;
+  return sum > 0.0;
+}
+
+std::vector<float> LightTrial::LightOf(GatherStage& stage, const ProbeField& field) const
+{
+  const ProbeTextures textures(field, false);
+  std::vector<shared::GatherPoint> data(this->Points.size());
+  for (std::size_t i = 0; i < data.size(); ++i)
+  {
+    data[i] = { glm::vec4(glm::vec3(this->Points[i] - stage.Origin()), 0.0f),
+      glm::vec4(glm::vec3(this->Normals[i]), 0.0f) };
+  }
+  stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), data.size() * sizeof(data[0]));
+  std::vector<float> light(3 * data.size(), 0.0f);
+  stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, light.data(), light.size() * sizeof(light[0]));
+  const Program& program = stage.Use("sh_probes/points.comp", textures.Variant());
+  stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
+  stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
+  vtkNew<vtkGISHProbes> technique;
+  textures.Set(program, technique->GetBias(), stage.Origin());
+  textures.Bind();
+  glUniform1i(program.Location("pointCount"), static_cast<GLint>(data.size()));
+  glUniform1f(program.Location("offset"), static_cast<GLfloat>(2.0 * stage.Error()));
+  GatherStage::Dispatch((data.size() + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
+  GatherStage::Read(stage.Results, light);
+  return light;
+}
+
+std::vector<ErrorAt> LightTrial::Judge(
+  GatherStage& stage, ProbeField field, const Gather& gather) const
+{
+  const std::vector<glm::dvec3> places = field.Positions(0, field.Grids.Size());
+  std::vector<float> given[2];
+  for (int half = 0; half < 2; ++half)
+  {
+    field.Light = gather(places, {}, half * ProbeSamples, ProbeSamples, nullptr);
+    if (field.Light.empty())
+    {
+      return {};
+    }
+    given[half] = this->LightOf(stage, field);
+  }
+  std::vector<ErrorAt> errors;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    if (this->Weights[i] == 0.0)
+    {
+      continue;
+    }
+    double error = 0.0;
+    double mean = 0.0;
+    for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+    {
+      const double lights[2] = { this->Light[0][k], this->Light[1][k] };
+      error += (given[0][k] - lights[0]) * (given[1][k] - lights[1]) / 3.0;
+      // With what the probes give, as single points' light is known but roughly.
+      mean += 0.25 * (lights[0] + lights[1] + given[0][k] + given[1][k]) / 3.0;
+    }
+    const double share = this->Weights[i] / (mean * mean + 0.01 * this->MeanSquare);
+    errors.push_back({ this->Points[i], share * error });
+  }
+  return errors;
+}
+}

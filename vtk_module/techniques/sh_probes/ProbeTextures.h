@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A baked field of probes on the graphics card, as glsl/sh_probes/light.glsl reads it.
+ */
+#pragma once
+
+#include "gpu/GLObjects.h"
+#include "probes/ProbeUniforms.h"
+#include "techniques/sh_probes/ProbeField.h"
+
+#include <memory>
+
+namespace penumbra
+{
+class Program;
+
+class ProbeTextures
+{
+public:
+  /// The context must be current. window: smooth harmonics that go below zero.
+  ProbeTextures(const ProbeField& field, bool window);
+
+  /// To the units of glsl/sh_probes/light.glsl, past VTK's records.
+  void Bind() const;
+  const Texture* Light() const { return &this->LightTexture; }
+  const Texture* Distance() const { return &this->DistanceTexture; }
+  const Texture* Probes() const { return &this->ProbeTexture; }
+
+  /// For a program in use. Coordinates of its scene are relative to Origin(), or to another place.
+  void Set(const Program& program, double bias) const { this->Set(program, bias, this->Origin()); }
+  void Set(const Program& program, double bias, const glm::dvec3& origin) const;
+  const glm::dvec3& Origin() const { return this->Grids.Get(0).First; }
+  /// Of shaders that ask these probes.
+  Defines Variant() const { return this->Uniforms(0.0).Variant(); }
+
+private:
+  void FillLight(const ProbeField& field, bool window);
+  void FillDistance(const ProbeField& field);
+  void FillProbes(const ProbeField& field);
+
+  ProbeUniforms Uniforms(double bias) const { return { this->Grids, this->Origin(), bias }; }
+
+  ProbeGrids Grids;
+  int Columns;
+  int Rows;
+  double Scale = 1.0;
+  Texture LightTexture;
+  Texture DistanceTexture;
+  Texture ProbeTexture;
+};
+}

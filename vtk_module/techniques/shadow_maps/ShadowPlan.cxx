@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "techniques/shadow_maps/ShadowPlan.h"
+
+#include "light/LightTable.h"
+#include "technique/FrameBuilder.h"
+#include "techniques/shadow_maps/ShadowCascades.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+
+namespace penumbra
+{
+namespace
+{
+// Narrower maps are not worth their light.
+constexpr int Narrowest = 64;
+
+int MostHalvings(int resolution)
+{
+  int halvings = 0;
+  while (resolution >> (halvings + 1) >= Narrowest)
+  {
+    ++halvings;
+  }
+  return halvings;
+}
+
+// How bright the light can be in the scene.
+double Importance(const Light& light, const Bounds& bounds)
+{
+  double attenuation = 1.0;
+  if (light.Positional)
+  {
+    const double distance = DistanceRange(light.WorldPosition, bounds).x;
+    const glm::dvec3& c = light.Attenuation;
+    attenuation = c.x + c.y * distance + c.z * distance * distance;
+  }
+  return glm::length(light.Color) / std::max(attenuation, 1e-12);
+}
+
+// Clip space [-1, 1] to the tile's part of the atlas and depth [0, 1].
+glm::dmat4 ToTile(const AtlasTile& tile, double width, double height)
+{
+  const glm::dvec3 size(tile.Size / width, tile.Size / height, 1.0);
+  const glm::dvec3 low(tile.X / width, tile.Y / height, 0.0);
+  return glm::translate(glm::dmat4(1.0), low + 0.5 * size) *
+    glm::scale(glm::dmat4(1.0), 0.5 * size);
+}
+
+shared::ShadowMapData MapData(const ShadowMap& map, const ShadowPlan& plan, const View& view)
+{
+  const AtlasTile& tile = map.Tile;
+  const glm::dvec4 size(plan.Width, plan.Height, plan.Width, plan.Height);
+  shared::ShadowMapData data;
+  data.ViewToMap = glm::mat4(ToTile(tile, plan.Width, plan.Height) * map.Shown.ViewToClip *
+    map.Shown.WorldToView * view.ViewToWorld);
+  data.Area = glm::vec4(
+    glm::dvec4(tile.X + 0.5, tile.Y + 0.5, tile.X + tile.Size - 0.5, tile.Y + tile.Size - 0.5) /
+    size);
+  data.Scale = glm::vec4(map.Shown.Texel, map.Shown.Near, map.Shown.Far, 0.0);
+  return data;
+}
+}
+
+std::vector<double> ShadowMap::Signature() const
+{
+  std::vector<double> numbers{ static_cast<double>(this->Tile.X), static_cast<double>(this->Tile.Y),
+    static_cast<double>(this->Tile.Size) };
+  for (const auto* matrix : { &this->Shown.WorldToView, &this->Shown.ViewToClip })
+  {
+    for (int i = 0; i < 16; ++i)
+    {
+      numbers.push_back((*matrix)[i / 4][i % 4]);
+    }
+  }
+  return numbers;
+}
+
+ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& lights,
+  const View& view, const ShadowOptions& options)
+{
+  std::vector<ShadowCascades> cascades;
+  std::vector<AtlasWish> wishes;
+  for (const std::size_t index : lights)
+  {
+    const Light& light = table.Lights()[index];
+    cascades.push_back(ChooseCascades(
+      light, view, { options.Cascades, options.Resolution, options.Margin, options.Logarithmic }));
+    const auto count = static_cast<int>(cascades.back().Spheres.size());
+    const int maps = count > 0 ? count : CountShadowViews(light, view.Bounds);
+    wishes.push_back({ maps, maps > 1 ? 1 : 0, Importance(light, view.Bounds) });
+  }
+  const std::vector<int> halvings =
+    ShareShadowAtlas(wishes, options.Squares, MostHalvings(options.Resolution));
+  std::vector<int> sizes;
+  for (std::size_t i = 0; i < halvings.size(); ++i)
+  {
+    sizes.insert(sizes.end(), wishes[i].Maps, halvings[i]);
+  }
+  const ShadowAtlas atlas = PackShadowAtlas(options.Resolution, sizes);
+  ShadowPlan plan;
+  plan.Width = atlas.Width;
+  plan.Height = atlas.Height;
+  for (std::size_t i = 0; i < halvings.size(); ++i)
+  {
+    const Light& light = table.Lights()[lights[i]];
+    const ShadowCascades& parts = cascades[i];
+    const int first = static_cast<int>(plan.Maps.size());
+    const int resolution = atlas.Tiles[first].Size;
+    std::vector<ShadowView> views;
+    for (const auto& sphere : parts.Spheres)
+    {
+      views.push_back(FitShadowSphere(light, view.Bounds, sphere, resolution, options.Margin));
+    }
+    if (views.empty())
+    {
+      views = FitShadowViews(light, view.Bounds, resolution, options.Margin);
+    }
+    shared::ShadowLightData data;
+    data.Direction = glm::vec4(light.Direction, 0.0);
+    data.Position = glm::vec4(light.Position, light.Positional ? 1.0 : 0.0);
+    data.Size = glm::vec4(light.Positional ? options.LightRadius : options.LightTangent, 0, 0, 0);
+    data.Maps = glm::ivec4(first, views.size(),
+      !parts.Spheres.empty() ? GI_SHADOW_CASCADES
+        : views.size() == 6u ? GI_SHADOW_CUBE
+                             : GI_SHADOW_SINGLE,
+      0);
+    data.Ends = glm::vec4(0.0);
+    for (std::size_t part = 0; part < parts.Ends.size(); ++part)
+    {
+      data.Ends[static_cast<int>(part)] = static_cast<float>(parts.Ends[part]);
+    }
+    plan.LightData.push_back(data);
+    for (const auto& shown : views)
+    {
+      plan.Maps.push_back({ shown, atlas.Tiles[plan.Maps.size()] });
+      plan.MapData.push_back(MapData(plan.Maps.back(), plan, view));
+    }
+  }
+  return plan;
+}
+}

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "techniques/shadow_maps/ShadowViews.h"
+
+#include "light/LightTable.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace penumbra
+{
+namespace
+{
+// Wider cones lose texels to perspective: they take six views like an omnidirectional light.
+constexpr double WidestCone = 60.0;
+
+// A perspective depth range of 1:1000 leaves a 32-bit map millimetres in a kilometre.
+constexpr double NearestFraction = 1e-3;
+
+std::array<glm::dvec3, 8> Corners(const Bounds& b)
+{
+  std::array<glm::dvec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    corners[i] = { b[i & 1], b[2 + ((i >> 1) & 1)], b[4 + ((i >> 2) & 1)] };
+  }
+  return corners;
+}
+
+glm::dvec3 AnyUp(const glm::dvec3& direction)
+{
+  return std::abs(direction.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+}
+
+// The bounds across and along a directional light.
+struct Extent
+{
+  glm::dvec3 Low{ 1e300 };
+  glm::dvec3 High{ -1e300 };
+
+  Extent(const glm::dmat4& worldToView, const Bounds& bounds)
+  {
+    for (const auto& corner : Corners(bounds))
+    {
+      const glm::dvec3 p(worldToView * glm::dvec4(corner, 1.0));
+      this->Low = glm::min(this->Low, p);
+      this->High = glm::max(this->High, p);
+    }
+  }
+  // A flat scene still gets a volume.
+  double Half() const
+  {
+    return std::max(
+             { this->High.x - this->Low.x, this->High.y - this->Low.y, this->Diagonal() * 1e-3 }) /
+      2;
+  }
+  double Diagonal() const { return glm::length(this->High - this->Low); }
+};
+
+double Bordered(double half, int resolution, double margin)
+{
+  return half * resolution / std::max(1.0, resolution - 2.0 * margin);
+}
+
+// Depths hold all casters, wherever in the light's path they are.
+ShadowView Parallel(
+  const glm::dmat4& worldToView, const Bounds& bounds, double half, int resolution)
+{
+  ShadowView view;
+  view.WorldToView = worldToView;
+  const Extent extent(worldToView, bounds);
+  const double depth = extent.Diagonal() * 1e-2;
+  view.Near = -extent.High.z - depth;
+  view.Far = -extent.Low.z + depth;
+  view.ViewToClip = glm::ortho(-half, half, -half, half, view.Near, view.Far);
+  view.Texel = 2.0 * half / resolution;
+  return view;
+}
+
+glm::dmat4 LookAlong(const Light& light, const glm::dvec3& from)
+{
+  return glm::lookAt(from, from + light.WorldDirection, AnyUp(light.WorldDirection));
+}
+
+ShadowView FitDirectional(const Light& light, const Bounds& bounds, int resolution, double margin)
+{
+  const glm::dvec3 center(
+    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
+  const glm::dmat4 worldToView = LookAlong(light, center);
+  const double half = Bordered(Extent(worldToView, bounds).Half(), resolution, margin);
+  return Parallel(worldToView, bounds, half, resolution);
+}
+
+// A square window at distance one before a lamp.
+struct Window
+{
+  glm::dmat4 WorldToView{ 1.0 };
+  glm::dvec2 Center{ 0.0 };
+  double Half = 1.0;
+  bool Narrow = false;
+};
+
+// The window through which a lamp sees all of the bounds.
+Window OntoBounds(const Light& light, const Bounds& bounds)
+{
+  Window window;
+  const glm::dvec3 eye = light.WorldPosition;
+  const glm::dvec3 center(
+    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
+  const glm::dvec3 direction = center - eye;
+  if (glm::length(direction) <= 0.0)
+  {
+    return window;
+  }
+  window.WorldToView = glm::lookAt(eye, center, AnyUp(glm::normalize(direction)));
+  glm::dvec2 low(1e300);
+  glm::dvec2 high(-1e300);
+  for (const auto& corner : Corners(bounds))
+  {
+    const glm::dvec3 p(window.WorldToView * glm::dvec4(corner, 1.0));
+    if (-p.z <= 0.5 * glm::length(p)) // beyond 60 degrees
+    {
+      return window;
+    }
+    const glm::dvec2 tangents = glm::dvec2(p) / -p.z;
+    low = glm::min(low, tangents);
+    high = glm::max(high, tangents);
+  }
+  window.Center = 0.5 * (low + high);
+  window.Half = std::max({ high.x - low.x, high.y - low.y, 1e-6 }) / 2.0;
+  window.Narrow = true;
+  return window;
+}
+
+// The smaller of the windows onto its cone and onto the scene.
+Window OntoScene(const Light& light, const Bounds& bounds)
+{
+  Window window = OntoBounds(light, bounds);
+  const double cone = std::tan(glm::radians(light.ConeAngle));
+  if (light.ConeAngle < WidestCone && (!window.Narrow || cone < window.Half))
+  {
+    window.WorldToView = LookAlong(light, light.WorldPosition);
+    window.Center = glm::dvec2(0.0);
+    window.Half = cone;
+    window.Narrow = true;
+  }
+  return window;
+}
+}
+
+glm::dvec2 DistanceRange(const glm::dvec3& from, const Bounds& bounds)
+{
+  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
+  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
+  double farthest = 0.0;
+  for (const auto& corner : Corners(bounds))
+  {
+    farthest = std::max(farthest, glm::length(corner - from));
+  }
+  return { glm::length(glm::clamp(from, low, high) - from), farthest };
+}
+
+ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const ShadowSphere& sphere,
+  int resolution, double margin)
+{
+  // The view moves by steps of so many texels: a map is drawn anew only after that way, and shows the
+  // same texels then (Valient 2007, Stable Rendering of Cascaded Shadow Maps, ShaderX6).
+  constexpr double step = 8.0;
+  const double half = Bordered(sphere.Radius, resolution, margin + step);
+  const ShadowView whole = FitDirectional(light, bounds, resolution, margin);
+  if (half * 2.0 >= whole.Texel * resolution)
+  {
+    return whole;
+  }
+  const double grid = step * 2.0 * half / resolution;
+  const glm::dmat3 toLight(LookAlong(light, glm::dvec3(0.0)));
+  glm::dvec3 center = toLight * sphere.Center;
+  center.x = std::round(center.x / grid) * grid;
+  center.y = std::round(center.y / grid) * grid;
+  center.z = 0.0;
+  glm::dmat4 worldToView(toLight);
+  worldToView[3] = glm::dvec4(-center, 1.0);
+  return Parallel(worldToView, bounds, half, resolution);
+}
+
+int CountShadowViews(const Light& light, const Bounds& bounds)
+{
+  return light.Positional && !OntoScene(light, bounds).Narrow ? 6 : 1;
+}
+
+std::vector<ShadowView> FitShadowViews(
+  const Light& light, const Bounds& bounds, int resolution, double margin)
+{
+  if (!light.Positional)
+  {
+    return { FitDirectional(light, bounds, resolution, margin) };
+  }
+  const glm::dvec2 range = DistanceRange(light.WorldPosition, bounds);
+  const Window window = OntoScene(light, bounds);
+  ShadowView view;
+  view.Parallel = false;
+  // Along a view's axis things may be nearer than their distance, down to a face's corner.
+  view.Far = range.y * 1.01;
+  view.Near = std::max(range.x / std::sqrt(3.0) * 0.99, view.Far * NearestFraction);
+  const double half = Bordered(window.Half, resolution, margin);
+  const glm::dvec2 low = view.Near * (window.Center - half);
+  const glm::dvec2 high = view.Near * (window.Center + half);
+  view.ViewToClip = glm::frustum(low.x, high.x, low.y, high.y, view.Near, view.Far);
+  view.Texel = 2.0 * half / resolution;
+  if (window.Narrow)
+  {
+    view.WorldToView = window.WorldToView;
+    return { view };
+  }
+  const glm::dvec3 eye = light.WorldPosition;
+  // In the order +x, -x, +y, -y, +z, -z, which the shader chooses by.
+  std::vector<ShadowView> views;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (double sign : { 1.0, -1.0 })
+    {
+      glm::dvec3 direction(0.0);
+      direction[axis] = sign;
+      view.WorldToView = glm::lookAt(eye, eye + direction, AnyUp(direction));
+      views.push_back(view);
+    }
+  }
+  return views;
+}
+}

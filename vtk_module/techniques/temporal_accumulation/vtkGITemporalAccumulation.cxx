@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGITemporalAccumulation.h"
+
+#include "capture/MotionTable.h"
+#include "capture/SceneCapture.h"
+#include "gpu/ScopedState.h"
+#include "technique/FrameBuilder.h"
+
+#include "vtkOpenGLRenderer.h"
+
+vtkStandardNewMacro(vtkGITemporalAccumulation);
+
+using namespace penumbra;
+
+namespace
+{
+constexpr const char* Reprojection = "temporal-accumulation.reprojection";
+
+// Place among the passes that modify a noisy resource: after filters over the neighbourhood.
+constexpr int Order = 500;
+
+// Frames after a change in which something old may still be seen.
+constexpr int Settling = 8;
+
+// Where a light shines from; whether a mask of it still holds.
+using LightPlace = std::array<double, 9>;
+
+LightPlace PlaceOf(const Light& light)
+{
+  const glm::dvec3& p = light.WorldPosition;
+  const glm::dvec3& d = light.WorldDirection;
+  return { { p.x, p.y, p.z, d.x, d.y, d.z, light.Positional ? 1.0 : 0.0, light.ConeAngle,
+    light.Exponent } };
+}
+
+/// How long things have been as they are, in frames with the one being drawn.
+struct Ages
+{
+  int Start = 0;           ///< since accumulation began
+  int Looks = 0;           ///< since looks or lights changed
+  int Settled = 0;         ///< since props changed
+  std::vector<int> Lights; ///< of each channel of the direct visibility
+  std::vector<LightPlace> Places;
+
+  void Advance(const View& view, const LightTable& lights, bool continued)
+  {
+    this->Start = continued ? this->Start + 1 : 1;
+    this->Looks = !continued || view.Changes.Looks || view.Changes.Lights ? 1 : this->Looks + 1;
+    this->Settled = view.Changes.Props ? 0 : this->Settled + 1;
+    std::vector<LightPlace> now;
+    for (const Light& light : lights.Lights())
+    {
+      const auto channel = static_cast<std::size_t>(light.MaskChannel);
+      if (light.MaskChannel >= 0)
+      {
+        now.resize(std::max(now.size(), channel + 1));
+        now[channel] = PlaceOf(light);
+      }
+    }
+    this->Lights.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i)
+    {
+      const bool same = continued && i < this->Places.size() && this->Places[i] == now[i];
+      this->Lights[i] = same ? this->Lights[i] + 1 : 1;
+    }
+    this->Places = now;
+  }
+
+  /// Whether what was seen before a change may be in the means.
+  bool IsSettling() const { return this->Settled < Settling && this->Settled + 1 < this->Start; }
+
+  int Of(const NoisyResource& noisy, std::size_t channel) const
+  {
+    const int own =
+      noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1) : this->Start;
+    return noisy.Looks ? std::min(own, this->Looks) : own;
+  }
+};
+
+TextureDesc MeanDesc(const TextureDesc& shown)
+{
+  TextureDesc desc = shown;
+  desc.Format = shown.Format == GL_R8 || shown.Format == GL_R16 ? GL_R32F : GL_RGBA16F;
+  return desc;
+}
+
+/// A history that is read and one that is written, by turns.
+struct Pair
+{
+  const Texture* Before;
+  const Texture* Now;
+  bool Fresh = false;
+
+  Pair(const FrameContext& context, const std::string& name, const TextureDesc& desc)
+  {
+    const bool odd = context.GetView().FrameNumber % 2 != 0;
+    bool fresh[2];
+    const Texture* both[2] = { &context.History((name + ".even").c_str(), desc, fresh[0]),
+      &context.History((name + ".odd").c_str(), desc, fresh[1]) };
+    this->Now = both[odd];
+    this->Before = both[!odd];
+    this->Fresh = fresh[!odd];
+  }
+};
+
+struct Work
+{
+  MotionTable* Motion;
+  MaterialTable* Materials;
+  const Ages* Age;
+  int MaximumFrames;
+  int ChangeFrames;
+  double ClampWidth;
+  double DepthTolerance;
+  double NormalTolerance;
+
+  int Most(const View& view) const
+  {
+    constexpr int unlimited = 2048; // half floats hold every integer up to here
+    return this->Age->IsSettling() ? this->ChangeFrames
+      : view.StillFrames > 0       ? unlimited
+                                   : this->MaximumFrames;
+  }
+
+  void Begin(ScopedState& scope) const
+  {
+    scope.Set(GL_BLEND, false);
+    scope.Set(GL_DEPTH_TEST, true);
+    scope.DepthFunc(GL_GREATER); // only where there is something
+    scope.DepthMask(false);
+  }
+
+  void Reproject(FrameContext& context) const
+  {
+    const View& view = context.GetView();
+    const Pair surfaces(context, "temporal-accumulation.surface",
+      { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 });
+    const bool continued = this->Motion->IsContinued() && !surfaces.Fresh;
+    ScopedState scope(context.State());
+    this->Begin(scope);
+    context.BindTarget({ { context.Output(Reprojection), -1 }, { surfaces.Now, -1 } },
+      { context.Input(resource::Depth), -1 });
+    const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    glClearBufferfv(GL_COLOR, 0, nothing);
+    glClearBufferfv(GL_COLOR, 1, nothing);
+    Defines variant;
+    if (view.StillFrames > 0)
+    {
+      variant["GI_STILL"] = "1";
+    }
+    if (context.Input(resource::Displacement))
+    {
+      variant["GI_DISPLACEMENT"] = "1";
+    }
+    if (this->Motion->PropsMove())
+    {
+      variant["GI_PROPS_MOVE"] = "1";
+    }
+    const Program& program =
+      context.Shaders().Fragment("temporal_accumulation/reproject.frag", variant);
+    context.Use(program,
+      { context.Input(resource::WindowDepth), context.Input(resource::Normal), surfaces.Before,
+        context.Input(resource::Displacement) });
+    this->Materials->Bind(1);
+    this->Motion->Bind(1, 2);
+    glUniform2f(program.Location("tolerance"), static_cast<GLfloat>(this->DepthTolerance),
+      static_cast<GLfloat>(std::cos(glm::radians(this->NormalTolerance))));
+    glUniform1f(program.Location("most"), static_cast<GLfloat>(this->Most(view)));
+    glUniform1i(program.Location("continued"), continued ? 1 : 0);
+    context.DrawFullscreen();
+  }
+
+  void Accumulate(FrameContext& context, const NoisyResource& noisy) const
+  {
+    const View& view = context.GetView();
+    const Texture* shown = context.Output(noisy.Name);
+    const TextureDesc& desc = shown->Desc();
+    const Pair means(context, std::string("temporal-accumulation.") + noisy.Name, MeanDesc(desc));
+    Defines variant;
+    if (desc.Layers > 0)
+    {
+      variant["GI_LAYERS"] = "1";
+    }
+    if (view.StillFrames > 0)
+    {
+      variant["GI_STILL"] = "1";
+    }
+    if (view.StillFrames == 0 || this->Age->IsSettling())
+    {
+      variant["GI_CLAMP"] = "1";
+    }
+    ScopedState scope(context.State());
+    this->Begin(scope);
+    const Program& program =
+      context.Shaders().Fragment("temporal_accumulation/accumulate.frag", variant);
+    for (int layer = 0; layer < std::max(1, desc.Layers); ++layer)
+    {
+      const int target = desc.Layers > 0 ? layer : -1;
+      context.BindTarget(
+        { { means.Now, target }, { shown, target } }, { context.Input(resource::Depth), -1 });
+      context.Use(
+        program, { context.Input(Reprojection), context.Input(noisy.Name), means.Before });
+      glm::vec4 most;
+      for (int i = 0; i < 4; ++i)
+      {
+        const int age =
+          means.Fresh ? 1 : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
+        most[i] = static_cast<float>(age);
+      }
+      glUniform4f(program.Location("most"), most.x, most.y, most.z, most.w);
+      glUniform1f(program.Location("clampWidth"), static_cast<GLfloat>(this->ClampWidth));
+      if (desc.Layers > 0)
+      {
+        glUniform1i(program.Location("layer"), layer);
+      }
+      context.DrawFullscreen();
+    }
+  }
+};
+}
+
+vtkGITemporalAccumulation::vtkGITemporalAccumulation() = default;
+vtkGITemporalAccumulation::~vtkGITemporalAccumulation() = default;
+
+void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
+{
+  frame.ChangeNoise();
+  Ages& ages = frame.ViewState<Ages>(this);
+  MotionTable& motion = frame.Motion();
+  const LightTable& lights = frame.Lights();
+  const Work work{ &motion, &frame.Capture().Materials(), &ages, this->MaximumFrames,
+    this->ChangeFrames, this->ClampWidth, this->DepthTolerance, this->NormalTolerance };
+  frame.AddPass("temporal-reproject")
+    .Read(resource::Depth)
+    .Read(resource::WindowDepth)
+    .Read(resource::Normal)
+    .ReadIfPresent(resource::Displacement)
+    .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
+    .Execute([work, &ages, &motion, &lights](FrameContext& context) {
+      ages.Advance(context.GetView(), lights, motion.IsContinued());
+      work.Reproject(context);
+    });
+  for (const NoisyResource& noisy : resource::Noisy)
+  {
+    frame.AddPass(std::string("temporal-") + noisy.Name)
+      .Read(Reprojection)
+      .Read(resource::Depth)
+      .ModifyIfPresent(noisy.Name, Order)
+      .Execute([work, noisy](FrameContext& context) { work.Accumulate(context, noisy); });
+  }
+}
