@@ -88,9 +88,7 @@ def page(path, part, title):
 def main():
     if sys.argv[1:] not in ([], ["--check"]):
         sys.exit(__doc__)
-    order = re.search(r"set\(techniques\n(.*?)\)", (ROOT / "vtk_module/CMakeLists.txt").read_text(),
-                      re.DOTALL).group(1).split()
-    paths = [next((ROOT / "vtk_module/techniques").glob(f"*/{name}.json")) for name in order]
+    paths = sorted((ROOT / "vtk_module/techniques").glob("*/*.json"), key=lambda path: path.stem)
     techniques = [(path, json.loads(path.read_text())) for path in paths]
     pages = [(DOCS / f"{t['name']}.md", technique_part(path, t), t["title"]) for path, t in techniques]
     pages.append((DOCS / "README.md", overview_part(techniques), "Techniques"))

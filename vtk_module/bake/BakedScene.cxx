@@ -182,25 +182,19 @@ std::string BakedScene::DifferenceTo(const BakedScene& now) const
   return differences.front() + (more > 0 ? " and " + std::to_string(more) + " more changes" : "");
 }
 
-void BakedSceneWatch::SetBaked(const std::string& text)
+std::string BakedSceneWatch::Difference(
+  const BakedScene& baked, vtkRenderer* renderer, bool changed, int frameNumber)
 {
-  this->Baked = BakedScene::FromText(text);
-  this->Views.clear();
-}
-
-std::string BakedSceneWatch::Difference(vtkRenderer* renderer, bool changed, int frameNumber)
-{
-  Seen& seen = this->Views[renderer];
-  if (changed || (seen.Frame != frameNumber && seen.Frame + 1 != frameNumber))
+  if (changed || (this->Frame != frameNumber && this->Frame + 1 != frameNumber))
   {
-    seen.Props.clear();
-    seen.Solid = BakedScene::AddProps(renderer, seen.Cache, {}, seen.Props);
+    this->Props.clear();
+    this->Solid = BakedScene::AddProps(renderer, this->Cache, {}, this->Props);
   }
-  seen.Frame = frameNumber;
+  this->Frame = frameNumber;
   BakedScene now;
-  now.Things = seen.Props;
+  now.Things = this->Props;
   BakedScene::AddLamps(renderer, now.Things);
-  BakedScene::AddSurroundings(renderer, seen.Cache, now.Things);
-  return this->Baked.DifferenceTo(now);
+  BakedScene::AddSurroundings(renderer, this->Cache, now.Things);
+  return baked.DifferenceTo(now);
 }
 }

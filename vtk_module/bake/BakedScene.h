@@ -84,31 +84,22 @@ private:
   std::vector<Thing> Things;
 };
 
-/// A bake's scene beside the one that is drawn, from frame to frame.
+/// The scene of a renderer, as bakes know it, followed from frame to frame.
 class BakedSceneWatch
 {
 public:
-  /// The bake's; all that was seen is forgotten. Throws as BakedScene::FromText().
-  void SetBaked(const std::string& text);
-
-  /// BakedScene::DifferenceTo() the renderer's scene. Props are looked at again where they changed or a frame
-  /// was missed, lamps every time. changed: any prop moved, came, went or looks different since the last frame.
-  std::string Difference(vtkRenderer* renderer, bool changed, int frameNumber);
+  /// The bake's DifferenceTo() the renderer's scene. Props are looked at again where they changed or a frame was missed,
+  /// lamps every time. changed: any prop moved, came, went or looks different since the last frame.
+  std::string Difference(
+    const BakedScene& baked, vtkRenderer* renderer, bool changed, int frameNumber);
 
   /// Of the last Difference(): whether nothing is seen through any prop, be it translucent, clipped or culled.
-  bool IsSolid(vtkRenderer* renderer) { return this->Views[renderer].Solid; }
-
-  void Forget() { this->Views.clear(); }
+  bool IsSolid() const { return this->Solid; }
 
 private:
-  struct Seen
-  {
-    std::vector<BakedScene::Thing> Props;
-    bool Solid = false;
-    BakedSceneCache Cache;
-    int Frame = -2;
-  };
-  BakedScene Baked;
-  std::map<vtkRenderer*, Seen> Views;
+  std::vector<BakedScene::Thing> Props;
+  bool Solid = false;
+  BakedSceneCache Cache;
+  int Frame = -2;
 };
 }

@@ -10,6 +10,8 @@
 #include <typeindex>
 #include <utility>
 
+class vtkRenderer;
+
 namespace penumbra
 {
 class ViewState
@@ -28,7 +30,24 @@ public:
     return *static_cast<T*>(state.get());
   }
 
+  /// The same, or nullptr where it was never asked for.
+  template <typename T>
+  const T* Find(const void* owner) const
+  {
+    const auto found = this->States.find({ owner, std::type_index(typeid(T)) });
+    return found == this->States.end() ? nullptr : static_cast<const T*>(found->second.get());
+  }
+
 private:
   std::map<std::pair<const void*, std::type_index>, std::shared_ptr<void>> States;
+};
+
+/// Finds views between frames, for those who ask a technique about a renderer.
+class ViewDirectory
+{
+public:
+  virtual ~ViewDirectory() = default;
+  /// The state of a renderer's view, of its first eye; nullptr where it was never drawn.
+  virtual const ViewState* FindView(vtkRenderer* renderer) const = 0;
 };
 }

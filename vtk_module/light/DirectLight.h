@@ -19,8 +19,8 @@ struct DirectLightOptions
   bool Extended = false;      ///< the capture wrote the extended set of targets
   bool Radiance = false;      ///< write resource::Radiance, too
   bool LitRadiance = false;   ///< write resource::LitRadiance, too
-  double SpreadShare = 0.0;   ///< see FrameBuilder::SpreadLight()
-  double Interreflection = 0.0; ///< see FrameBuilder::SetInterreflection()
+  double SpreadShare = 0.0;   ///< see LightingPlan::SpreadLight()
+  double Interreflection = 0.0; ///< see LightingPlan::SetInterreflection()
 };
 
 /// Add the passes that make the picture from the G-buffer: "direct-light" writes the colour (and

@@ -31,8 +31,6 @@ enum class IndirectKind
 struct IndirectLight
 {
   IndirectKind Kind;
-  /// What is nearer than this hides light without its knowing: how far occlusion may still darken it, world units.
-  double Detail;
   std::vector<const char*> Reads; ///< resources
   /// Draw over resource::Irradiance, bound with the depth that the props left, tests and writing of depth off:
   /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is

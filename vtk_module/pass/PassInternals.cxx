@@ -7,6 +7,7 @@
 #include "capture/VisibleSky.h"
 #include "gpu/BoundFramebuffer.h"
 #include "light/DirectLight.h"
+#include "pass/TechniqueChoice.h"
 #include "technique/FrameBuilder.h"
 
 #include "vtkCamera.h"
@@ -23,6 +24,10 @@ using namespace penumbra;
 vtkGIPass::Internals::Internals()
   : Techniques(CreateTechniques())
 {
+  for (auto& technique : this->Techniques)
+  {
+    technique->SetViews(this);
+  }
   this->Forward->SetShaders(&this->Shaders);
   this->Guard->SetFree([this] { this->Free(); });
 }
@@ -30,6 +35,10 @@ vtkGIPass::Internals::Internals()
 vtkGIPass::Internals::~Internals()
 {
   this->Guard->Leave();
+  for (auto& technique : this->Techniques)
+  {
+    technique->SetViews(nullptr); // it may live longer
+  }
 }
 
 const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer* renderer) const
@@ -42,6 +51,12 @@ const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer
     }
   }
   return nullptr;
+}
+
+const ViewState* vtkGIPass::Internals::FindView(vtkRenderer* renderer) const
+{
+  const Memory* memory = this->FindMemory(renderer);
+  return memory ? &memory->States : nullptr;
 }
 
 void vtkGIPass::Internals::Restart()
@@ -241,21 +256,22 @@ void vtkGIPass::Internals::DrawFrame(
   const View unshifted = view;
   FrameGraph graph;
   RayProps& rays = this->Worlds[renderer];
+  LightingPlan plan;
   FrameBuilder builder(
-    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, renderer);
-  bool lit = false;
+    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, plan, renderer);
   for (auto& technique : this->Techniques)
   {
-    const bool takesPart = technique->GetEnabled() || technique->StandsIn(builder);
-    technique->SetTookPart(takesPart);
-    if (takesPart)
-    {
-      technique->Contribute(builder);
-      lit |= technique->ChangesLight();
-    }
+    technique->SetTookPart(false);
+  }
+  bool lit = false;
+  for (vtkGITechnique* technique : ChooseTechniques(this->Techniques, builder, plan))
+  {
+    technique->SetTookPart(true);
+    technique->Contribute(builder);
+    lit |= technique->ChangesLight();
   }
   this->Capture.SetMendsNormals(lit);
-  this->DrawnByRays = builder.IsDrawnByRays() ? &rays : nullptr;
+  this->DrawnByRays = plan.IsDrawnByRays() ? &rays : nullptr;
   this->Notes.clear();
   for (const auto& note : builder.GetNotes())
   {
@@ -271,7 +287,7 @@ void vtkGIPass::Internals::DrawFrame(
   ContributeSky(builder, this->Capture.Skies());
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
-      builder.GetSpreadShare(), builder.GetInterreflection() });
+      plan.SpreadShare(), plan.Interreflection() });
   memory.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {

@@ -27,11 +27,11 @@
 #include "vtkOpenGLFXAAFilter.h"
 #include "vtkWeakPointer.h"
 
-class vtkGIPass::Internals
+class vtkGIPass::Internals : public penumbra::ViewDirectory
 {
 public:
   Internals();
-  ~Internals();
+  ~Internals() override;
 
   /// Everything is made in this window's context from now on, which becomes current.
   void Enter(vtkOpenGLRenderWindow* window) { this->Guard->Enter(window); }
@@ -69,6 +69,7 @@ public:
     penumbra::WholePicture Whole;           ///< larger than the window, while tiles are shown
   };
   const Memory* FindMemory(vtkRenderer* renderer) const;
+  const penumbra::ViewState* FindView(vtkRenderer* renderer) const override;
 
   std::vector<vtkSmartPointer<vtkGITechnique>> Techniques;
   vtkSmartPointer<vtkOpenGLFXAAFilter> FxaaFilter = vtkSmartPointer<vtkOpenGLFXAAFilter>::New();

@@ -176,6 +176,7 @@ private:
 
   void RenderPicture(const vtkRenderState* state);
 
+  friend class vtkGIPassOrder; // tests/pass/TestPlan.cxx: techniques in another order
   class Internals;
   std::unique_ptr<Internals> Impl;
 };

@@ -65,21 +65,11 @@ ForwardLight FrameBuilder::GetForwardLight() const
       light.Indirect.push_back(indirect.Forward);
     }
   }
-  if (this->GetSpreadShare() > 0.0)
+  if (this->CurrentPlan.SpreadShare() > 0.0)
   {
-    light.Spread(this->GetSpreadShare(), this->CurrentLights.TotalColor());
+    light.Spread(this->CurrentPlan.SpreadShare(), this->CurrentLights.TotalColor());
   }
   return light;
-}
-
-double FrameBuilder::GetIndirectDetail() const
-{
-  double detail = this->Indirect.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-  for (const IndirectLight& light : this->Indirect)
-  {
-    detail = std::max(detail, light.Detail);
-  }
-  return detail;
 }
 
 void FrameBuilder::RequestSurroundings()

@@ -11,6 +11,7 @@
 #include "light/ForwardPart.h"
 #include "light/IndirectLight.h"
 #include "light/LightTable.h"
+#include "technique/LightingPlan.h"
 
 namespace penumbra
 {
@@ -23,15 +24,19 @@ class FrameBuilder : public Frame
 {
 public:
   FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene,
-    RayProps& rays, MotionTable& motion, ViewState& states, vtkOpenGLRenderer* renderer)
+    RayProps& rays, MotionTable& motion, penumbra::ViewState& states,
+    const LightingPlan& plan, vtkOpenGLRenderer* renderer)
     : Frame(graph, view, renderer)
     , CurrentLights(lights)
     , Scene(scene)
     , World(rays)
     , Motions(motion)
     , States(states)
+    , CurrentPlan(plan)
   {
   }
+  /// What lights this frame: complete when the first technique adds a pass.
+  const LightingPlan& Plan() const { return this->CurrentPlan; }
   LightTable& Lights() { return this->CurrentLights; }
   SceneCapture& Capture() { return this->Scene; }
   /// The scene for rays, brought up to date when first asked for in a frame.
@@ -56,41 +61,14 @@ public:
   /// Shift this frame's picture by a part of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
-  /// A technique averages still frames itself: what it shows needs no further averaging.
-  void SetAveraged() { this->Averaged = true; }
-  bool IsAveraged() const { return this->Averaged; }
-
-  /// Rays draw all that they see, translucent props too: VTK is not to draw those over them.
-  void SetDrawnByRays() { this->DrawnByRays = true; }
-  bool IsDrawnByRays() const { return this->DrawnByRays; }
-
   /// Have resource::LitRadiance written, and resource::Surroundings where the environment lights.
   void RequestLitRadiance();
   bool WantsLitRadiance() const { return this->LitRadianceWanted; }
-
-  /// Take a share of the lights' strength and spread it evenly over all directions.
-  void SpreadLight(double share) { this->Share = share; }
-  double GetSpreadShare() const { return this->Indirect.empty() ? this->Share : 0.0; }
 
   /// A technique knows indirect light, with that of the environment: lights keep their strength.
   void AddIndirectLight(IndirectLight light);
   /// In the order of their kinds.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
-  /// Baked light no longer fits: another technique is to know light that follows the scene.
-  void RequestLiveLight() { this->LiveLightWanted = true; }
-  /// Whether that is asked for, and nothing else lights the scene so far.
-  bool NeedsLiveLight() const
-  {
-    return this->LiveLightWanted && this->Indirect.empty() && !this->DrawnByRays;
-  }
-  /// The coarsest detail of what is known so far; infinity where nothing is.
-  double GetIndirectDetail() const;
-
-  /// Take surfaces that hide one another from ambient light for reflecting it too, by so much of
-  /// their colour.
-  void SetInterreflection(double share) { this->Interreflection = share; }
-  double GetInterreflection() const { return this->Interreflection; }
-
   /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights:
   /// functions giVisibility(), see forward/lights.glsl.
   void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }
@@ -109,14 +87,10 @@ private:
   RayProps& World;
   MotionTable& Motions;
   penumbra::ViewState& States;
+  const LightingPlan& CurrentPlan;
   bool WorldReady = false;
   bool MotionReady = false;
-  bool Averaged = false;
-  bool DrawnByRays = false;
   bool LitRadianceWanted = false;
-  bool LiveLightWanted = false;
-  double Share = 0.0;
-  double Interreflection = 0.0;
   ForwardPart Visibility;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;

@@ -24,6 +24,8 @@
 namespace penumbra
 {
 class FrameBuilder;
+class LightingPlan;
+class ViewDirectory;
 struct ParameterInfo;
 struct PresetValue;
 }
@@ -103,11 +105,27 @@ public:
   bool ApplyPreset(const char* preset);
   ///@}
 
+  ///@{
   /**
-   * Whether the technique takes part in a frame though it is not enabled, in place of others that were asked so far
-   * and know less than they should.
+   * The resource, by its name in the frame graph, that this technique writes and only one may write in a frame;
+   * nullptr for none. Of several that are enabled and offer the same, the one of the highest rank takes part, and of
+   * equal rank the first by name; a note names those that stand back. Ranks rise with what a technique can see: 0 what
+   * is on the screen, 1 what maps hold, 2 what rays find.
    */
-  virtual bool StandsIn(const penumbra::FrameBuilder&) { return false; }
+  virtual const char* GetOfferedResource() { return nullptr; }
+  virtual int GetRank() { return 0; }
+  ///@}
+
+  /**
+   * Say how the technique will light a frame that it takes part in. All of them are asked before any contributes.
+   */
+  virtual void Plan(penumbra::LightingPlan&, penumbra::FrameBuilder&) {}
+
+  /**
+   * Whether the technique takes part in a frame though it is not enabled, in place of others that know less than
+   * they should.
+   */
+  virtual bool StandsIn(const penumbra::LightingPlan&) { return false; }
 
   ///@{
   /**
@@ -140,6 +158,11 @@ public:
   virtual bool IsFinished(vtkRenderer*) { return true; }
 
   /**
+   * Where the technique finds what it remembers of views, between frames. Set by the pass.
+   */
+  void SetViews(const penumbra::ViewDirectory* views) { this->Views = views; }
+
+  /**
    * Free what the technique holds on the GPU outside the frame graph's pool.
    */
   virtual void ReleaseGraphicsResources(vtkWindow*) {}
@@ -151,6 +174,7 @@ protected:
   virtual const std::vector<penumbra::ParameterInfo>& ParameterTable() = 0;
   virtual const std::vector<penumbra::PresetValue>& PresetTable() = 0;
 
+  const penumbra::ViewDirectory* Views = nullptr;
   bool Enabled = false;
   bool TookPart = false;
   char* LastError = nullptr;

@@ -223,14 +223,23 @@ void vtkGIAmbientOcclusion::ReleaseGraphicsResources(vtkWindow*)
   *this->Impl = Resources();
 }
 
+const char* vtkGIAmbientOcclusion::GetOfferedResource()
+{
+  return resource::AmbientVisibility;
+}
+
+void vtkGIAmbientOcclusion::Plan(LightingPlan& plan, FrameBuilder&)
+{
+  plan.SpreadLight(this->AmbientShare);
+  plan.SetInterreflection(this->Interreflection);
+}
+
 void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
 {
-  frame.SpreadLight(this->AmbientShare);
-  frame.SetInterreflection(this->Interreflection);
   // Occlusion further off is in indirect light that is known.
   const double radius = this->Radius > 0.0
     ? this->Radius
-    : std::min(AutomaticRadius * frame.GetView().Diagonal, frame.GetIndirectDetail());
+    : std::min(AutomaticRadius * frame.GetView().Diagonal, frame.Plan().IndirectDetail());
   if (radius <= 0.0)
   {
     return;
@@ -242,10 +251,8 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     thickness = 0.0; // as good as endless, at less cost
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const std::vector<IndirectLight>& lights = frame.GetIndirectLights();
-  const bool bent = this->BentNormals && this->Method == Horizon &&
-    std::any_of(lights.begin(), lights.end(),
-      [](const IndirectLight& light) { return light.Kind != IndirectKind::BakedOnSurfaces; });
+  const bool bent =
+    this->BentNormals && this->Method == Horizon && frame.Plan().KnowsLightAround();
   const Work work{ &this->Impl->KernelBlock, radius, this->Bias, thickness, this->Method,
     this->Samples, stride, this->Filter, bent };
   TextureDesc raw = frame.WindowTexture(bent ? GL_RGBA32UI : GL_RG32UI);

@@ -24,6 +24,8 @@ public:
   static vtkGIAmbientOcclusion* New();
   vtkTypeMacro(vtkGIAmbientOcclusion, vtkGIAmbientOcclusionParameters);
 
+  const char* GetOfferedResource() override;
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

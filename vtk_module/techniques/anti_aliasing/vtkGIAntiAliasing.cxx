@@ -82,7 +82,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
 {
   const View& view = frame.GetView();
   const int mode = this->Mode != Auto ? this->Mode : view.WantsAntiAliasing ? Accumulate : Off;
-  if (mode == Off || frame.IsAveraged())
+  if (mode == Off || frame.Plan().IsDrawnByRays())
   {
     return;
   }

@@ -7,9 +7,6 @@
 #include "technique/FrameBuilder.h"
 #include "techniques/ddgi/LiveField.h"
 
-#include "vtkCamera.h"
-#include "vtkWeakPointer.h"
-
 vtkStandardNewMacro(vtkGIDDGI);
 
 using namespace penumbra;
@@ -81,51 +78,18 @@ ProbeBalls Balls(const LiveField& field)
 }
 }
 
-struct vtkGIDDGI::State
-{
-  struct Owned
-  {
-    vtkWeakPointer<vtkRenderer> Owner;
-    LiveField Field;
-  };
-
-  std::map<std::pair<vtkRenderer*, int>, Owned> Fields; ///< by renderer and eye
-
-  // Another renderer may come to a dead one's address.
-  void ForgetTheDead()
-  {
-    for (auto it = this->Fields.begin(); it != this->Fields.end();)
-    {
-      it = it->second.Owner ? std::next(it) : this->Fields.erase(it);
-    }
-  }
-
-  LiveField& Of(vtkRenderer* renderer)
-  {
-    Owned& owned = this->Fields[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
-    owned.Owner = renderer;
-    return owned.Field;
-  }
-
-  // Of the first eye.
-  const LiveField* Find(vtkRenderer* renderer) const
-  {
-    const auto found = this->Fields.lower_bound({ renderer, 0 });
-    const bool known = found != this->Fields.end() && found->first.first == renderer;
-    return known ? &found->second.Field : nullptr;
-  }
-};
-
-vtkGIDDGI::vtkGIDDGI()
-  : Impl(new State)
-{
-}
-
+vtkGIDDGI::vtkGIDDGI() = default;
 vtkGIDDGI::~vtkGIDDGI() = default;
 
-void vtkGIDDGI::ReleaseGraphicsResources(vtkWindow*)
+void vtkGIDDGI::Plan(LightingPlan& plan, FrameBuilder& frame)
 {
-  this->Impl->Fields.clear();
+  const View& view = frame.GetView();
+  if (view.Diagonal > 0.0)
+  {
+    LiveField& field = frame.ViewState<LiveField>(this);
+    field.Prepare(view, SettingsOf(*this), this->GetMTime());
+    plan.KnowIndirectLight(IndirectKind::LiveProbes, field.Grids().Detail());
+  }
 }
 
 void vtkGIDDGI::Contribute(FrameBuilder& frame)
@@ -141,12 +105,9 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
       " props of kinds that cannot be traced yet: they send no indirect light");
   }
-  this->Impl->ForgetTheDead();
-  LiveField& field = this->Impl->Of(frame.GetRenderer());
-  field.Prepare(view, SettingsOf(*this), this->GetMTime());
+  LiveField& field = frame.ViewState<LiveField>(this);
   LightTable& lights = frame.Lights();
   const TextureDesc token = { GL_R8, 1, 1, 0 };
-  // Fields stay where they are in memory as long as their renderers live.
   frame.AddPass("ddgi-trace")
     .Write(Traced, token)
     .Execute(
@@ -155,7 +116,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
     .Read(Traced)
     .Write(Blended, token)
     .Execute([&field](FrameContext& context) { field.Blend(context); });
-  frame.AddIndirectLight({ IndirectKind::LiveProbes, field.Grids().Detail(),
+  frame.AddIndirectLight({ IndirectKind::LiveProbes,
     { Blended, resource::Albedo, resource::Normal, resource::WindowDepth },
     [this, &field](FrameContext& context) { Gather(context, field, this->Intensity); },
     ForwardOf(field, [this, &field, toWorld = view.ViewToWorld](ForwardProgram& program) {
@@ -169,9 +130,15 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   }
 }
 
-bool vtkGIDDGI::StandsIn(const FrameBuilder& frame)
+bool vtkGIDDGI::StandsIn(const LightingPlan& plan)
 {
-  return frame.NeedsLiveLight();
+  return plan.NeedsLiveLight();
+}
+
+const LiveField* vtkGIDDGI::Find(vtkRenderer* renderer) const
+{
+  const ViewState* view = this->Views ? this->Views->FindView(renderer) : nullptr;
+  return view ? view->Find<LiveField>(this) : nullptr;
 }
 
 int vtkGIDDGI::GetRequiredFrames()
@@ -187,20 +154,20 @@ bool vtkGIDDGI::IsFinished(vtkRenderer* renderer)
 
 int vtkGIDDGI::GetUpdatesDone(vtkRenderer* renderer)
 {
-  const LiveField* field = this->Impl->Find(renderer);
+  const LiveField* field = this->Find(renderer);
   return field ? field->UpdatesDone() : 0;
 }
 
 void vtkGIDDGI::GetGrid(vtkRenderer* renderer, int counts[3])
 {
-  const LiveField* field = this->Impl->Find(renderer);
+  const LiveField* field = this->Find(renderer);
   const glm::ivec3 grid = field ? field->Grids().Get(0).Counts : glm::ivec3(0);
   std::copy_n(&grid[0], 3, counts);
 }
 
 void vtkGIDDGI::GetGridBounds(vtkRenderer* renderer, int number, double bounds[6])
 {
-  const LiveField* field = this->Impl->Find(renderer);
+  const LiveField* field = this->Find(renderer);
   const bool known = field && number >= 0 && number < field->Grids().Count();
   const ProbeGrid grid = known ? field->Grids().Get(number) : ProbeGrid();
   for (int axis = 0; axis < 3; ++axis)

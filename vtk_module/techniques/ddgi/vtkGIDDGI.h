@@ -20,17 +20,22 @@
 
 class vtkRenderer;
 
+namespace penumbra
+{
+class LiveField;
+}
+
 class VTKRENDERINGGI_EXPORT vtkGIDDGI : public vtkGIDDGIParameters
 {
 public:
   static vtkGIDDGI* New();
   vtkTypeMacro(vtkGIDDGI, vtkGIDDGIParameters);
 
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /// Where a bake no longer fits, see vtkGILightmap::LiveFallback and vtkGISHProbes::LiveFallback.
-  bool StandsIn(const penumbra::FrameBuilder& frame) override;
+  bool StandsIn(const penumbra::LightingPlan& plan) override;
   int GetRequiredFrames() override;
   bool IsFinished(vtkRenderer* renderer) override;
 
@@ -50,8 +55,7 @@ private:
   vtkGIDDGI(const vtkGIDDGI&) = delete;
   void operator=(const vtkGIDDGI&) = delete;
 
-  struct State;
-  std::unique_ptr<State> Impl;
+  const penumbra::LiveField* Find(vtkRenderer* renderer) const;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGILightmap.h"
 
-#include "bake/BakedScene.h"
+#include "bake/BakeFit.h"
 #include "technique/FrameBuilder.h"
 #include "techniques/lightmap/SurfaceMap.h"
 
@@ -21,8 +21,7 @@ using namespace penumbra;
 struct vtkGILightmap::Internals
 {
   SurfaceMap Map;
-  BakedSceneWatch Watch;
-  std::map<vtkRenderer*, std::string> Mismatches; ///< of renderers' last frames
+  BakedScene Scene; ///< of the bake
 };
 
 vtkGILightmap::vtkGILightmap()
@@ -42,7 +41,8 @@ bool vtkGILightmap::SetBake(vtkPolyData* surfaces, vtkImageData* light)
       next->Map = SurfaceMap(surfaces, light);
       auto* scene =
         vtkStringArray::SafeDownCast(surfaces->GetFieldData()->GetAbstractArray("scene"));
-      next->Watch.SetBaked(scene && scene->GetNumberOfValues() == 1 ? scene->GetValue(0) : "");
+      next->Scene = BakedScene::FromText(
+        scene && scene->GetNumberOfValues() == 1 ? std::string(scene->GetValue(0)) : "");
     }
     // What is on the graphics card is freed when its context is current.
     next->Map.TakeOld(this->Impl->Map);
@@ -75,39 +75,45 @@ std::string vtkGILightmap::DescribeScene(vtkRenderer* renderer)
 
 std::string vtkGILightmap::GetMismatch(vtkRenderer* renderer)
 {
-  const auto found = this->Impl->Mismatches.find(renderer);
-  return found == this->Impl->Mismatches.end() ? std::string() : found->second;
+  const ViewState* view = this->Views ? this->Views->FindView(renderer) : nullptr;
+  const BakeFit* fit = view ? view->Find<BakeFit>(this) : nullptr;
+  return fit ? fit->Mismatch() : std::string();
 }
 
 void vtkGILightmap::ReleaseGraphicsResources(vtkWindow*)
 {
   this->Impl->Map.Release();
-  this->Impl->Watch.Forget();
 }
 
-void vtkGILightmap::Contribute(FrameBuilder& frame)
+void vtkGILightmap::Plan(LightingPlan& plan, FrameBuilder& frame)
 {
   if (!this->HasBake())
   {
     frame.AddNote("the lightmap is on without a bake: make one with penumbra bake lightmap");
     return;
   }
-  const View& view = frame.GetView();
-  std::string& mismatch = this->Impl->Mismatches[frame.GetRenderer()];
-  mismatch = this->Impl->Watch.Difference(
-    frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
-  if (!mismatch.empty())
+  BakeFit& fit = frame.ViewState<BakeFit>(this);
+  fit.Check(frame, this->Impl->Scene, "the lightmap");
+  if (fit.Fits())
   {
-    frame.AddNote("the lightmap no longer fits: " + mismatch + " since the bake");
-    if (this->LiveFallback)
-    {
-      frame.RequestLiveLight();
-    }
+    plan.KnowIndirectLight(IndirectKind::BakedOnSurfaces, 0.0);
+  }
+  else if (this->LiveFallback)
+  {
+    plan.RequestLiveLight();
+  }
+}
+
+void vtkGILightmap::Contribute(FrameBuilder& frame)
+{
+  const BakeFit& fit = frame.ViewState<BakeFit>(this);
+  if (!this->HasBake() || !fit.Fits())
+  {
     return;
   }
   frame.AddIndirectLight(
-    { IndirectKind::BakedOnSurfaces, 0.0, { resource::WindowDepth, resource::Normal },
-      [this, solid = this->Impl->Watch.IsSolid(frame.GetRenderer())](
+    { IndirectKind::BakedOnSurfaces, { resource::WindowDepth, resource::Normal },
+      [this, solid = fit.IsSolid()](
         FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity, solid); },
       {}, this->Impl->Map.HasLamps() });
 }

@@ -170,10 +170,16 @@ struct PathTracer
 };
 }
 
+struct vtkGIPathTracing::Progress
+{
+  int Samples = 0;
+  double Error = HUGE_VAL;
+};
+
 const vtkGIPathTracing::Progress* vtkGIPathTracing::Find(vtkRenderer* renderer) const
 {
-  const auto found = this->Eyes.lower_bound({ renderer, 0 });
-  return found != this->Eyes.end() && found->first.first == renderer ? &found->second : nullptr;
+  const ViewState* view = this->Views ? this->Views->FindView(renderer) : nullptr;
+  return view ? view->Find<Progress>(this) : nullptr;
 }
 
 int vtkGIPathTracing::GetSamplesTaken(vtkRenderer* renderer)
@@ -231,7 +237,8 @@ bool vtkGIPathTracing::SetProgress(vtkRenderer* renderer, vtkImageData* image)
     // The arrays, not the image, which may come to hold something else.
     auto taken = vtkSmartPointer<vtkImageData>::New();
     taken->ShallowCopy(image);
-    this->Eyes[{ renderer, 1 }].Taken = taken;
+    this->TakeUp(renderer); // an earlier one is forgotten
+    this->ToTakeUp.emplace_back(renderer, taken);
   }
   return whole;
 }
@@ -249,6 +256,22 @@ bool vtkGIPathTracing::IsFinished(vtkRenderer* renderer)
   return progress && this->IsFinished(*progress);
 }
 
+void vtkGIPathTracing::Plan(LightingPlan& plan, FrameBuilder&)
+{
+  plan.DrawByRays();
+}
+
+vtkSmartPointer<vtkImageData> vtkGIPathTracing::TakeUp(vtkRenderer* renderer)
+{
+  vtkSmartPointer<vtkImageData> taken;
+  for (auto it = this->ToTakeUp.begin(); it != this->ToTakeUp.end();)
+  {
+    taken = it->first == renderer ? it->second : taken;
+    it = it->first && it->first != renderer ? std::next(it) : this->ToTakeUp.erase(it);
+  }
+  return taken;
+}
+
 void vtkGIPathTracing::Contribute(FrameBuilder& frame)
 {
   RayProps& rays = frame.Rays();
@@ -257,9 +280,8 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
       " props of kinds that cannot be traced yet: they are drawn without global illumination");
   }
-  const Eye eye = { frame.GetRenderer(), frame.GetRenderer()->GetActiveCamera()->GetLeftEye() };
-  Progress& progress = this->Eyes[eye];
-  const vtkSmartPointer<vtkImageData> taken = progress.Taken;
+  Progress& progress = frame.ViewState<Progress>(this);
+  const vtkSmartPointer<vtkImageData> taken = this->TakeUp(frame.GetRenderer());
   if (frame.GetView().StillFrames == 0 || taken)
   {
     progress = Progress();
@@ -272,8 +294,6 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   const PathTracer tracer = { &rays, &frame.Lights(), &frame.Capture().Materials(), this->Bounces,
     this->Strategy };
   ShiftStillFrame(frame, this->IsFinished(progress) ? 0 : progress.Samples);
-  frame.SetAveraged();
-  frame.SetDrawnByRays();
   frame.AddPass("path-trace")
     .Read(resource::Albedo)
     .Read(resource::Normal)
@@ -281,8 +301,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     .ReadIfPresent(resource::Sky)
     .Modify(resource::Color, TraceOrder)
     .Write(Traced, { GL_R8, 1, 1, 0 })
-    .Execute([this, eye, tracer, taken](FrameContext& context) {
-      Progress& now = this->Eyes[eye];
+    .Execute([this, &now = progress, tracer, taken](FrameContext& context) {
       bool fresh = false;
       PathTracer::Sums(context, &fresh);
       if (taken ? !tracer.Restore(context, taken) : fresh)
@@ -304,7 +323,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   frame.AddPass("path-trace-radiance")
     .Read(Traced)
     .ModifyIfPresent(resource::Radiance, TraceOrder)
-    .Execute([this, eye, tracer](FrameContext& context) {
-      tracer.Show(context, resource::Radiance, this->Eyes[eye].Samples);
+    .Execute([&progress, tracer](FrameContext& context) {
+      tracer.Show(context, resource::Radiance, progress.Samples);
     });
 }

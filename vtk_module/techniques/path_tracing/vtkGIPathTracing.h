@@ -13,10 +13,10 @@
 
 #include "vtkGIPathTracingParameters.h"
 #include "vtkSmartPointer.h" // for what is to be gone on from
+#include "vtkWeakPointer.h"  // for its renderer
 
-#include <cmath>   // for HUGE_VAL
-#include <map>     // for the progress of each renderer
-#include <utility> // for a renderer and an eye
+#include <utility> // for the two
+#include <vector>  // for several renderers
 
 class vtkGIPass;
 class vtkImageData;
@@ -53,6 +53,7 @@ public:
 
   int GetRequiredFrames() override { return this->Samples; }
   bool IsFinished(vtkRenderer* renderer) override;
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
 
 protected:
@@ -60,16 +61,13 @@ protected:
   ~vtkGIPathTracing() override;
 
 private:
-  struct Progress
-  {
-    int Samples = 0;
-    double Error = HUGE_VAL;
-    vtkSmartPointer<vtkImageData> Taken; ///< to go on from, with the next frame
-  };
-  using Eye = std::pair<vtkRenderer*, int>; ///< 1: the left one, and the only one without stereo
-  std::map<Eye, Progress> Eyes;
+  struct Progress;
   const Progress* Find(vtkRenderer* renderer) const;
   bool IsFinished(const Progress& progress) const;
+  vtkSmartPointer<vtkImageData> TakeUp(vtkRenderer* renderer);
+
+  /// What renderers' next frames go on from.
+  std::vector<std::pair<vtkWeakPointer<vtkRenderer>, vtkSmartPointer<vtkImageData>>> ToTakeUp;
 
   vtkGIPathTracing(const vtkGIPathTracing&) = delete;
   void operator=(const vtkGIPathTracing&) = delete;

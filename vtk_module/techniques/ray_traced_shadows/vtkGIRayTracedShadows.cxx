@@ -12,6 +12,11 @@ using namespace penumbra;
 vtkGIRayTracedShadows::vtkGIRayTracedShadows() = default;
 vtkGIRayTracedShadows::~vtkGIRayTracedShadows() = default;
 
+const char* vtkGIRayTracedShadows::GetOfferedResource()
+{
+  return resource::DirectVisibility;
+}
+
 void vtkGIRayTracedShadows::Contribute(FrameBuilder& frame)
 {
   LightTable& lights = frame.Lights();

@@ -19,6 +19,8 @@ public:
   static vtkGIRayTracedShadows* New();
   vtkTypeMacro(vtkGIRayTracedShadows, vtkGIRayTracedShadowsParameters);
 
+  const char* GetOfferedResource() override;
+  int GetRank() override { return 2; }
   void Contribute(penumbra::FrameBuilder& frame) override;
 
 protected:

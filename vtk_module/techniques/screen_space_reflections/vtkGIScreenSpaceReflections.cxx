@@ -278,6 +278,11 @@ void vtkGIScreenSpaceReflections::ReleaseGraphicsResources(vtkWindow*)
   *this->Impl = Resources();
 }
 
+const char* vtkGIScreenSpaceReflections::GetOfferedResource()
+{
+  return resource::Reflection;
+}
+
 void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
 {
   const View& view = frame.GetView();
@@ -291,7 +296,7 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   const Reflector reflector = { nullptr, &frame.Capture().Materials(), &frame.Lights(),
     frame.Capture().IsExtended(), this->Samples, this->MaximumSteps, thickness, this->EdgeFade,
     this->MaximumRoughness, this->MinimumReflectance, this->Filter ? Neighbours : 0, this->Fallback,
-    this->DebugView, frame.GetSpreadShare(), this->Fallback == ByRays ? &frame.Rays() : nullptr };
+    this->DebugView, frame.Plan().SpreadShare(), this->Fallback == ByRays ? &frame.Rays() : nullptr };
   if (reflector.World && reflector.World->LeftOut() > 0)
   {
     frame.AddNote("rays do not see " + std::to_string(reflector.World->LeftOut()) +

@@ -24,6 +24,7 @@ public:
   static vtkGIScreenSpaceReflections* New();
   vtkTypeMacro(vtkGIScreenSpaceReflections, vtkGIScreenSpaceReflectionsParameters);
 
+  const char* GetOfferedResource() override;
   void Contribute(penumbra::FrameBuilder& frame) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGISHProbes.h"
 
-#include "bake/BakedScene.h"
+#include "bake/BakeFit.h"
 #include "probes/ProbeBalls.h"
 #include "technique/FrameBuilder.h"
 #include "techniques/sh_probes/ProbeTextures.h"
@@ -18,8 +18,7 @@ using namespace penumbra;
 struct vtkGISHProbes::Internals
 {
   ProbeField Field;
-  BakedSceneWatch Watch;
-  std::map<vtkRenderer*, std::string> Mismatches; ///< of renderers' last frames
+  BakedScene Scene; ///< of the bake
   std::string Error;
   std::unique_ptr<ProbeTextures> Textures;
   int Window = -1;   ///< as Textures have it
@@ -94,13 +93,8 @@ bool vtkGISHProbes::SetBake(vtkImageData* image)
   try
   {
     ProbeField field = image ? ProbeField::FromImage(image) : ProbeField();
-    BakedSceneWatch watch;
-    if (image)
-    {
-      watch.SetBaked(field.Scene);
-    }
+    impl.Scene = image ? BakedScene::FromText(field.Scene) : BakedScene();
     impl.Field = std::move(field);
-    impl.Watch = std::move(watch);
   }
   catch (const std::invalid_argument& error)
   {
@@ -125,41 +119,47 @@ const char* vtkGISHProbes::GetBakeError()
 
 std::string vtkGISHProbes::GetMismatch(vtkRenderer* renderer)
 {
-  const auto found = this->Impl->Mismatches.find(renderer);
-  return found == this->Impl->Mismatches.end() ? std::string() : found->second;
+  const ViewState* view = this->Views ? this->Views->FindView(renderer) : nullptr;
+  const BakeFit* fit = view ? view->Find<BakeFit>(this) : nullptr;
+  return fit ? fit->Mismatch() : std::string();
 }
 
 void vtkGISHProbes::ReleaseGraphicsResources(vtkWindow*)
 {
   this->Impl->Textures.reset();
-  this->Impl->Watch.Forget();
 }
 
-void vtkGISHProbes::Contribute(FrameBuilder& frame)
+void vtkGISHProbes::Plan(LightingPlan& plan, FrameBuilder& frame)
 {
   if (!this->HasBake())
   {
     frame.AddNote("the probes are on without a bake: make one with penumbra bake probes");
     return;
   }
-  const View& view = frame.GetView();
-  std::string& mismatch = this->Impl->Mismatches[frame.GetRenderer()];
-  mismatch = this->Impl->Watch.Difference(
-    frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
-  if (mismatch.empty())
+  BakeFit& fit = frame.ViewState<BakeFit>(this);
+  fit.Check(frame, this->Impl->Scene, "the probes");
+  if (fit.Fits())
   {
-    frame.AddIndirectLight({ IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail(),
+    plan.KnowIndirectLight(IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail());
+  }
+  else if (this->LiveFallback)
+  {
+    plan.RequestLiveLight();
+  }
+}
+
+void vtkGISHProbes::Contribute(FrameBuilder& frame)
+{
+  if (!this->HasBake())
+  {
+    return;
+  }
+  if (frame.ViewState<BakeFit>(this).Fits())
+  {
+    frame.AddIndirectLight({ IndirectKind::BakedProbes,
       { resource::WindowDepth, resource::Albedo, resource::Normal },
       [this](FrameContext& context) { this->Impl->Gather(context, *this); },
-      this->Impl->Forward(*this, view) });
-  }
-  else
-  {
-    frame.AddNote("the probes no longer fit: " + mismatch + " since the bake");
-    if (this->LiveFallback)
-    {
-      frame.RequestLiveLight();
-    }
+      this->Impl->Forward(*this, frame.GetView()) });
   }
   if (this->Show)
   {

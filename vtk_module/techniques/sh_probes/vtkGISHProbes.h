@@ -43,6 +43,7 @@ public:
    */
   std::string GetMismatch(vtkRenderer* renderer);
 
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

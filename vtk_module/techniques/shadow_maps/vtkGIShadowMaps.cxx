@@ -192,6 +192,11 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   return this->ShadowedLights > 0;
 }
 
+const char* vtkGIShadowMaps::GetOfferedResource()
+{
+  return resource::DirectVisibility;
+}
+
 void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
 {
   if (!this->MakePlan(frame))

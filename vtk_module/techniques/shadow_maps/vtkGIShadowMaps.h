@@ -32,6 +32,8 @@ public:
   static vtkGIShadowMaps* New();
   vtkTypeMacro(vtkGIShadowMaps, vtkGIShadowMapsParameters);
 
+  const char* GetOfferedResource() override;
+  int GetRank() override { return 1; }
   void Contribute(penumbra::FrameBuilder& frame) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 

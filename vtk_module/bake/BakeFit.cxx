@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bake/BakeFit.h"
+
+#include "technique/FrameBuilder.h"
+
+namespace penumbra
+{
+void BakeFit::Check(FrameBuilder& frame, const BakedScene& baked, const std::string& bake)
+{
+  const View& view = frame.GetView();
+  this->Difference = this->Scene.Difference(baked, frame.GetRenderer(),
+    view.Changes.Props || view.Changes.Looks, view.FrameNumber);
+  if (!this->Difference.empty())
+  {
+    frame.AddNote(bake + " no longer fits: " + this->Difference + " since the bake");
+  }
+}
+}
