@@ -59,9 +59,12 @@ RayHit rayTrace(Ray ray, const bool any)
   int instance = -1;
   bool top = true;
 
+  // The mark lies there twice, as lanes that are done still look below the one they took: with one
+  // alone, Mesa 26.1 with LLVM 21 makes rays against sticks that never end.
   int stack[GI_RAY_STACK];
   stack[0] = GI_RAY_DONE;
-  int size = 1;
+  stack[1] = GI_RAY_DONE;
+  int size = 2;
   int current = int(imageLoad(rayInstances, GI_RAY_INSTANCE_TEXELS - 1).x);
 
   while (current != GI_RAY_DONE)

@@ -33,10 +33,10 @@ namespace shared
 #define GI_RAY_LEAVE (-2147483647)
 
 // The deepest trees that the shader's stack of GI_RAY_STACK entries holds: a level each, and the
-// two marks.
+// marks: two of the end, one between the levels.
 #define GI_RAY_MESH_DEPTH 40
 #define GI_RAY_TOP_DEPTH 22
-#define GI_RAY_STACK 64
+#define GI_RAY_STACK 65
 
 #define GI_RAY_TRIANGLE 0
 #define GI_RAY_SPHERE 1
