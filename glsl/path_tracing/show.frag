@@ -2,7 +2,7 @@
 // The mean of the samples so far. Variant GI_RADIANCE: linear, not as displayed.
 layout(binding = 0) uniform sampler2D sumShown;
 layout(binding = 1) uniform sampler2D sumEncoded;
-layout(binding = 2) uniform sampler2D before;
+layout(binding = 2) uniform sampler2D colorTexture;
 
 uniform float samples;
 
@@ -20,5 +20,5 @@ void main()
   vec3 mean = shown.a > 0.0 ? pow(max(encoded / shown.a, 0.0), vec3(1.0 / 2.2)) : vec3(0.0);
   color.rgb = (shown.rgb + shown.a * mean) / samples;
 #endif
-  color.a = texelFetch(before, pixel, 0).a;
+  color.a = texelFetch(colorTexture, pixel, 0).a;
 }

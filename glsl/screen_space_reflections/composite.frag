@@ -23,7 +23,7 @@ layout(binding = 9) uniform sampler2D ambientVisibility;
 #endif
 #ifdef GI_DEBUG
 layout(binding = 10) uniform sampler2D endTexture;
-uniform int debugMode; // 1: reasons, 2: confidence
+uniform int debugView; // 1: reasons, 2: confidence
 #endif
 
 uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
@@ -64,7 +64,7 @@ vec3 painted(ivec2 window, vec3 shown)
   vec4 end = texelFetch(endTexture, window, 0);
   int reason = int(end.z);
   vec3 grey = vec3(0.25 + 0.35 * dot(shown, vec3(0.2126, 0.7152, 0.0722)));
-  return debugMode == 2 ? vec3(texelFetch(reflectionTexture, window, 0).a)
+  return debugView == 2 ? vec3(texelFetch(reflectionTexture, window, 0).a)
     : reason == GI_REFLECTION_NONE ? grey
     : LEGEND[reason] * (reason == GI_REFLECTION_HIT ? 0.3 + 0.7 * end.w : 1.0);
 }

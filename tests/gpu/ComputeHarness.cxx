@@ -45,12 +45,12 @@ std::vector<glm::vec4> ComputeHarness::Run(const std::vector<std::string>& inclu
   }
   text += "layout(std430, binding = 6) readonly buffer Inputs { vec4 inputs[]; };\n"
           "layout(std430, binding = 7) writeonly buffer Results { vec4 results[]; };\n"
-          "uniform uint count;\n"
+          "uniform int count;\n"
           "#define IN(k) inputs[gl_GlobalInvocationID.x * " +
     std::to_string(stride) +
     "u + uint(k)]\n"
     "#define RESULT results[gl_GlobalInvocationID.x]\n"
-    "void main()\n{\n  if (gl_GlobalInvocationID.x >= count) { return; }\n" +
+    "void main()\n{\n  if (gl_GlobalInvocationID.x >= uint(count)) { return; }\n" +
     body + "\n}\n";
 
   const char* source = text.c_str();
@@ -73,7 +73,7 @@ std::vector<glm::vec4> ComputeHarness::Run(const std::vector<std::string>& inclu
   input.BindBase(GL_SHADER_STORAGE_BUFFER, 6);
   output.BindBase(GL_SHADER_STORAGE_BUFFER, 7);
   glUseProgram(program.Get());
-  glUniform1ui(program.Location("count"), count);
+  program.SetValues(Arguments().Set("count", static_cast<int>(count)));
   glDispatchCompute((count + 63) / 64, 1, 1);
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);

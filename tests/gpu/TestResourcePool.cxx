@@ -53,20 +53,20 @@ TEST_F(Pool, IdleTexturesAreForgotten)
 
 TEST_F(Pool, HistoriesKeepWhatTheyHold)
 {
-  bool fresh = false;
-  Texture& first = this->Textures.History("view", "radiance", Color, fresh);
-  EXPECT_TRUE(fresh);
-  const GLuint name = first.Get();
+  History& first = this->Textures.Keep("view", "radiance", Color);
+  EXPECT_FALSE(first.Written);
+  first.Written = true;
+  const GLuint name = first.Storage.Get();
   this->Textures.EndFrame("view");
-  EXPECT_EQ(this->Textures.History("view", "radiance", Color, fresh).Get(), name);
-  EXPECT_FALSE(fresh);
-  EXPECT_NE(this->Textures.History("other", "radiance", Color, fresh).Get(), name);
-  EXPECT_TRUE(fresh);
-  // Another size starts anew.
+  EXPECT_EQ(this->Textures.Keep("view", "radiance", Color).Storage.Get(), name);
+  EXPECT_TRUE(this->Textures.Keep("view", "radiance", Color).Written);
+  EXPECT_NE(this->Textures.Keep("other", "radiance", Color).Storage.Get(), name);
+  EXPECT_FALSE(this->Textures.Keep("other", "radiance", Color).Written);
+  // One of another size starts empty.
   TextureDesc larger = Color;
   larger.Width = 128;
-  EXPECT_EQ(this->Textures.History("view", "radiance", larger, fresh).Desc(), larger);
-  EXPECT_TRUE(fresh);
+  EXPECT_EQ(this->Textures.Keep("view", "radiance", larger).Storage.Desc(), larger);
+  EXPECT_FALSE(this->Textures.Keep("view", "radiance", larger).Written);
 }
 
 TEST_F(Pool, FramebuffersAreCompleteAndMadeOnce)
@@ -85,9 +85,8 @@ TEST_F(Pool, FramebuffersAreCompleteAndMadeOnce)
 
 TEST_F(Pool, ClearFreesEverything)
 {
-  bool fresh = false;
   const GLuint lent = this->Textures.Acquire(Color)->Get();
-  const GLuint kept = this->Textures.History("view", "a", Depth, fresh).Get();
+  const GLuint kept = this->Textures.Keep("view", "a", Depth).Storage.Get();
   this->Textures.Clear();
   EXPECT_FALSE(glIsTexture(lent));
   EXPECT_FALSE(glIsTexture(kept));

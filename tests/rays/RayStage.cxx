@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayStage.h"
 
+#include "gpu/Commands.h"
+
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -88,16 +90,16 @@ void RayStage::Prepare(const Rays& rays, bool any)
 
 void RayStage::Dispatch(std::size_t count)
 {
-  glUseProgram(this->Current->Get());
-  glUniform1i(this->Current->Location("rayCount"), static_cast<GLint>(count));
-  this->Scene.Bind();
-  this->Queries.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_QUERY_BINDING);
-  this->Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_ANSWER_BINDING);
-  const std::size_t groups = (count + GI_RAY_QUERY_GROUP - 1) / GI_RAY_QUERY_GROUP;
-  const std::size_t width = std::min<std::size_t>(groups, 32768);
-  glDispatchCompute(
-    static_cast<GLuint>(width), static_cast<GLuint>((groups + width - 1) / width), 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  Commands commands(this->Library);
+  commands.SetWindow(this->Window);
+  commands.Dispatch(*this->Current,
+    Arguments()
+      .Block("RayQueryBlock", this->Queries)
+      .Block("RayAnswerBlock", this->Results, ShaderAccess::Write)
+      .Set("rayCount", static_cast<int>(count)),
+    Work::GroupsInRows((count + GI_RAY_QUERY_GROUP - 1) / GI_RAY_QUERY_GROUP),
+    this->Scene.ShaderArguments());
+  commands.Finish();
   glFinish();
 }
 

@@ -5,7 +5,6 @@
 #include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLShaderCache.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -78,6 +77,8 @@ void GatherStage::Prepare(vtkRenderer* renderer)
     lamps.begin(), lamps.end(), [](const Light& lamp) { return lamp.FollowsCamera; });
   this->Following = static_cast<int>(lamps.end() - kept);
   lamps.erase(kept, lamps.end());
+  this->Lamps.InWorld(this->Rays.Origin());
+  this->Lamps.Upload();
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
@@ -85,40 +86,31 @@ void GatherStage::Prepare(vtkRenderer* renderer)
   this->Inaccuracy = bounds[0] <= bounds[1] ? 1.3e-6 * glm::length(size) : 0.0;
 }
 
-const Program& GatherStage::Use(const std::string& shader, Defines defines)
+void GatherStage::Run(
+  const std::string& shader, Defines variant, const Arguments& given, std::size_t groups)
 {
   if (!this->Guard->Window())
   {
     throw std::runtime_error("the window gave up its OpenGL context while light was gathered.");
   }
   const Defines scene = this->Rays.ShaderDefines();
-  defines.insert(scene.begin(), scene.end());
-  defines.erase("GI_RAY_EDGES"); // lines over what the eye sees
-  const Program& program = this->Shaders.Compute(shader, defines);
-  // VTK remembers the program it bound last: make it forget, as ours is bound past it.
-  this->Guard->Window()->GetShaderCache()->ReleaseCurrentShader();
-  glUseProgram(program.Get());
-  this->Rays.Bind(program);
-  this->Lamps.BindWorld(0, this->Rays.Origin());
-  const glm::vec3 nowhere(0.0f);
-  glUniform3fv(program.Location("eye"), 1, &nowhere[0]); // only headlights ask
-  glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lamps.Lights().size()));
-  glUniform1i(program.Location("emitterCount"), static_cast<GLint>(this->Rays.EmitterCount()));
-  glUniform1i(program.Location("strategy"), 0);
-  return program;
+  variant.insert(scene.begin(), scene.end());
+  variant.erase("GI_RAY_EDGES"); // lines over what the eye sees
+  Arguments offered = this->Rays.ShaderArguments();
+  offered.Add(this->Lamps.InWorld(this->Rays.Origin()))
+    .Block("GatherPointBlock", this->Points)
+    .Block("GatherResultBlock", this->Results, ShaderAccess::Write)
+    .Set("eye", glm::vec3(0.0f)) // only headlights ask
+    .Set("strategy", 0);
+  this->Runner.SetWindow(this->Guard->Window());
+  this->Runner.Dispatch(
+    this->Shaders.Compute(shader, variant), given, Work::GroupsInRows(groups), offered);
 }
 
-void GatherStage::Dispatch(std::size_t groups)
+void GatherStage::Read(std::vector<float>& values)
 {
-  const std::size_t width = std::min<std::size_t>(groups, 32768);
-  glDispatchCompute(
-    static_cast<GLuint>(width), static_cast<GLuint>((groups + width - 1) / width), 1);
-}
-
-void GatherStage::Read(const Buffer& buffer, std::vector<float>& values)
-{
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Get());
+  this->Runner.BeforeUse(this->Results, GL_BUFFER_UPDATE_BARRIER_BIT);
+  glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Results.Get());
   glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
     static_cast<GLsizeiptr>(values.size() * sizeof(values[0])), values.data());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);

@@ -6,9 +6,8 @@
  */
 #pragma once
 
+#include "gpu/Commands.h"
 #include "gpu/ContextGuard.h"
-#include "gpu/GLObjects.h"
-#include "gpu/ShaderLibrary.h"
 #include "light/LightTable.h"
 #include "rays/RayProps.h"
 
@@ -30,14 +29,13 @@ public:
   /// std::runtime_error with a sentence where that cannot be done.
   void Prepare(vtkRenderer* renderer);
 
-  /// A compute program of the scene in use, with what it needs of the scene bound.
-  const Program& Use(const std::string& shader, Defines defines);
+  /// Run so many groups of a compute shader, which counts them along x, then y, and is offered the scene, the points and
+  /// the results. given: what else it takes.
+  void Run(
+    const std::string& shader, Defines variant, const Arguments& given, std::size_t groups);
 
-  /// Run so many groups of the program in use; the shader counts them along x, then y.
-  static void Dispatch(std::size_t groups);
-
-  /// Read back what a shader wrote to a buffer.
-  static void Read(const Buffer& buffer, std::vector<float>& values);
+  /// Read back what it wrote to the results.
+  void Read(std::vector<float>& values);
 
   const glm::dvec3& Origin() const { return this->Rays.Origin(); }
   /// By how much coordinates of the scene may be off, world units.
@@ -60,6 +58,7 @@ private:
   RayProps Rays;
   LightTable Lamps;
   ShaderLibrary Shaders;
+  Commands Runner{ Shaders };
   double Inaccuracy = 0.0;
   int Following = 0;
 };

@@ -170,23 +170,21 @@ void vtkGILightGatherer::Internals::Trace(
   std::vector<float> found(batch.Points * blocks * batch.Numbers, 0.0f);
   this->Stage.Results.Upload(
     GL_SHADER_STORAGE_BUFFER, found.data(), found.size() * sizeof(found[0]));
-  const Program& program = this->Stage.Use("gathering/gather.comp", defines);
-  this->Stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
-  this->Stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
-  glUniform1i(program.Location("pointCount"), static_cast<GLint>(batch.Points));
-  glUniform1i(program.Location("firstSample"), batch.FirstSample);
-  glUniform1i(program.Location("samples"), batch.Samples);
-  glUniform1i(program.Location("lanes"), lanes);
-  glUniform1i(program.Location("blocks"), blocks);
-  glUniform1i(program.Location("seedOfAll"), settings.Seed);
-  glUniform1i(program.Location("bounces"), settings.Bounces - 1); // after the first surface
-  glUniform1i(program.Location("lamps"), settings.IncludeLamps);
-  glUniform1i(program.Location("indirect"), settings.IncludeIndirect);
-  glUniform1f(program.Location("offset"),
-    batch.Hemisphere ? static_cast<GLfloat>(2.0 * this->Stage.Error()) : 0.0f);
   const auto perGroup = static_cast<std::size_t>(GI_GATHER_GROUP / lanes);
-  this->Stage.Dispatch((batch.Points + perGroup - 1) / perGroup * blocks);
-  GatherStage::Read(this->Stage.Results, found);
+  this->Stage.Run("gathering/gather.comp", defines,
+    Arguments()
+      .Set("pointCount", static_cast<int>(batch.Points))
+      .Set("firstSample", batch.FirstSample)
+      .Set("samples", batch.Samples)
+      .Set("lanes", lanes)
+      .Set("blocks", blocks)
+      .Set("seedOfAll", settings.Seed)
+      .Set("bounces", settings.Bounces - 1) // after the first surface
+      .Set("lamps", settings.IncludeLamps)
+      .Set("indirect", settings.IncludeIndirect)
+      .Set("offset", batch.Hemisphere ? 2.0 * this->Stage.Error() : 0.0),
+    (batch.Points + perGroup - 1) / perGroup * blocks);
+  this->Stage.Read(found);
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     sums[i / batch.Numbers / blocks * batch.Numbers + i % batch.Numbers] += found[i];

@@ -45,10 +45,9 @@ int MaterialTable::Find(vtkProperty* property, const Owner& owner)
   return this->Index[key] = static_cast<int>(this->Entries.size()) - 1;
 }
 
-void MaterialTable::Bind(GLuint index)
+void MaterialTable::Upload()
 {
   this->Storage.Upload(GL_SHADER_STORAGE_BUFFER, this->Entries.data(),
     this->Entries.size() * sizeof(this->Entries[0]));
-  this->Storage.BindBase(GL_SHADER_STORAGE_BUFFER, index);
 }
 }

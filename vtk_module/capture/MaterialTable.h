@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "gpu/GLObjects.h"
+#include "gpu/Arguments.h"
 
 #include "material.h"
 
@@ -43,7 +43,10 @@ public:
   void SetCoverInPart(bool part) { this->PartCover = part; }
   bool CoverInPart() const { return this->PartCover; }
 
-  void Bind(GLuint index);
+  /// Once the frame's materials are known.
+  void Upload();
+  /// For shaders that include shared/material.h.
+  Arguments ShaderArguments() const { return Arguments().Block("MaterialBlock", this->Storage); }
   void ReleaseGraphicsResources() { this->Storage = Buffer(); }
 
 private:

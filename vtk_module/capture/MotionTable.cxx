@@ -87,7 +87,7 @@ MaterialTable::Owner MotionTable::Find(vtkActor* actor)
   return { track.Rows.back(), track.Number };
 }
 
-void MotionTable::Bind(GLuint uniformIndex, GLuint storageIndex)
+void MotionTable::Upload()
 {
   this->Now = EyeOf(*this->Current);
   this->FrameNumber = this->Current->FrameNumber;
@@ -95,9 +95,7 @@ void MotionTable::Bind(GLuint uniformIndex, GLuint storageIndex)
     glm::mat4(this->Before.ViewToClip), this->Rows.front(),
     glm::vec4(this->Before.Shift, 0.0, 0.0) };
   this->ViewBlock.Upload(GL_UNIFORM_BUFFER, &data, sizeof(data));
-  this->ViewBlock.BindBase(GL_UNIFORM_BUFFER, uniformIndex);
   this->RowBlock.Upload(
     GL_SHADER_STORAGE_BUFFER, this->Rows.data(), this->Rows.size() * sizeof(this->Rows[0]));
-  this->RowBlock.BindBase(GL_SHADER_STORAGE_BUFFER, storageIndex);
 }
 }

@@ -44,8 +44,13 @@ public:
   /// Whether props of this frame, once drawn, were found to have moved.
   bool PropsMove() const { return this->Rows.size() > 1; }
 
-  /// Upload: the matrices of both frames to a uniform block, the motions to a storage block.
-  void Bind(GLuint uniformIndex, GLuint storageIndex);
+  /// Once the frame's props were seen: the matrices of both frames, and the motions.
+  void Upload();
+  /// For shaders that include shared/motion.h.
+  Arguments ShaderArguments() const
+  {
+    return Arguments().Block("MotionViewBlock", this->ViewBlock).Block("MotionBlock", this->RowBlock);
+  }
 
 private:
   struct Track

@@ -192,6 +192,11 @@ void SceneCapture::Draw(FrameContext& context)
   this->Hooks->SetParallel(view.Parallel);
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
   this->Drawn = this->DrawProps(context.Renderer(), this->Captured, false);
+  this->Table.Upload();
+  if (this->Motion)
+  {
+    this->Motion->Upload();
+  }
 
   // A depth buffer must not be bound and read at once: techniques test against the one and read the
   // other.

@@ -38,23 +38,23 @@ void ResourcePool::Release(Texture* texture)
   }
 }
 
-Texture& ResourcePool::History(
-  const std::string& view, const std::string& name, const TextureDesc& desc, bool& fresh)
+History& ResourcePool::Keep(
+  const std::string& view, const std::string& name, const TextureDesc& desc)
 {
   auto& histories = this->Histories[view];
   auto found = histories.find(name);
-  fresh = found == histories.end() || !(found->second.Storage.Desc() == desc);
-  if (fresh)
+  if (found != histories.end() && !(found->second.Held.Storage.Desc() == desc))
   {
-    if (found != histories.end())
-    {
-      this->ForgetFramebuffersOf(found->second.Storage);
-      histories.erase(found);
-    }
-    found = histories.emplace(name, Slot{ Texture(desc), false, 0 }).first;
+    this->ForgetFramebuffersOf(found->second.Held.Storage);
+    histories.erase(found);
+    found = histories.end();
+  }
+  if (found == histories.end())
+  {
+    found = histories.emplace(name, Kept{ { Texture(desc), false }, 0 }).first;
   }
   found->second.IdleFrames = 0;
-  return found->second.Storage;
+  return found->second.Held;
 }
 
 const Texture* ResourcePool::FindHistory(const std::string& view, const std::string& name) const
@@ -65,7 +65,7 @@ const Texture* ResourcePool::FindHistory(const std::string& view, const std::str
     return nullptr;
   }
   const auto found = histories->second.find(name);
-  return found == histories->second.end() ? nullptr : &found->second.Storage;
+  return found == histories->second.end() ? nullptr : &found->second.Held.Storage;
 }
 
 GLuint ResourcePool::Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth)
@@ -163,7 +163,7 @@ void ResourcePool::EndFrame(const std::string& view)
   {
     if (++it->second.IdleFrames > IdleLimit)
     {
-      this->ForgetFramebuffersOf(it->second.Storage);
+      this->ForgetFramebuffersOf(it->second.Held.Storage);
       it = histories.erase(it);
       continue;
     }
@@ -175,7 +175,7 @@ void ResourcePool::ForgetView(const std::string& view)
 {
   for (const auto& history : this->Histories[view])
   {
-    this->ForgetFramebuffersOf(history.second.Storage);
+    this->ForgetFramebuffersOf(history.second.Held.Storage);
   }
   this->Histories.erase(view);
 }
@@ -199,7 +199,7 @@ std::size_t ResourcePool::Bytes() const
   {
     for (const auto& history : view.second)
     {
-      bytes += history.second.Storage.Desc().Bytes();
+      bytes += history.second.Held.Storage.Desc().Bytes();
     }
   }
   return bytes;

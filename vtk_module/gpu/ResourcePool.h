@@ -22,6 +22,13 @@ struct Attachment
   int Layer = -1; ///< -1: the whole texture
 };
 
+/// A texture that a view keeps from frame to frame.
+struct History
+{
+  Texture Storage;
+  bool Written = false; ///< by a pass, since it was made
+};
+
 class ResourcePool
 {
 public:
@@ -29,9 +36,8 @@ public:
   Texture* Acquire(const TextureDesc& desc);
   void Release(Texture* texture);
 
-  /// A texture that a view keeps from frame to frame. fresh tells that it was made now.
-  Texture& History(
-    const std::string& view, const std::string& name, const TextureDesc& desc, bool& fresh);
+  /// A texture that a view keeps under this name, made where it has none of this shape.
+  History& Keep(const std::string& view, const std::string& name, const TextureDesc& desc);
 
   /// The same where it is there, else nullptr.
   const Texture* FindHistory(const std::string& view, const std::string& name) const;
@@ -56,10 +62,15 @@ private:
     bool Lent = false;
     int IdleFrames = 0;
   };
+  struct Kept
+  {
+    History Held;
+    int IdleFrames = 0;
+  };
   void ForgetFramebuffersOf(const Texture& texture);
 
   std::list<Slot> Slots;
-  std::map<std::string, std::map<std::string, Slot>> Histories; ///< by view and name
+  std::map<std::string, std::map<std::string, Kept>> Histories; ///< by view and name
   std::map<std::vector<GLuint>, FramebufferHandle> Framebuffers;
   /// Those that bind a texture of VTK's, which may be replaced behind our back between frames.
   std::map<std::vector<GLuint>, FramebufferHandle> FrameFramebuffers;

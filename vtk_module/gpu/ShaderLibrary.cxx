@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gpu/ShaderLibrary.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -23,15 +26,146 @@ Program::~Program()
   }
 }
 
-GLint Program::Location(const char* uniform) const
+namespace
 {
-  auto found = this->Locations.find(uniform);
-  if (found == this->Locations.end())
+bool IsImage(GLint type)
+{
+  return type >= GL_IMAGE_1D && type <= GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY;
+}
+
+bool IsValue(GLint type)
+{
+  constexpr GLint values[] = { GL_BOOL, GL_INT, GL_UNSIGNED_INT, GL_FLOAT, GL_FLOAT_VEC2,
+    GL_FLOAT_VEC3, GL_FLOAT_VEC4, GL_INT_VEC2, GL_INT_VEC3, GL_INT_VEC4, GL_FLOAT_MAT3,
+    GL_FLOAT_MAT4 };
+  return std::find(std::begin(values), std::end(values), type) != std::end(values);
+}
+
+std::string ResourceName(GLuint program, GLenum interface, GLuint index)
+{
+  char name[256] = "";
+  glGetProgramResourceName(program, interface, index, sizeof(name), nullptr, name);
+  const std::string all = name;
+  return all.substr(0, all.find('['));
+}
+
+GLint CountOf(GLuint program, GLenum interface)
+{
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
+  return count;
+}
+}
+
+const std::vector<Program::Input>& Program::Inputs() const
+{
+  if (this->IsReflected)
   {
-    const GLint location = glGetUniformLocation(this->Name, this->NameOf(uniform).c_str());
-    found = this->Locations.emplace(uniform, location).first;
+    return this->Reflected;
   }
-  return found->second;
+  this->IsReflected = true;
+  const GLint uniforms = CountOf(this->Name, GL_UNIFORM);
+  for (GLint i = 0; i < uniforms; ++i)
+  {
+    constexpr GLenum wanted[] = { GL_LOCATION, GL_TYPE };
+    GLint found[2] = { -1, 0 };
+    glGetProgramResourceiv(
+      this->Name, GL_UNIFORM, static_cast<GLuint>(i), 2, wanted, 2, nullptr, found);
+    if (found[0] < 0)
+    {
+      continue; // in a block
+    }
+    Input input{ ResourceName(this->Name, GL_UNIFORM, static_cast<GLuint>(i)), InputKind::Value,
+      found[0], 0 };
+    if (!IsValue(found[1]))
+    {
+      input.Kind = IsImage(found[1]) ? InputKind::Image : InputKind::Sampler;
+      glGetUniformiv(this->Name, input.Location, &input.Unit);
+    }
+    this->Reflected.push_back(input);
+  }
+  for (const GLenum interface : { GL_UNIFORM_BLOCK, GL_SHADER_STORAGE_BLOCK })
+  {
+    const GLint blocks = CountOf(this->Name, interface);
+    for (GLint i = 0; i < blocks; ++i)
+    {
+      constexpr GLenum wanted = GL_BUFFER_BINDING;
+      Input input{ ResourceName(this->Name, interface, static_cast<GLuint>(i)),
+        interface == GL_UNIFORM_BLOCK ? InputKind::UniformBlock : InputKind::StorageBlock, -1, 0 };
+      glGetProgramResourceiv(
+        this->Name, interface, static_cast<GLuint>(i), 1, &wanted, 1, nullptr, &input.Unit);
+      this->Reflected.push_back(input);
+    }
+  }
+  return this->Reflected;
+}
+
+bool Program::Mentions(const std::string& name) const
+{
+  const auto inWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t at = this->Text.find(name); at != std::string::npos;
+       at = this->Text.find(name, at + 1))
+  {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !inWord(this->Text[at - 1])) &&
+      (end == this->Text.size() || !inWord(this->Text[end])))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Program::SetValue(GLint location, const Arguments::Value& value) const
+{
+  const auto* whole = reinterpret_cast<const GLint*>(value.Words.data());
+  const auto* real = reinterpret_cast<const GLfloat*>(value.Words.data());
+  switch (value.Type)
+  {
+    case GL_INT:
+      glProgramUniform1iv(this->Name, location, value.Count, whole);
+      break;
+    case GL_INT_VEC2:
+      glProgramUniform2iv(this->Name, location, value.Count, whole);
+      break;
+    case GL_INT_VEC3:
+      glProgramUniform3iv(this->Name, location, value.Count, whole);
+      break;
+    case GL_FLOAT:
+      glProgramUniform1fv(this->Name, location, value.Count, real);
+      break;
+    case GL_FLOAT_VEC2:
+      glProgramUniform2fv(this->Name, location, value.Count, real);
+      break;
+    case GL_FLOAT_VEC3:
+      glProgramUniform3fv(this->Name, location, value.Count, real);
+      break;
+    case GL_FLOAT_VEC4:
+      glProgramUniform4fv(this->Name, location, value.Count, real);
+      break;
+    case GL_FLOAT_MAT3:
+      glProgramUniformMatrix3fv(this->Name, location, value.Count, GL_FALSE, real);
+      break;
+    case GL_FLOAT_MAT4:
+      glProgramUniformMatrix4fv(this->Name, location, value.Count, GL_FALSE, real);
+      break;
+    default:
+      break;
+  }
+}
+
+void Program::SetValues(const Arguments& values) const
+{
+  for (const auto& value : values.Values())
+  {
+    auto found = this->Locations.find(value.first);
+    if (found == this->Locations.end())
+    {
+      const GLint location = glGetUniformLocation(this->Name, this->NameOf(value.first).c_str());
+      found = this->Locations.emplace(value.first, location).first;
+    }
+    this->SetValue(found->second, value.second);
+  }
 }
 
 void ShaderLibrary::SetOverrideFolder(const std::string& folder)
@@ -216,7 +350,12 @@ const Program& ShaderLibrary::Build(
   const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages)
 {
   const QuietDriver quiet;
-  auto program = std::make_unique<Program>(glCreateProgram());
+  std::string text; // names are checked in tests
+  for (const auto& stage : stages)
+  {
+    text += std::getenv("PENUMBRA_CHECK_SHADERS") ? stage.second : "";
+  }
+  auto program = std::make_unique<Program>(glCreateProgram(), true, key, text);
   std::string problem;
   for (const auto& stage : stages)
   {

@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "gpu/GL.h"
+#include "gpu/Arguments.h"
 
 #include <map>
 #include <memory>
@@ -23,14 +23,32 @@ const std::map<std::string, const char*>& EmbeddedShaders();
 /// Values that key a program: "SAMPLES" -> "16". The only thing that makes another program.
 using Defines = std::map<std::string, std::string>;
 
-/// A linked program. Uniform locations are looked up once.
+/// A linked program. What it takes is looked up once.
 class Program
 {
 public:
-  /// own: to be deleted with this.
-  explicit Program(GLuint name, bool own = true)
+  enum class InputKind
+  {
+    Value,
+    Sampler,
+    Image,
+    UniformBlock,
+    StorageBlock
+  };
+  struct Input
+  {
+    std::string Name; ///< of a block: the block's
+    InputKind Kind;
+    GLint Location; ///< of a value
+    GLint Unit;     ///< of textures and images, or the block's binding
+  };
+
+  /// own: to be deleted with this. key: for messages. text: of its shaders, where names are to be checked.
+  explicit Program(GLuint name, bool own = true, std::string key = {}, std::string text = {})
     : Name(name)
     , Own(own)
+    , Label(std::move(key))
+    , Text(std::move(text))
   {
   }
   virtual ~Program();
@@ -38,16 +56,28 @@ public:
   Program& operator=(const Program&) = delete;
 
   GLuint Get() const { return this->Name; }
-  GLint Location(const char* uniform) const;
+  const std::string& Key() const { return this->Label; }
+  const std::vector<Input>& Inputs() const;
+  /// Whether a word is in the text.
+  bool Mentions(const std::string& name) const;
+
+  /// Set a uniform; nothing where the program has none at the location.
+  void SetValue(GLint location, const Arguments::Value& value) const;
+  /// Set those of the values that the program uses.
+  void SetValues(const Arguments& values) const;
 
 protected:
   /// The name by which a uniform goes in the program's text.
-  virtual std::string NameOf(const char* uniform) const { return uniform; }
+  virtual std::string NameOf(const std::string& uniform) const { return uniform; }
 
 private:
   GLuint Name;
   bool Own;
+  std::string Label;
+  std::string Text;
   mutable std::map<std::string, GLint> Locations;
+  mutable std::vector<Input> Reflected;
+  mutable bool IsReflected = false;
 };
 
 class ShaderLibrary

@@ -12,13 +12,28 @@ namespace penumbra
 class Frame
 {
 public:
-  Frame(FrameGraph& graph, View& view, vtkOpenGLRenderer* renderer)
+  /// pool: of textures, in which the view has this name.
+  Frame(FrameGraph& graph, View& view, vtkOpenGLRenderer* renderer, ResourcePool& pool,
+    const std::string& viewName)
     : CurrentView(view)
     , Graph(graph)
     , Renderer(renderer)
+    , Pool(pool)
+    , ViewName(viewName)
   {
   }
-  PassDeclaration& AddPass(const std::string& name) { return this->Graph.AddPass(name); }
+  PassDeclaration& AddPass(const std::string& name)
+  {
+    return this->Graph.AddPass(name).Offer(this->Offered);
+  }
+  /// Offer arguments to the shaders of passes that are added from now on.
+  void Offer(const Arguments& arguments) { this->Offered = arguments; }
+
+  /// A texture that the view keeps under this name from frame to frame, made where it has none of this shape.
+  History& Keep(const std::string& name, const TextureDesc& desc)
+  {
+    return this->Pool.Keep(this->ViewName, name, desc);
+  }
   const View& GetView() const { return this->CurrentView; }
   vtkOpenGLRenderer* GetRenderer() const { return this->Renderer; }
 
@@ -34,5 +49,8 @@ protected:
 private:
   FrameGraph& Graph;
   vtkOpenGLRenderer* Renderer;
+  ResourcePool& Pool;
+  std::string ViewName;
+  Arguments Offered;
 };
 }

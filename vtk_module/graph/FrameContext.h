@@ -36,20 +36,33 @@ public:
   /// True where the output is drawn straight into VTK's framebuffer.
   bool IsWindow(const char* output) const;
 
-  /// Make a program current and bind textures to its units, in order.
-  void Use(const Program& program, const std::vector<const Texture*>& textures) const;
+  /// Make a program current, with these arguments and what the pass declared, for drawing shapes of one's own.
+  void Use(const Program& program, const Arguments& given) const;
+
+  /// Run a compute shader. Its variant is that of the resources that are present, and what is added here.
+  void Dispatch(const std::string& shader, const Defines& variant, const Arguments& given,
+    const Work& work) const;
+
+  /// Draw one triangle over the viewport, at the far plane, by a fragment shader: to the pass's outputs,
+  void Draw(const std::string& shader, const Defines& variant, const Arguments& given,
+    const Drawing& drawing = {}) const;
+  /// or to what is bound, in whatever state.
+  void DrawBound(
+    const std::string& shader, const Defines& variant, const Arguments& given) const;
+
+  /// What the pass's shaders are compiled with for the resources that are present, and what is added.
+  Defines Variant(const Defines& added = {}) const;
+  Commands& GetCommands() const;
+
+  /// As Frame::Keep(), for what has a shape that is known only when the pass runs. It counts as written.
+  const Texture& Keep(const std::string& name, const TextureDesc& desc, bool& fresh) const;
 
   /// Copy the viewport's part of a depth texture to another of the same format.
   void CopyDepth(const Texture* from, const Texture* to) const;
 
-  /// One triangle over the viewport, at the far plane.
-  void DrawFullscreen() const;
-
-  /// A texture kept for this view from frame to frame. fresh: it was made or resized just now.
-  Texture& History(const char* name, const TextureDesc& desc, bool& fresh) const;
-
 private:
   friend class FrameExecutor;
+  Arguments Offered() const;
   class FrameExecutor* Executor = nullptr;
   const FrameGraph::Step* Step = nullptr;
 };

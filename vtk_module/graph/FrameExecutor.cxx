@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/FrameExecutor.h"
 
+#include "gpu/ScopedState.h"
+
 #include "view.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLRenderer.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 
 #include <stdexcept>
@@ -17,7 +18,7 @@ FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const V
   vtkOpenGLRenderer* renderer, const WindowTarget& window, const HeldTextures& held,
   const std::string& viewName, Buffer& viewBlock)
   : Pool(pool)
-  , Library(shaders)
+  , Runner(shaders)
   , CurrentView(view)
   , Renderer(renderer)
   , State(renderer->GetState())
@@ -29,6 +30,7 @@ FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const V
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   this->EmptyVertexArray = VertexArrayHandle(name);
+  this->Runner.SetWindow(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   this->UploadView();
 }
 
@@ -113,13 +115,18 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     {
       timer->Begin(step.Name);
     }
-    (*step.Work)(context);
+    (*step.Action)(context);
     if (timer)
     {
       timer->End();
     }
+    for (History* history : step.Written)
+    {
+      history->Written = true;
+    }
     this->Retire(position);
   }
+  this->Runner.Finish();
   this->Held.Restore(this->State);
 }
 
@@ -130,7 +137,7 @@ const View& FrameContext::GetView() const
 
 ShaderLibrary& FrameContext::Shaders() const
 {
-  return this->Executor->Library;
+  return this->Executor->Runner.Shaders();
 }
 
 vtkOpenGLState* FrameContext::State() const
@@ -189,6 +196,11 @@ void FrameContext::BindTarget(const std::vector<const char*>& outputs, const cha
 
 void FrameContext::BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const
 {
+  Commands& commands = this->GetCommands();
+  for (const Attachment& color : colors)
+  {
+    commands.BeforeUse(*color.Target, GL_FRAMEBUFFER_BARRIER_BIT);
+  }
   this->State()->vtkglBindFramebuffer(
     GL_FRAMEBUFFER, this->Executor->Pool.Framebuffer(colors, depth));
 }
@@ -205,33 +217,92 @@ void FrameContext::CopyDepth(const Texture* from, const Texture* to) const
   this->State()->PopFramebufferBindings();
 }
 
-void FrameContext::Use(const Program& program, const std::vector<const Texture*>& textures) const
+Commands& FrameContext::GetCommands() const
 {
-  // VTK remembers the program it bound last: make it forget, as we bind ours past it.
-  static_cast<vtkOpenGLRenderWindow*>(this->Renderer()->GetRenderWindow())
-    ->GetShaderCache()
-    ->ReleaseCurrentShader();
-  glUseProgram(program.Get());
-  for (std::size_t unit = 0; unit < textures.size(); ++unit)
-  {
-    if (textures[unit])
-    {
-      this->State()->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      glBindTexture(textures[unit]->Target(), textures[unit]->Get());
-    }
-  }
-  this->Executor->ViewBlock.BindBase(GL_UNIFORM_BUFFER, 0);
+  return this->Executor->Runner;
 }
 
-void FrameContext::DrawFullscreen() const
+Arguments FrameContext::Offered() const
 {
+  Arguments offered = this->Step->Offered;
+  for (const auto& input : this->Step->InputSamplers)
+  {
+    offered.Sample(input.second, this->Input(input.first.c_str()));
+  }
+  for (const auto& output : this->Step->OutputImages)
+  {
+    offered.Image(output.second, *this->Output(output.first.c_str()), ShaderAccess::Write);
+  }
+  return offered.Block("ViewBlock", this->Executor->ViewBlock);
+}
+
+Defines FrameContext::Variant(const Defines& added) const
+{
+  Defines variant = this->Step->Variant;
+  variant.insert(added.begin(), added.end());
+  return variant;
+}
+
+const Texture& FrameContext::Keep(
+  const std::string& name, const TextureDesc& desc, bool& fresh) const
+{
+  History& history = this->Executor->Pool.Keep(this->Executor->ViewName, name, desc);
+  fresh = !history.Written;
+  history.Written = true;
+  return history.Storage;
+}
+
+void FrameContext::Use(const Program& program, const Arguments& given) const
+{
+  this->GetCommands().Use(program, given, this->Offered());
+}
+
+void FrameContext::Dispatch(const std::string& shader, const Defines& variant,
+  const Arguments& given, const Work& work) const
+{
+  this->GetCommands().Dispatch(
+    this->Shaders().Compute(shader, this->Variant(variant)), given, work, this->Offered());
+}
+
+void FrameContext::DrawBound(
+  const std::string& shader, const Defines& variant, const Arguments& given) const
+{
+  this->Use(this->Shaders().Fragment(shader, this->Variant(variant)), given);
   glBindVertexArray(this->Executor->EmptyVertexArray.Get());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindVertexArray(0);
 }
 
-Texture& FrameContext::History(const char* name, const TextureDesc& desc, bool& fresh) const
+void FrameContext::Draw(const std::string& shader, const Defines& variant, const Arguments& given,
+  const Drawing& drawing) const
 {
-  return this->Executor->Pool.History(this->Executor->ViewName, name, desc, fresh);
+  ScopedState scope(this->State());
+  std::vector<const char*> outputs;
+  for (const std::string& output : this->Step->OutputOrder)
+  {
+    outputs.push_back(output.c_str());
+  }
+  this->BindTarget(outputs, drawing.CoveredOnly ? resource::Depth : nullptr);
+  scope.Set(GL_BLEND, false);
+  // The triangle lies at the far plane: what is nearer passes.
+  scope.Set(GL_DEPTH_TEST, drawing.CoveredOnly);
+  scope.DepthFunc(GL_GREATER);
+  scope.DepthMask(false);
+  if (const auto* reals = std::get_if<glm::vec4>(&drawing.Clear))
+  {
+    glClearBufferfv(GL_COLOR, 0, &(*reals)[0]);
+  }
+  if (const auto* words = std::get_if<glm::uvec4>(&drawing.Clear))
+  {
+    glClearBufferuiv(GL_COLOR, 0, &(*words)[0]);
+  }
+  if (drawing.Stride > 1)
+  {
+    const glm::ivec4& area = this->GetView().Viewport;
+    const glm::ivec2 low = glm::ivec2(area) / drawing.Stride;
+    const glm::ivec2 high = (glm::ivec2(area.x + area.z, area.y + area.w) - 1) / drawing.Stride;
+    scope.Viewport(low.x, low.y, high.x - low.x + 1, high.y - low.y + 1);
+  }
+  this->DrawBound(shader, variant, given);
 }
 }

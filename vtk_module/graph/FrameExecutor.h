@@ -40,7 +40,7 @@ private:
   void Retire(int position);
 
   ResourcePool& Pool;
-  ShaderLibrary& Library;
+  Commands Runner;
   const View& CurrentView;
   vtkOpenGLRenderer* Renderer;
   vtkOpenGLState* State;

@@ -2,44 +2,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/FrameGraph.h"
 
+#include "graph/FrameContext.h"
+
 #include <algorithm>
 #include <stdexcept>
 
 namespace penumbra
 {
-PassDeclaration& PassDeclaration::Read(const std::string& resource)
+PassDeclaration& PassDeclaration::Read(const std::string& resource, const std::string& sampler)
 {
-  this->Accesses.push_back({ resource, Kind::Read, {}, 0 });
+  this->Accesses.push_back({ resource, Kind::Read, {}, 0, sampler, {} });
   return *this;
 }
 
-PassDeclaration& PassDeclaration::ReadIfPresent(const std::string& resource)
+PassDeclaration& PassDeclaration::ReadIfPresent(
+  const std::string& resource, const std::string& define, const std::string& sampler)
 {
-  this->Accesses.push_back({ resource, Kind::ReadIfPresent, {}, 0 });
+  this->Accesses.push_back({ resource, Kind::ReadIfPresent, {}, 0, sampler, define });
   return *this;
 }
 
-PassDeclaration& PassDeclaration::Write(const std::string& resource, const TextureDesc& desc)
+PassDeclaration& PassDeclaration::Write(
+  const std::string& resource, const TextureDesc& desc, const std::string& image)
 {
-  this->Accesses.push_back({ resource, Kind::Write, desc, 0 });
+  this->Accesses.push_back({ resource, Kind::Write, desc, 0, image, {} });
   return *this;
 }
 
-PassDeclaration& PassDeclaration::Modify(const std::string& resource, int order)
+PassDeclaration& PassDeclaration::Modify(
+  const std::string& resource, int order, const std::string& sampler)
 {
-  this->Accesses.push_back({ resource, Kind::Modify, {}, order });
+  this->Accesses.push_back({ resource, Kind::Modify, {}, order, sampler, {} });
   return *this;
 }
 
-PassDeclaration& PassDeclaration::ModifyIfPresent(const std::string& resource, int order)
+PassDeclaration& PassDeclaration::ModifyIfPresent(
+  const std::string& resource, int order, const std::string& sampler)
 {
-  this->Accesses.push_back({ resource, Kind::ModifyIfPresent, {}, order });
+  this->Accesses.push_back({ resource, Kind::ModifyIfPresent, {}, order, sampler, {} });
   return *this;
 }
 
 PassDeclaration& PassDeclaration::DrawOver(const std::string& resource, int order)
 {
-  this->Accesses.push_back({ resource, Kind::DrawOver, {}, order });
+  this->Accesses.push_back({ resource, Kind::DrawOver, {}, order, {}, {} });
+  return *this;
+}
+
+PassDeclaration& PassDeclaration::ReadHistory(History& history, const std::string& sampler)
+{
+  this->Histories.push_back({ &history, ShaderAccess::Read, sampler });
+  return *this;
+}
+
+PassDeclaration& PassDeclaration::WriteHistory(History& history, const std::string& image)
+{
+  this->Histories.push_back({ &history, ShaderAccess::Write, image });
+  return *this;
+}
+
+PassDeclaration& PassDeclaration::UpdateHistory(History& history, const std::string& image)
+{
+  this->Histories.push_back({ &history, ShaderAccess::ReadWrite, image });
   return *this;
 }
 
@@ -49,9 +73,31 @@ PassDeclaration& PassDeclaration::SideEffect()
   return *this;
 }
 
+PassDeclaration& PassDeclaration::Offer(const Arguments& arguments)
+{
+  this->Offered.Add(arguments);
+  return *this;
+}
+
+PassDeclaration& PassDeclaration::Compute(
+  const std::string& shader, const Defines& variant, const Arguments& given, const Work& work)
+{
+  return this->Execute([shader, variant, given, work](FrameContext& context) {
+    context.Dispatch(shader, variant, given, work);
+  });
+}
+
+PassDeclaration& PassDeclaration::Draw(const std::string& shader, const Defines& variant,
+  const Arguments& given, const Drawing& drawing)
+{
+  return this->Execute([shader, variant, given, drawing](FrameContext& context) {
+    context.Draw(shader, variant, given, drawing);
+  });
+}
+
 PassDeclaration& PassDeclaration::Execute(std::function<void(FrameContext&)> work)
 {
-  this->Work = std::move(work);
+  this->Action = std::move(work);
   return *this;
 }
 
@@ -65,7 +111,44 @@ struct FrameGraph::Links
 {
   std::vector<int> Maker;                                  ///< by version
   std::vector<std::map<std::string, int>> Inputs, Outputs; ///< by pass
+  std::vector<std::vector<int>> Sources; ///< by pass: those whose histories it reads
+  std::vector<std::vector<int>> Earlier; ///< by pass: those that must have read what it overwrites
 };
+
+void FrameGraph::LinkHistories(Links& links) const
+{
+  struct Last
+  {
+    int Writer = None;
+    std::vector<int> Readers; ///< since
+  };
+  std::map<const History*, Last> histories;
+  links.Sources.resize(this->Passes.size());
+  links.Earlier.resize(this->Passes.size());
+  for (int pass = 0; pass < static_cast<int>(this->Passes.size()); ++pass)
+  {
+    for (const auto& use : this->Passes[pass]->Histories)
+    {
+      Last& last = histories[use.Kept];
+      if (use.Access != ShaderAccess::Write && last.Writer != None)
+      {
+        links.Sources[pass].push_back(last.Writer);
+      }
+      if (use.Access == ShaderAccess::Read)
+      {
+        last.Readers.push_back(pass);
+        continue;
+      }
+      auto& earlier = links.Earlier[pass];
+      earlier.insert(earlier.end(), last.Readers.begin(), last.Readers.end());
+      if (last.Writer != None)
+      {
+        earlier.push_back(last.Writer);
+      }
+      last = { pass, {} };
+    }
+  }
+}
 
 FrameGraph::Links FrameGraph::Resolve()
 {
@@ -189,6 +272,7 @@ std::vector<bool> FrameGraph::Needed(const Links& links) const
     {
       pending.push_back(links.Maker[input.second]);
     }
+    pending.insert(pending.end(), links.Sources[pass].begin(), links.Sources[pass].end());
   }
   return needed;
 }
@@ -208,8 +292,11 @@ std::vector<int> FrameGraph::Order(const Links& links, const std::vector<bool>& 
       {
         continue;
       }
+      const auto isDone = [&](int other) { return done[other] || !needed[other]; };
       const bool ready = std::all_of(links.Inputs[pass].begin(), links.Inputs[pass].end(),
-        [&](const auto& input) { return done[links.Maker[input.second]]; });
+                           [&](const auto& input) { return done[links.Maker[input.second]]; }) &&
+        std::all_of(links.Sources[pass].begin(), links.Sources[pass].end(), isDone) &&
+        std::all_of(links.Earlier[pass].begin(), links.Earlier[pass].end(), isDone);
       if (ready)
       {
         done[pass] = true;
@@ -229,11 +316,67 @@ std::vector<int> FrameGraph::Order(const Links& links, const std::vector<bool>& 
   return order;
 }
 
+FrameGraph::Step FrameGraph::MakeStep(
+  const PassDeclaration& pass, const Links& links, int number) const
+{
+  using Kind = PassDeclaration::Kind;
+  Step step;
+  step.Name = pass.Name;
+  step.Inputs = links.Inputs[number];
+  step.Outputs = links.Outputs[number];
+  step.Offered = pass.Offered;
+  step.Action = &pass.Action;
+  for (const auto& access : pass.Accesses)
+  {
+    if (access.How != Kind::Read && access.How != Kind::ReadIfPresent &&
+      step.Outputs.count(access.Resource) > 0)
+    {
+      step.OutputOrder.push_back(access.Resource);
+    }
+    if (access.How == Kind::Write && !access.Argument.empty())
+    {
+      step.OutputImages[access.Resource] = access.Argument;
+    }
+    const bool read = access.How != Kind::Write && access.How != Kind::DrawOver &&
+      step.Inputs.count(access.Resource) > 0;
+    if (read)
+    {
+      step.InputSamplers[access.Resource] =
+        access.Argument.empty() ? resource::SamplerOf(access.Resource) : access.Argument;
+    }
+    if (read && !access.Define.empty())
+    {
+      step.Variant[access.Define] = "1";
+    }
+  }
+  for (const auto& use : pass.Histories)
+  {
+    if (use.Access != ShaderAccess::Read)
+    {
+      step.Written.push_back(use.Kept);
+    }
+    if (use.Argument.empty())
+    {
+      continue;
+    }
+    if (use.Access == ShaderAccess::Read)
+    {
+      step.Offered.Sample(use.Argument, &use.Kept->Storage);
+    }
+    else
+    {
+      step.Offered.Image(use.Argument, use.Kept->Storage, use.Access);
+    }
+  }
+  return step;
+}
+
 void FrameGraph::Compile()
 {
   this->Table.clear();
   this->Ordered.clear();
-  const Links links = this->Resolve();
+  Links links = this->Resolve();
+  this->LinkHistories(links);
   const std::vector<int> order = this->Order(links, this->Needed(links));
   for (int position = 0; position < static_cast<int>(order.size()); ++position)
   {
@@ -247,8 +390,7 @@ void FrameGraph::Compile()
         version.Last = position;
       }
     }
-    this->Ordered.push_back({ this->Passes[pass]->Name, links.Inputs[pass], links.Outputs[pass],
-      &this->Passes[pass]->Work });
+    this->Ordered.push_back(this->MakeStep(*this->Passes[pass], links, pass));
   }
 }
 }

@@ -6,19 +6,30 @@
  */
 #pragma once
 
-#include "gpu/GLObjects.h"
+#include "gpu/Commands.h"
+#include "gpu/ResourcePool.h"
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace penumbra
 {
 class FrameContext;
 
-/// A pass as declared. The four kinds of access:
+/// How a pass draws one triangle over the viewport.
+struct Drawing
+{
+  bool CoveredOnly = false; ///< only where resource::Depth, which it reads, has something
+  int Stride = 1;           ///< pixels that one of the target stands for, across and down
+  /// What the first target is cleared to before, if at all, by its type.
+  std::variant<std::monostate, glm::vec4, glm::uvec4> Clear;
+};
+
+/// A pass as declared. The kinds of access:
 /// - Read: the resource must have a writer, else the frame is in error.
 /// - ReadIfPresent: as Read, but the pass also runs without it.
 /// - Write: makes the resource. One pass only may write a resource.
@@ -27,6 +38,11 @@ class FrameContext;
 ///   pass is dropped with it.
 /// - DrawOver: as Modify, but the next version is drawn over the one before, in its texture, which
 ///   the pass cannot read. Not for what may be VTK's own: the picture and its depth.
+/// - Histories, which a view keeps from frame to frame, are read and written in the order in which
+///   passes are declared; a pass that writes one is needed where a later one that reads it is.
+///
+/// sampler, image: the name that the pass's shaders have for it; "" takes the shared one of
+/// resource::SamplerOf(), if there is one.
 class PassDeclaration
 {
 public:
@@ -34,14 +50,36 @@ public:
     : Name(std::move(name))
   {
   }
-  PassDeclaration& Read(const std::string& resource);
-  PassDeclaration& ReadIfPresent(const std::string& resource);
-  PassDeclaration& Write(const std::string& resource, const TextureDesc& desc);
-  PassDeclaration& Modify(const std::string& resource, int order);
-  PassDeclaration& ModifyIfPresent(const std::string& resource, int order);
+  PassDeclaration& Read(const std::string& resource, const std::string& sampler = {});
+  /// define: is 1 in the pass's shaders where the resource is present.
+  PassDeclaration& ReadIfPresent(const std::string& resource, const std::string& define = {},
+    const std::string& sampler = {});
+  PassDeclaration& Write(
+    const std::string& resource, const TextureDesc& desc, const std::string& image = {});
+  PassDeclaration& Modify(
+    const std::string& resource, int order, const std::string& sampler = {});
+  PassDeclaration& ModifyIfPresent(
+    const std::string& resource, int order, const std::string& sampler = {});
   PassDeclaration& DrawOver(const std::string& resource, int order);
+
+  PassDeclaration& ReadHistory(History& history, const std::string& sampler);
+  /// The pass writes all of it that is read later. image: "" where it draws to it or fills it.
+  PassDeclaration& WriteHistory(History& history, const std::string& image = {});
+  /// The pass goes on with what is there.
+  PassDeclaration& UpdateHistory(History& history, const std::string& image = {});
+
   /// The pass is needed although nobody reads what it writes.
   PassDeclaration& SideEffect();
+  /// Offer to the pass's shaders what some of them take.
+  PassDeclaration& Offer(const Arguments& arguments);
+
+  /// What the pass does: run a compute shader,
+  PassDeclaration& Compute(const std::string& shader, const Defines& variant,
+    const Arguments& given, const Work& work);
+  /// draw to its outputs, in the order in which they were declared, by a fragment shader,
+  PassDeclaration& Draw(const std::string& shader, const Defines& variant, const Arguments& given,
+    const Drawing& drawing = {});
+  /// or anything else.
   PassDeclaration& Execute(std::function<void(FrameContext&)> work);
 
 private:
@@ -61,11 +99,21 @@ private:
     Kind How;
     TextureDesc Desc;
     int Order;
+    std::string Argument; ///< of shaders
+    std::string Define;
+  };
+  struct HistoryUse
+  {
+    History* Kept;
+    ShaderAccess Access;
+    std::string Argument;
   };
   std::string Name;
   std::vector<Access> Accesses;
+  std::vector<HistoryUse> Histories;
+  Arguments Offered;
   bool HasSideEffect = false;
-  std::function<void(FrameContext&)> Work;
+  std::function<void(FrameContext&)> Action;
 };
 
 class FrameGraph
@@ -90,7 +138,13 @@ public:
     std::string Name;
     std::map<std::string, int> Inputs;
     std::map<std::string, int> Outputs;
-    const std::function<void(FrameContext&)>* Work;
+    std::vector<std::string> OutputOrder;             ///< as declared
+    std::map<std::string, std::string> InputSamplers; ///< the shaders' names, by resource
+    std::map<std::string, std::string> OutputImages;
+    Defines Variant;   ///< of the resources that are present
+    Arguments Offered; ///< histories, and what else does not change
+    std::vector<History*> Written;
+    const std::function<void(FrameContext&)>* Action;
   };
 
   PassDeclaration& AddPass(const std::string& name);
@@ -105,6 +159,8 @@ public:
 private:
   struct Links; // which passes make and use which version
   Links Resolve();
+  void LinkHistories(Links& links) const;
+  Step MakeStep(const PassDeclaration& pass, const Links& links, int number) const;
   std::vector<bool> Needed(const Links& links) const;
   std::vector<int> Order(const Links& links, const std::vector<bool>& needed) const;
 

@@ -5,6 +5,9 @@
  */
 #pragma once
 
+#include <map>
+#include <string>
+
 namespace penumbra
 {
 namespace resource
@@ -32,6 +35,24 @@ constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct lig
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, as displayed
 constexpr const char* Radiance = "radiance";        ///< the picture, linear
+}
+
+namespace resource
+{
+/// The name that shaders have for a shared resource, unless their pass says otherwise; "" for none.
+inline std::string SamplerOf(const std::string& resource)
+{
+  static const std::map<std::string, std::string> names = { { Albedo, "albedoTexture" },
+    { Normal, "normalTexture" }, { Facet, "facetTexture" }, { WindowDepth, "depthTexture" },
+    { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
+    { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
+    { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
+    { Irradiance, "irradianceTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
+    { LitRadiance, "litTexture" }, { Reflection, "reflectionTexture" },
+    { Color, "colorTexture" }, { Radiance, "colorTexture" } };
+  const auto found = names.find(resource);
+  return found == names.end() ? std::string() : found->second;
+}
 }
 
 /// Results of few samples that share the noise of a frame, in the order of their names: what

@@ -5,7 +5,7 @@
  */
 #pragma once
 
-#include "gpu/GL.h"
+#include "gpu/Arguments.h"
 
 #include <glm/glm.hpp>
 
@@ -43,5 +43,13 @@ struct View
   GLenum DepthFormat = 0;         ///< of the window, so that depth can be copied; 0 if it cannot
   bool KeepsRadiance = false;     ///< values above 1 matter
   bool WantsAntiAliasing = false; ///< the window is multisampled, or the renderer asks for FXAA
+
+  /// For shaders that go from view coordinates to the world's, relative to an origin: viewToScene, eye.
+  Arguments ToScene(const glm::dvec3& origin) const
+  {
+    return Arguments()
+      .Set("viewToScene", glm::mat3(glm::dmat3(this->ViewToWorld)))
+      .Set("eye", glm::vec3(glm::dvec3(this->ViewToWorld[3]) - origin));
+  }
 };
 }

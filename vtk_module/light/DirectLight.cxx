@@ -43,11 +43,6 @@ struct Resolve
     flag("GI_SPECULAR", this->Materials->HasSpecular());
     flag("GI_HEADLIGHT", this->Lights->IsSingleHeadlight());
     flag("GI_POSITIONAL", this->Lights->HasPositional());
-    flag("GI_AMBIENT", context.Input(resource::Ambient) != nullptr);
-    flag("GI_DIRECT_VISIBILITY", context.Input(resource::DirectVisibility) != nullptr);
-    flag("GI_AMBIENT_VISIBILITY", context.Input(resource::AmbientVisibility) != nullptr);
-    flag("GI_IRRADIANCE", context.Input(resource::Irradiance) != nullptr);
-    flag("GI_LAMP_LIGHT", context.Input(resource::LampLight) != nullptr);
     flag("GI_SURROUNDINGS",
       context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
     flag("GI_INTERREFLECTION",
@@ -93,8 +88,7 @@ struct Resolve
     scope.Set(GL_BLEND, false);
     scope.Set(GL_DEPTH_TEST, false);
     context.BindTarget({ resource::Radiance });
-    context.Use(context.Shaders().Fragment("direct_light/sky.frag"), { sky });
-    context.DrawFullscreen();
+    context.DrawBound("direct_light/sky.frag", {}, {});
   }
 
   void Draw(FrameContext& context, const std::vector<const char*>& targets) const
@@ -108,22 +102,11 @@ struct Resolve
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_GREATER);
     scope.DepthMask(false);
-    const Program& program = context.Shaders().Fragment("direct_light/resolve.frag",
-      this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1));
-    context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-        context.Input(resource::Normal), context.Input(resource::Ambient),
-        context.Input(resource::Surface), context.Input(resource::Emission),
-        context.Input(resource::DirectVisibility), context.Input(resource::AmbientVisibility),
-        context.Input(resource::Irradiance), context.Input(resource::Surroundings),
-        context.Input(resource::LampLight) });
-    this->Lights->Bind(0, 1.0 - this->Options.SpreadShare);
-    this->Materials->Bind(1);
-    glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
-    const glm::vec3 ambient(this->Options.SpreadShare * this->Lights->TotalColor());
-    glUniform3f(program.Location("ambientLight"), ambient.r, ambient.g, ambient.b);
-    glUniform1f(program.Location("interreflection"), static_cast<GLfloat>(this->Options.Interreflection));
-    context.DrawFullscreen();
+    context.DrawBound("direct_light/resolve.frag",
+      this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1),
+      Arguments()
+        .Set("ambientLight", glm::vec3(this->Options.SpreadShare * this->Lights->TotalColor()))
+        .Set("interreflection", this->Options.Interreflection));
   }
 };
 
@@ -139,15 +122,12 @@ void Present(FrameContext& context)
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, false);
-  context.Use(context.Shaders().Fragment("direct_light/present_color.frag"), { color });
-  context.DrawFullscreen();
+  context.DrawBound("direct_light/present_color.frag", {}, {});
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthFunc(GL_ALWAYS);
   scope.DepthMask(true);
   scope.ColorMask(false);
-  context.Use(context.Shaders().Fragment("direct_light/present_depth.frag"),
-    { context.Input(resource::WindowDepth), context.Input(resource::Albedo) });
-  context.DrawFullscreen();
+  context.DrawBound("direct_light/present_depth.frag", {}, {});
 }
 }
 
@@ -159,14 +139,16 @@ void ContributeDirectLight(
     .Read(resource::WindowDepth)
     .Read(resource::Albedo)
     .Read(resource::Normal)
-    .ReadIfPresent(resource::Ambient)
+    .ReadIfPresent(resource::Ambient, "GI_AMBIENT")
     .ReadIfPresent(resource::Surface)
     .ReadIfPresent(resource::Emission)
-    .ReadIfPresent(resource::DirectVisibility)
-    .ReadIfPresent(resource::AmbientVisibility)
-    .ReadIfPresent(resource::Irradiance)
+    .ReadIfPresent(resource::DirectVisibility, "GI_DIRECT_VISIBILITY")
+    .ReadIfPresent(resource::AmbientVisibility, "GI_AMBIENT_VISIBILITY")
+    .ReadIfPresent(resource::Irradiance, "GI_IRRADIANCE")
     .ReadIfPresent(resource::Surroundings)
-    .ReadIfPresent(resource::LampLight)
+    .ReadIfPresent(resource::LampLight, "GI_LAMP_LIGHT")
+    .Offer(lights.InView(1.0 - options.SpreadShare))
+    .Offer(materials.ShaderArguments())
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
   if (options.Radiance)

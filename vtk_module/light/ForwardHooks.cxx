@@ -189,11 +189,11 @@ vtkGIForwardHooks::Parts& vtkGIForwardHooks::PartsOf(vtkShaderProgram* program, 
 
 void vtkGIForwardHooks::SetShadows(const ForwardProgram& part) const
 {
-  const auto count = static_cast<GLsizei>(this->ShadowOf.size());
-  glUniform1i(part.Location("giLights"), count);
-  glUniform1f(part.Location("giKept"), static_cast<GLfloat>(this->Light.Kept));
-  glUniform1iv(part.Location("giShadowOf"), count, this->ShadowOf.data());
-  glUniform1iv(part.Location("giShadowOfSorted"), count, this->ShadowOfSorted.data());
+  part.SetValues(Arguments()
+                   .Set("giLights", static_cast<int>(this->ShadowOf.size()))
+                   .Set("giKept", this->Light.Kept)
+                   .Set("giShadowOf", this->ShadowOf)
+                   .Set("giShadowOfSorted", this->ShadowOfSorted));
 }
 
 void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume)
@@ -211,8 +211,8 @@ void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume)
   for (std::size_t i = 0; i < parts.Indirect.size(); ++i)
   {
     const ForwardPart& light = this->Light.Indirect[i];
-    glUniform1i(parts.Indirect[i]->Location("giParallelRays"),
-      this->Renderer->GetActiveCamera()->GetParallelProjection());
+    parts.Indirect[i]->SetValues(Arguments().Set(
+      "giParallelRays", this->Renderer->GetActiveCamera()->GetParallelProjection() != 0));
     parts.Indirect[i]->Begin(state, units);
     light.Bind(*parts.Indirect[i]);
     units += light.Textures;

@@ -24,9 +24,23 @@ void ForwardProgram::Begin(vtkOpenGLState* state, const int* units)
   this->NextUnit = units;
 }
 
-std::string ForwardProgram::NameOf(const char* uniform) const
+void ForwardProgram::Set(const Arguments& arguments) const
 {
-  const std::string name = uniform;
+  this->SetValues(arguments);
+  for (const Input& input : this->Inputs())
+  {
+    const auto block = arguments.Blocks().find(input.Name);
+    if (block != arguments.Blocks().end() && input.Location < 0)
+    {
+      block->second.Kept->BindBase(input.Kind == InputKind::StorageBlock ? GL_SHADER_STORAGE_BUFFER
+                                                                         : GL_UNIFORM_BUFFER,
+        static_cast<GLuint>(input.Unit));
+    }
+  }
+}
+
+std::string ForwardProgram::NameOf(const std::string& name) const
+{
   const bool own =
     name.compare(0, 5, "field") == 0 && std::isupper(static_cast<unsigned char>(name[5])) != 0;
   return own ? this->Field + name.substr(5) : name;
@@ -37,15 +51,16 @@ void ForwardProgram::SetTexture(const char* uniform, GLuint texture)
   const int unit = *this->NextUnit++;
   this->State->vtkglActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D, texture);
-  glUniform1i(this->Location(uniform), unit);
+  this->SetValues(Arguments().Set(uniform, unit));
 }
 
 void ForwardProgram::SetField(
   const glm::dmat4& viewToWorld, const glm::dvec3& origin, double intensity) const
 {
-  const glm::mat4 fromView(glm::translate(glm::dmat4(1.0), -origin) * viewToWorld);
-  glUniformMatrix4fv(this->Location("fieldFromView"), 1, GL_FALSE, &fromView[0][0]);
-  glUniform1f(this->Location("fieldIntensity"), static_cast<GLfloat>(intensity));
+  this->SetValues(
+    Arguments()
+      .Set("fieldFromView", glm::mat4(glm::translate(glm::dmat4(1.0), -origin) * viewToWorld))
+      .Set("fieldIntensity", intensity));
 }
 
 void ForwardLight::Spread(double share, const glm::dvec3& total)
@@ -59,7 +74,7 @@ void ForwardLight::Spread(double share, const glm::dvec3& total)
   ForwardPart part;
   part.Source = "forward/spread.glsl";
   part.Bind = [light = glm::vec3(share * total)](ForwardProgram& program) {
-    glUniform3fv(program.Location("fieldSpread"), 1, &light[0]);
+    program.Set(Arguments().Set("fieldSpread", light));
   };
   this->Indirect = { part };
 }

@@ -30,6 +30,9 @@ public:
 
   bool IsOfVolume() const { return this->Volume; }
 
+  /// Set the uniforms that the program uses, and bind its blocks.
+  void Set(const Arguments& arguments) const;
+
   /// Have a uniform read a texture, by the next of the part's units.
   void SetTexture(const char* uniform, GLuint texture);
 
@@ -40,7 +43,7 @@ public:
   static std::string FieldName(std::size_t number) { return "giField" + std::to_string(number); }
 
 protected:
-  std::string NameOf(const char* uniform) const override;
+  std::string NameOf(const std::string& uniform) const override;
 
 private:
   std::string Field;

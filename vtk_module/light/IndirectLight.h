@@ -15,9 +15,9 @@ namespace penumbra
 {
 class Frame;
 class FrameContext;
+class PassDeclaration;
 class LightTable;
 class SceneCapture;
-class Texture;
 
 /// By how much is known of a surface point: earlier ones come first.
 enum class IndirectKind
@@ -31,10 +31,11 @@ enum class IndirectKind
 struct IndirectLight
 {
   IndirectKind Kind;
-  std::vector<const char*> Reads; ///< resources
-  /// Draw over resource::Irradiance, bound with the depth that the props left, tests and writing of depth off:
-  /// rgb what arrives divided by pi, times a; a the share of the pixel's light that is known, 0 to 1. What is
-  /// drawn later counts where and as far as a is below 1.
+  /// Declare what a pass reads that draws over resource::Irradiance, and what it executes. That is bound with the depth
+  /// that the props left, tests and writing of depth off: rgb what arrives divided by pi, times a; a the share of the
+  /// pixel's light that is known, 0 to 1. What is drawn later counts where and as far as a is below 1.
+  std::function<void(PassDeclaration&)> Declare;
+  /// Draw it.
   std::function<void(FrameContext&)> Draw;
   /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
   ForwardPart Forward;
@@ -43,14 +44,9 @@ struct IndirectLight
   bool KnowsLamps = false;
 };
 
-/// The mean direction that light comes from past what is near, for probes/gather.glsl: a texture for its unit and the
-/// variant that reads it; nullptr and none where nothing knows it.
-struct OpenDirection
-{
-  const Texture* Map = nullptr;
-  Defines Variant;
-  explicit OpenDirection(const FrameContext& context);
-};
+/// For probes/gather.glsl: the variant that reads the mean direction that light comes from past what is near, where it is
+/// known, and in given the texture that has it.
+Defines OpenDirection(const FrameContext& context, Arguments& given);
 
 /// Add the passes that make resource::Irradiance, and resource::LampLight where one knows it, of what the techniques
 /// know, in their order.

@@ -117,35 +117,40 @@ shared::LightData LightTable::Entry(const Light& light, double scale) const
   return entry;
 }
 
-void LightTable::Bind(GLuint index, double scale)
+Arguments LightTable::InView(double scale)
 {
-  std::vector<shared::LightData> data;
-  for (const auto& light : this->All)
-  {
-    data.push_back(this->Entry(light, scale));
-  }
-  this->Upload(index, std::move(data));
+  this->ViewScale = scale;
+  return this->Describe(this->ViewBlock);
 }
 
-void LightTable::BindWorld(GLuint index, const glm::dvec3& origin)
+Arguments LightTable::InWorld(const glm::dvec3& origin)
 {
-  std::vector<shared::LightData> data;
-  for (const auto& light : this->All)
-  {
-    data.push_back(this->Entry(light, 1.0));
-    data.back().Direction = glm::vec4(light.WorldDirection, light.Exponent);
-    data.back().Position = glm::vec4(light.WorldPosition - origin, 0.0);
-  }
-  this->Upload(index, std::move(data));
+  this->WorldOrigin = origin;
+  return this->Describe(this->WorldBlock);
 }
 
-void LightTable::Upload(GLuint index, std::vector<shared::LightData> data)
+Arguments LightTable::Describe(const Buffer& block) const
 {
-  if (data.empty())
+  return Arguments().Block("LightBlock", block).Set(
+    "lightCount", static_cast<int>(this->All.size()));
+}
+
+void LightTable::Upload()
+{
+  // An empty buffer may not be bound.
+  const std::size_t count = std::max<std::size_t>(this->All.size(), 1);
+  std::vector<shared::LightData> inView(count);
+  std::vector<shared::LightData> inWorld(count);
+  for (std::size_t i = 0; i < this->All.size(); ++i)
   {
-    data.emplace_back(); // an empty buffer may not be bound
+    const Light& light = this->All[i];
+    inView[i] = this->Entry(light, this->ViewScale);
+    inWorld[i] = this->Entry(light, 1.0);
+    inWorld[i].Direction = glm::vec4(light.WorldDirection, light.Exponent);
+    inWorld[i].Position = glm::vec4(light.WorldPosition - this->WorldOrigin, 0.0);
   }
-  this->Storage.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), data.size() * sizeof(data[0]));
-  this->Storage.BindBase(GL_SHADER_STORAGE_BUFFER, index);
+  const std::size_t bytes = count * sizeof(shared::LightData);
+  this->ViewBlock.Upload(GL_SHADER_STORAGE_BUFFER, inView.data(), bytes);
+  this->WorldBlock.Upload(GL_SHADER_STORAGE_BUFFER, inWorld.data(), bytes);
 }
 }

@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "gpu/GLObjects.h"
+#include "gpu/Arguments.h"
 
 #include "light.h"
 
@@ -62,20 +62,30 @@ public:
   /// The colours of all lights added up.
   glm::dvec3 TotalColor() const;
 
-  /// Upload, with every light's strength scaled.
-  void Bind(GLuint index, double scale);
-  /// Upload with places and directions in the world, relative to an origin.
-  void BindWorld(GLuint index, const glm::dvec3& origin);
+  /// For shaders that include shared/light.h, with lightCount: in view coordinates, with every light's strength
+  /// scaled,
+  Arguments InView(double scale);
+  /// or in the world's, relative to an origin, one for all who ask.
+  Arguments InWorld(const glm::dvec3& origin);
+  /// Once all have asked and channels of masks are assigned, before shaders run.
+  void Upload();
 
-  void ReleaseGraphicsResources() { this->Storage = Buffer(); }
+  void ReleaseGraphicsResources()
+  {
+    this->ViewBlock = Buffer();
+    this->WorldBlock = Buffer();
+  }
 
 private:
   shared::LightData Entry(const Light& light, double scale) const;
-  void Upload(GLuint index, std::vector<shared::LightData> data);
+  Arguments Describe(const Buffer& block) const;
 
   std::vector<Light> All;
   bool SingleHeadlight = false;
   bool Positional = false;
-  Buffer Storage;
+  double ViewScale = 1.0;
+  glm::dvec3 WorldOrigin{ 0.0 };
+  Buffer ViewBlock;
+  Buffer WorldBlock;
 };
 }

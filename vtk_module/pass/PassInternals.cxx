@@ -258,7 +258,8 @@ void vtkGIPass::Internals::DrawFrame(
   RayProps& rays = this->Worlds[renderer];
   LightingPlan plan;
   FrameBuilder builder(
-    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, plan, renderer);
+    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, plan, renderer,
+    this->Pool, memory.Name);
   for (auto& technique : this->Techniques)
   {
     technique->SetTookPart(false);
@@ -267,9 +268,11 @@ void vtkGIPass::Internals::DrawFrame(
   for (vtkGITechnique* technique : ChooseTechniques(this->Techniques, builder, plan))
   {
     technique->SetTookPart(true);
+    builder.Offer(technique->GetShaderParameters());
     technique->Contribute(builder);
     lit |= technique->ChangesLight();
   }
+  builder.Offer({});
   this->Capture.SetMendsNormals(lit);
   this->DrawnByRays = plan.IsDrawnByRays() ? &rays : nullptr;
   this->Notes.clear();
@@ -294,6 +297,7 @@ void vtkGIPass::Internals::DrawFrame(
     this->KeepRadiance(builder, memory);
   }
   graph.Compile();
+  this->Lights.Upload();
 
   WindowTarget target;
   target.Framebuffer = BoundFramebuffer();

@@ -21,31 +21,31 @@ Defines ProbeUniforms::Variant() const
   return this->Grids.Count() > 1 ? Defines{ { "GI_FIELD_NESTED", "1" } } : Defines{};
 }
 
-void ProbeUniforms::Set(const Program& program) const
+Arguments ProbeUniforms::ShaderArguments() const
 {
-  std::array<glm::vec3, ProbeGrids::Most> origins;
-  std::array<glm::vec3, ProbeGrids::Most> spacings;
-  std::array<glm::ivec3, ProbeGrids::Most> counts;
-  std::array<glm::ivec3, ProbeGrids::Most> wraps;
-  std::array<GLint, ProbeGrids::Most + 1> begins;
-  const int count = this->Grids.Count();
-  for (int i = 0; i < count; ++i)
+  std::vector<glm::vec3> origins;
+  std::vector<glm::vec3> spacings;
+  std::vector<glm::ivec3> counts;
+  std::vector<glm::ivec3> wraps;
+  std::vector<int> begins;
+  for (int i = 0; i < this->Grids.Count(); ++i)
   {
     const ProbeGrid& grid = this->Grids.Get(i);
-    origins[i] = glm::vec3(grid.First - this->Origin);
-    spacings[i] = glm::vec3(grid.Spacing);
-    counts[i] = grid.Counts;
-    wraps[i] = grid.Wrap;
-    begins[i] = this->Grids.Begin(i);
+    origins.emplace_back(grid.First - this->Origin);
+    spacings.emplace_back(grid.Spacing);
+    counts.push_back(grid.Counts);
+    wraps.push_back(grid.Wrap);
+    begins.push_back(this->Grids.Begin(i));
   }
-  begins[count] = this->Grids.Size();
-  glUniform1i(program.Location("fieldGrids"), count);
-  glUniform3fv(program.Location("fieldOrigins"), count, &origins[0][0]);
-  glUniform3fv(program.Location("fieldSpacings"), count, &spacings[0][0]);
-  glUniform3iv(program.Location("fieldWraps"), count, &wraps[0][0]);
-  glUniform3iv(program.Location("fieldCounts"), count, &counts[0][0]);
-  glUniform1iv(program.Location("fieldBegins"), count + 1, begins.data());
-  glUniform1i(program.Location("fieldColumns"), Columns(this->Grids.Size()));
-  glUniform1f(program.Location("fieldBias"), static_cast<GLfloat>(this->Bias));
+  begins.push_back(this->Grids.Size());
+  return Arguments()
+    .Set("fieldGrids", this->Grids.Count())
+    .Set("fieldOrigins", origins)
+    .Set("fieldSpacings", spacings)
+    .Set("fieldWraps", wraps)
+    .Set("fieldCounts", counts)
+    .Set("fieldBegins", begins)
+    .Set("fieldColumns", Columns(this->Grids.Size()))
+    .Set("fieldBias", this->Bias);
 }
 }

@@ -16,8 +16,8 @@ struct ProbeUniforms
   glm::dvec3 Origin{ 0.0 }; ///< of the shaders' coordinates, world
   double Bias = 0.0;        ///< in cells
 
-  /// For a program in use.
-  void Set(const Program& program) const;
+  /// For shaders that ask probes.
+  Arguments ShaderArguments() const;
 
   /// Of shaders that ask probes.
   Defines Variant() const;

@@ -136,18 +136,14 @@ void RayBuffer::Write(std::size_t first, const void* records, std::size_t count)
   }
 }
 
-void RayBuffer::BindImage(GLuint unit) const
+void RayBuffer::AddImage(Arguments& arguments, const char* name) const
 {
-  glBindImageTexture(unit, this->View.Get(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32UI);
+  arguments.Image(name, this->View.Get(), GL_RGBA32UI);
 }
 
-void RayBuffer::BindTexture(GLuint unit) const
+void RayBuffer::AddSampler(Arguments& arguments, const char* name) const
 {
-  GLint active = 0; // VTK remembers it
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_BUFFER, this->View.Get());
-  glActiveTexture(static_cast<GLenum>(active));
+  arguments.Sample(name, GL_TEXTURE_BUFFER, this->View.Get());
 }
 
 void RayBuffer::Release()

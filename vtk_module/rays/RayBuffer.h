@@ -6,7 +6,7 @@
  */
 #pragma once
 
-#include "gpu/GLObjects.h"
+#include "gpu/Arguments.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,9 +30,9 @@ public:
   void Free(std::size_t first, std::size_t records);
 
   void Write(std::size_t first, const void* records, std::size_t count);
-  void BindImage(GLuint unit) const;
-  /// To be read by a usamplerBuffer.
-  void BindTexture(GLuint unit) const;
+  /// For a uimageBuffer, or a usamplerBuffer. Holds until the buffer grows.
+  void AddImage(Arguments& arguments, const char* name) const;
+  void AddSampler(Arguments& arguments, const char* name) const;
 
   std::size_t Used() const { return this->Taken; }
   std::size_t RecordBytes() const { return 16 * static_cast<std::size_t>(this->RecordTexels); }

@@ -99,9 +99,9 @@ void RayPictures::Sweep()
   }
 }
 
-void RayPictures::Bind() const
+void RayPictures::AddTo(Arguments& arguments) const
 {
-  this->Texels.BindTexture(GI_RAY_PICTURE_UNIT);
+  this->Texels.AddSampler(arguments, "rayPictures");
 }
 
 void RayPictures::Release()

@@ -36,7 +36,7 @@ public:
   /// Forget the pictures that were not used since the last call.
   void Sweep();
   bool IsEmpty() const { return this->Entries.empty(); }
-  void Bind() const;
+  void AddTo(Arguments& arguments) const;
   void Release();
 
 private:

@@ -390,21 +390,32 @@ void RayProps::MakeEmitters(
     GL_SHADER_STORAGE_BUFFER, table.data(), table.size() * sizeof(table[0]));
 }
 
-void RayProps::Bind(const Program& program) const
+Arguments RayProps::ShaderArguments() const
 {
-  this->Scene.Bind();
-  this->Attributes.BindTexture(GI_RAY_ATTRIBUTE_UNIT);
-  this->Points.BindTexture(GI_RAY_POINT_UNIT);
+  Arguments arguments = this->Scene.ShaderArguments();
+  this->Attributes.AddSampler(arguments, "rayAttributes");
+  this->Points.AddSampler(arguments, "rayPoints");
   if (!this->Pictures.IsEmpty())
   {
-    this->Pictures.Bind();
+    this->Pictures.AddTo(arguments);
   }
   if (this->Sky.Shines())
   {
-    this->Sky.Bind(program);
+    this->Sky.AddTo(arguments);
   }
-  this->SurfaceStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_SURFACE_BINDING);
-  this->EmitterStorage.BindBase(GL_SHADER_STORAGE_BUFFER, GI_RAY_EMITTER_BINDING);
+  return arguments.Block("RaySurfaceBlock", this->SurfaceStorage)
+    .Block("RayEmitterBlock", this->EmitterStorage)
+    .Set("emitterCount", static_cast<int>(this->Emitters));
+}
+
+Arguments RayProps::SkyCells(int rays)
+{
+  Arguments arguments;
+  if (this->Sky.Shines())
+  {
+    this->Sky.AddCells(arguments, rays);
+  }
+  return arguments;
 }
 
 Defines RayProps::ShaderDefines() const

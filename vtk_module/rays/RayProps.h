@@ -25,18 +25,12 @@ public:
   /// std::runtime_error where the scene does not fit into memory. The context must be current.
   void Update(vtkRenderer* renderer);
 
-  /// Bind for a shader in use that includes rays/surface.glsl, and rays/sky.glsl.
-  void Bind(const Program& program) const;
+  /// For shaders that include rays/surface.glsl, and rays/sky.glsl; with emitterCount.
+  Arguments ShaderArguments() const;
   Defines ShaderDefines() const;
 
-  /// After Bind(), the means of the surroundings for so many rays that are spread evenly over all directions.
-  void BindSkyCells(int rays)
-  {
-    if (this->Sky.Shines())
-    {
-      this->Sky.BindCells(rays);
-    }
-  }
+  /// The surroundings' means for so many rays that are spread evenly over all directions.
+  Arguments SkyCells(int rays);
 
   const glm::dvec3& Origin() const { return this->Scene.Origin(); }
   std::size_t EmitterCount() const { return this->Emitters; }

@@ -345,11 +345,13 @@ void RayScene::UpdateTop()
   this->Instances.Write(0, ordered.data(), ordered.size());
 }
 
-void RayScene::Bind() const
+Arguments RayScene::ShaderArguments() const
 {
-  this->Nodes.BindImage(GI_RAY_NODE_UNIT);
-  this->Primitives.BindImage(GI_RAY_PRIMITIVE_UNIT);
-  this->Instances.BindImage(GI_RAY_INSTANCE_UNIT);
+  Arguments arguments;
+  this->Nodes.AddImage(arguments, "rayNodes");
+  this->Primitives.AddImage(arguments, "rayPrimitives");
+  this->Instances.AddImage(arguments, "rayInstances");
+  return arguments;
 }
 
 Defines RayScene::ShaderDefines() const

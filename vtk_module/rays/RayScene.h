@@ -51,8 +51,8 @@ public:
   /// Bring the context's buffers up to date with all of the above. Throws std::runtime_error where
   /// the scene does not fit, naming the sizes.
   void Update();
-  /// Bind for shaders that include rays/trace.glsl.
-  void Bind() const;
+  /// For shaders that include rays/trace.glsl.
+  Arguments ShaderArguments() const;
   /// The variant of those shaders that this scene needs.
   Defines ShaderDefines() const;
 

@@ -198,20 +198,15 @@ void RaySky::Update(vtkRenderer* renderer)
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void RaySky::Bind(const Program& program) const
+void RaySky::AddTo(Arguments& arguments) const
 {
-  GLint active = 0; // VTK remembers it
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  glActiveTexture(GL_TEXTURE0 + GI_RAY_SKY_UNIT);
-  glBindTexture(GL_TEXTURE_2D_ARRAY, this->Radiance->Get());
-  glActiveTexture(GL_TEXTURE0 + GI_RAY_SKY_TABLE_UNIT);
-  glBindTexture(GL_TEXTURE_2D, this->Table->Get());
-  glActiveTexture(static_cast<GLenum>(active));
-  glUniformMatrix3fv(program.Location("sceneToSky"), 1, GL_FALSE, &this->ToSky[0][0]);
-  glUniform2i(program.Location("skyCells"), this->Cells.x, this->Cells.y);
+  arguments.Sample("raySky", this->Radiance.get())
+    .Sample("raySkyTable", this->Table.get())
+    .Set("sceneToSky", this->ToSky)
+    .Set("skyCells", this->Cells);
 }
 
-void RaySky::BindCells(int rays)
+void RaySky::AddCells(Arguments& arguments, int rays)
 {
   if (!this->Means || this->MeansRays != rays)
   {
@@ -234,11 +229,7 @@ void RaySky::BindCells(int rays)
       GL_TEXTURE_2D, 0, 0, 0, means.Columns, means.Rows, GL_RGBA, GL_FLOAT, means.Values.data());
     glBindTexture(GL_TEXTURE_2D, 0);
   }
-  GLint active = 0; // VTK remembers it
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  glActiveTexture(GL_TEXTURE0 + GI_RAY_SKY_CELLS_UNIT);
-  glBindTexture(GL_TEXTURE_2D, this->Means->Get());
-  glActiveTexture(static_cast<GLenum>(active));
+  arguments.Sample("raySkyCells", this->Means.get());
 }
 
 void RaySky::Release()

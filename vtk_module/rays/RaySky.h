@@ -43,9 +43,9 @@ public:
   void Update(vtkRenderer* renderer);
   bool Shines() const { return this->Radiance != nullptr; }
 
-  void Bind(const Program& program) const;
-  /// Also, what each of so many rays that are spread evenly stands for.
-  void BindCells(int rays);
+  void AddTo(Arguments& arguments) const;
+  /// What each of so many rays that are spread evenly stands for.
+  void AddCells(Arguments& arguments, int rays);
   void Release();
 
 private:

@@ -25,8 +25,9 @@ class FrameBuilder : public Frame
 public:
   FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene,
     RayProps& rays, MotionTable& motion, penumbra::ViewState& states,
-    const LightingPlan& plan, vtkOpenGLRenderer* renderer)
-    : Frame(graph, view, renderer)
+    const LightingPlan& plan, vtkOpenGLRenderer* renderer, ResourcePool& pool,
+    const std::string& viewName)
+    : Frame(graph, view, renderer, pool, viewName)
     , CurrentLights(lights)
     , Scene(scene)
     , World(rays)

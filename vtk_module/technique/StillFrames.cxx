@@ -21,15 +21,12 @@ double Halton(int index, int base)
 
 // What VTK draws next is not shifted: give it the depth of the frame that was not shifted either.
 // A window drawn to directly holds it in its depth buffer; another one is presented it later.
-void SteadyDepth(FrameContext& context)
+void SteadyDepth(FrameContext& context, const History& kept)
 {
-  const View& view = context.GetView();
   const Texture* buffer = context.Input(resource::Depth);
   const Texture* depth = buffer->IsBorrowed() ? buffer : context.Input(resource::WindowDepth);
-  bool fresh = false;
-  Texture& kept = context.History("depth", depth->Desc(), fresh);
-  const bool keep = fresh || view.StillFrames == 0;
-  context.CopyDepth(keep ? depth : &kept, keep ? &kept : depth);
+  const bool keep = !kept.Written || context.GetView().StillFrames == 0;
+  context.CopyDepth(keep ? depth : &kept.Storage, keep ? &kept.Storage : depth);
 }
 }
 
@@ -39,11 +36,14 @@ void ShiftStillFrame(FrameBuilder& frame, int index)
   {
     frame.SetJitter({ Halton(index, 2) - 0.5, Halton(index, 3) - 0.5 });
   }
+  const GLenum format = frame.GetView().DepthFormat;
+  History& kept = frame.Keep("depth", frame.WindowTexture(format ? format : GL_DEPTH_COMPONENT32F));
   frame.AddPass("steady-depth")
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
     .Read(resource::Color)
+    .UpdateHistory(kept)
     .SideEffect()
-    .Execute(SteadyDepth);
+    .Execute([&kept](FrameContext& context) { SteadyDepth(context, kept); });
 }
 }

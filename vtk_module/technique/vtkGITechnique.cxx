@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGITechnique.h"
 
+#include "gpu/Arguments.h"
 #include "technique/Parameters.h"
 
+#include <cctype>
 #include <cstring>
 
 vtkGITechnique::vtkGITechnique() = default;
@@ -63,6 +65,35 @@ std::string RangeText(const penumbra::ParameterInfo& parameter)
   }
   return text.str();
 }
+}
+
+namespace
+{
+std::string CamelCase(const char* kebab)
+{
+  std::string camel;
+  for (const char* c = kebab; *c; ++c)
+  {
+    const bool starts = *c == '-';
+    c += starts ? 1 : 0;
+    camel += starts ? static_cast<char>(std::toupper(static_cast<unsigned char>(*c))) : *c;
+  }
+  return camel;
+}
+}
+
+penumbra::Arguments vtkGITechnique::GetShaderParameters()
+{
+  penumbra::Arguments arguments;
+  for (const auto& parameter : this->ParameterTable())
+  {
+    const double value = parameter.Get(this);
+    const std::string name = CamelCase(parameter.Name);
+    parameter.Type == penumbra::ParameterType::Double
+      ? arguments.Set(name, value)
+      : arguments.Set(name, static_cast<int>(value));
+  }
+  return arguments;
 }
 
 int vtkGITechnique::GetNumberOfParameters()

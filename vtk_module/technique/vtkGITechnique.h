@@ -23,6 +23,7 @@
 
 namespace penumbra
 {
+class Arguments;
 class FrameBuilder;
 class LightingPlan;
 class ViewDirectory;
@@ -140,6 +141,12 @@ public:
    * Whether the technique changes how surfaces are lit. Where none does, the picture is VTK's own.
    */
   virtual bool ChangesLight() { return true; }
+
+  /**
+   * The parameters as the technique's shaders may have them: uniforms named like the parameters, in camel case
+   * ("slopeBias"), enums by the number of their value.
+   */
+  penumbra::Arguments GetShaderParameters();
 
   /**
    * Add this technique's work to a frame: declare passes with what they read and write.

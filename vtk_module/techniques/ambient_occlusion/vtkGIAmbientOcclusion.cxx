@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIAmbientOcclusion.h"
 
-#include "gpu/ScopedState.h"
 #include "technique/FrameBuilder.h"
 
 #include "occlusion.h"
@@ -64,145 +63,9 @@ constexpr int SamplesPerSlice = 32;
 // Of the places to one side, one in so many looks for the end of the highest thing.
 constexpr int PlacesPerRefinement = 4;
 
-struct Work
-{
-  Buffer* KernelBlock;
-  double Radius;
-  double Bias;
-  double Thickness; ///< 0: unlimited
-  int Method;
-  int Samples;
-  int Stride; ///< pixels of the window that a sampled one stands for, across and down
-  bool Filter;
-  bool Bent; ///< directions too
-
-  // Binds the target, and draws to its part that the viewport covers.
-  void Begin(FrameContext& context, ScopedState& scope, const char* output, int stride) const
-  {
-    scope.Set(GL_BLEND, false);
-    scope.DepthMask(false);
-    if (stride == 1)
-    {
-      // The triangle lies at the far plane: only pixels with something nearer are drawn.
-      scope.Set(GL_DEPTH_TEST, true);
-      scope.DepthFunc(GL_GREATER);
-      context.BindTarget({ output }, resource::Depth);
-      this->Clear(output);
-      return;
-    }
-    scope.Set(GL_DEPTH_TEST, false);
-    context.BindTarget({ output });
-    const glm::ivec4& area = context.GetView().Viewport;
-    const glm::ivec2 low = glm::ivec2(area) / stride;
-    const glm::ivec2 high = (glm::ivec2(area.x + area.z, area.y + area.w) - 1) / stride;
-    scope.Viewport(low.x, low.y, high.x - low.x + 1, high.y - low.y + 1);
-  }
-
-  // What is not drawn is on no surface: neighbours would else take for one what another frame left there.
-  static void Clear(const char* output)
-  {
-    if (output == resource::AmbientVisibility)
-    {
-      constexpr GLfloat open[4] = { 1.0f, 0.5f, 0.5f, 0.5f };
-      glClearBufferfv(GL_COLOR, 0, open);
-      return;
-    }
-    const GLuint nowhere[4] = { glm::floatBitsToUint(
-      1e30f) }; // a depth that is near no surface's plane
-    glClearBufferuiv(GL_COLOR, 0, nowhere);
-  }
-
-  Defines Variant() const
-  {
-    Defines defines = { { "GI_STRIDE", std::to_string(this->Stride) } };
-    if (this->Bent)
-    {
-      defines["GI_BENT"] = "1";
-    }
-    return defines;
-  }
-
-  const Program& Sampler(FrameContext& context) const
-  {
-    Defines defines = this->Variant();
-    if (this->Method == Hemisphere)
-    {
-      defines["GI_SAMPLES"] = std::to_string(this->Samples);
-      return context.Shaders().Fragment("ambient_occlusion/hemisphere.frag", defines);
-    }
-    if (this->Thickness > 0.0)
-    {
-      defines["GI_THICKNESS"] = "1";
-    }
-    return context.Shaders().Fragment("ambient_occlusion/horizon.frag", defines);
-  }
-
-  void CopyDepth(FrameContext& context) const
-  {
-    ScopedState scope(context.State());
-    scope.Set(GL_BLEND, false);
-    scope.Set(GL_DEPTH_TEST, false);
-    scope.DepthMask(false);
-    context.BindTarget({ Places });
-    context.Use(context.Shaders().Fragment("ambient_occlusion/depth.frag"),
-      { context.Input(resource::WindowDepth) });
-    context.DrawFullscreen();
-  }
-
-  void Sample(FrameContext& context) const
-  {
-    ScopedState scope(context.State());
-    this->Begin(context, scope, Raw, this->Stride);
-    const Program& program = this->Sampler(context);
-    context.Use(program, { context.Input(Places), context.Input(resource::Normal) });
-    this->KernelBlock->BindBase(GL_UNIFORM_BUFFER, 1);
-    const int slices = std::max(1, this->Samples / SamplesPerSlice);
-    const int places = std::max(1, this->Samples / (2 * slices));
-    const int refinements = places / PlacesPerRefinement;
-    glUniform1i(program.Location("slices"), slices);
-    glUniform1i(program.Location("steps"), places - refinements);
-    glUniform1i(program.Location("refinements"), refinements);
-    const double bias = this->Method == Hemisphere ? this->Bias * this->Radius : this->Bias;
-    glUniform1f(program.Location("radius"), static_cast<GLfloat>(this->Radius));
-    glUniform1f(program.Location("bias"), static_cast<GLfloat>(bias));
-    glUniform1f(program.Location("thickness"), static_cast<GLfloat>(this->Thickness));
-    context.DrawFullscreen();
-  }
-
-  void Smooth(FrameContext& context, const char* input, const char* output) const
-  {
-    ScopedState scope(context.State());
-    this->Begin(context, scope, output, this->Stride);
-    Defines defines = this->Variant();
-    if (this->Filter)
-    {
-      defines["GI_AVERAGED"] = "1";
-    }
-    if (input != Raw)
-    {
-      defines["GI_DOWN"] = "1";
-    }
-    if (output != resource::AmbientVisibility)
-    {
-      defines["GI_PACKED"] = "1";
-    }
-    const Program& program = context.Shaders().Fragment("ambient_occlusion/filter.frag", defines);
-    context.Use(program, { context.Input(input) });
-    context.DrawFullscreen();
-  }
-
-  void Upsample(FrameContext& context) const
-  {
-    ScopedState scope(context.State());
-    this->Begin(context, scope, resource::AmbientVisibility, 1);
-    const Program& program =
-      context.Shaders().Fragment("ambient_occlusion/upsample.frag", this->Variant());
-    context.Use(program,
-      { context.Input(Smoothed), context.Input(resource::WindowDepth),
-        context.Input(resource::Normal) });
-    context.DrawFullscreen();
-  }
-};
+// What is not drawn is on no surface: neighbours would else take for one what another frame left there.
+const glm::vec4 Open(1.0f, 0.5f, 0.5f, 0.5f);
+const glm::uvec4 Nowhere(glm::floatBitsToUint(1e30f), 0u, 0u, 0u); // a depth near no surface's plane
 }
 
 struct vtkGIAmbientOcclusion::Resources
@@ -253,56 +116,111 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
   const int stride = this->Resolution == 0 ? 1 : 2;
   const bool bent =
     this->BentNormals && this->Method == Horizon && frame.Plan().KnowsLightAround();
-  const Work work{ &this->Impl->KernelBlock, radius, this->Bias, thickness, this->Method,
-    this->Samples, stride, this->Filter, bent };
+  Defines variant = { { "GI_STRIDE", std::to_string(stride) } };
+  if (bent)
+  {
+    variant["GI_BENT"] = "1";
+  }
   TextureDesc raw = frame.WindowTexture(bent ? GL_RGBA32UI : GL_RG32UI);
   raw.Width = (raw.Width + stride - 1) / stride;
   raw.Height = (raw.Height + stride - 1) / stride;
+  const TextureDesc whole = frame.WindowTexture(bent ? GL_RGBA16 : GL_R16);
+  // A whole target has the window's depth to test against, and what it does not cover is cleared.
+  const Drawing sampled =
+    stride > 1 ? Drawing{ false, stride, {} } : Drawing{ true, 1, Nowhere };
+
   frame.AddPass("ambient-occlusion-depth")
     .Read(resource::WindowDepth)
     .Write(Places, frame.WindowTexture(GL_R32F))
-    .Execute([work](FrameContext& context) { work.CopyDepth(context); });
-  frame.AddPass("ambient-occlusion")
-    .Read(Places)
-    .Read(resource::Depth)
-    .Read(resource::WindowDepth)
-    .Read(resource::Normal)
-    .Write(Raw, raw)
-    .Execute([this, work](FrameContext& context) {
-      if (work.Method == Hemisphere && this->Impl->Samples != work.Samples)
-      {
-        const shared::OcclusionData kernel = MakeKernel(work.Samples);
-        this->Impl->KernelBlock.Upload(GL_UNIFORM_BUFFER, &kernel, sizeof(kernel));
-        this->Impl->Samples = work.Samples;
-      }
-      work.Sample(context);
-    });
-  const TextureDesc whole = frame.WindowTexture(bent ? GL_RGBA16 : GL_R16);
-  const char* sampled = Raw;
+    .Draw("ambient_occlusion/depth.frag", {}, {});
+  auto& sample = frame.AddPass("ambient-occlusion")
+                   .Read(Places, "depthTexture")
+                   .Read(resource::Depth)
+                   .Read(resource::Normal)
+                   .Write(Raw, raw);
+  if (this->Method == Hemisphere)
+  {
+    this->DeclareHemisphere(sample, variant, radius, sampled);
+  }
+  else
+  {
+    this->DeclareHorizon(sample, variant, radius, thickness, sampled);
+  }
+  const char* input = Raw;
   if (this->Filter)
   {
+    variant["GI_AVERAGED"] = "1";
+    Defines rows = variant;
+    rows["GI_PACKED"] = "1";
     frame.AddPass("ambient-occlusion-filter-rows")
-      .Read(Raw)
+      .Read(Raw, "rawTexture")
       .Read(resource::Depth)
       .Write(AlongRows, raw)
-      .Execute([work](FrameContext& context) { work.Smooth(context, Raw, AlongRows); });
-    sampled = AlongRows;
+      .Draw("ambient_occlusion/filter.frag", rows, {}, sampled);
+    input = AlongRows;
   }
-  const char* smoothed = stride > 1 ? Smoothed : resource::AmbientVisibility;
-  frame.AddPass("ambient-occlusion-filter")
-    .Read(sampled)
-    .Read(resource::Depth)
-    .Write(smoothed, stride > 1 ? raw : whole)
-    .Execute([work, sampled, smoothed](
-               FrameContext& context) { work.Smooth(context, sampled, smoothed); });
+  Defines columns = variant;
+  if (this->Filter)
+  {
+    columns["GI_DOWN"] = "1";
+  }
   if (stride > 1)
   {
+    columns["GI_PACKED"] = "1";
+  }
+  const Drawing final = { true, 1, Open };
+  frame.AddPass("ambient-occlusion-filter")
+    .Read(input, "rawTexture")
+    .Read(resource::Depth)
+    .Write(stride > 1 ? Smoothed : resource::AmbientVisibility, stride > 1 ? raw : whole)
+    .Draw("ambient_occlusion/filter.frag", columns, {}, stride > 1 ? sampled : final);
+  if (stride > 1)
+  {
+    variant.erase("GI_AVERAGED");
     frame.AddPass("ambient-occlusion-upsample")
-      .Read(Smoothed)
+      .Read(Smoothed, "rawTexture")
       .Read(resource::Depth)
       .Read(resource::WindowDepth)
       .Read(resource::Normal)
       .Write(resource::AmbientVisibility, whole)
-      .Execute([work](FrameContext& context) { work.Upsample(context); });
+      .Draw("ambient_occlusion/upsample.frag", variant, {}, final);
   }
+}
+
+void vtkGIAmbientOcclusion::DeclareHemisphere(
+  PassDeclaration& pass, Defines variant, double radius, const Drawing& drawing)
+{
+  if (this->Impl->Samples != this->Samples)
+  {
+    const shared::OcclusionData kernel = MakeKernel(this->Samples);
+    this->Impl->KernelBlock.Upload(GL_UNIFORM_BUFFER, &kernel, sizeof(kernel));
+    this->Impl->Samples = this->Samples;
+  }
+  variant["GI_SAMPLES"] = std::to_string(this->Samples);
+  pass.Draw("ambient_occlusion/hemisphere.frag", variant,
+    Arguments()
+      .Block("OcclusionBlock", this->Impl->KernelBlock)
+      .Set("radius", radius)
+      .Set("bias", this->Bias * radius),
+    drawing);
+}
+
+void vtkGIAmbientOcclusion::DeclareHorizon(PassDeclaration& pass, Defines variant, double radius,
+  double thickness, const Drawing& drawing)
+{
+  if (thickness > 0.0)
+  {
+    variant["GI_THICKNESS"] = "1";
+  }
+  const int slices = std::max(1, this->Samples / SamplesPerSlice);
+  const int places = std::max(1, this->Samples / (2 * slices));
+  const int refinements = places / PlacesPerRefinement;
+  pass.Draw("ambient_occlusion/horizon.frag", variant,
+    Arguments()
+      .Set("slices", slices)
+      .Set("steps", places - refinements)
+      .Set("refinements", refinements)
+      .Set("radius", radius)
+      .Set("thickness", thickness),
+    drawing);
 }

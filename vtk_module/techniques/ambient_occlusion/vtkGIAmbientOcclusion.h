@@ -16,7 +16,15 @@
 
 #include "vtkGIAmbientOcclusionParameters.h"
 
+#include <map>    // for variants of shaders
 #include <memory> // for the resources
+#include <string> // for variants of shaders
+
+namespace penumbra
+{
+class PassDeclaration;
+struct Drawing;
+}
 
 class VTKRENDERINGGI_EXPORT vtkGIAmbientOcclusion : public vtkGIAmbientOcclusionParameters
 {
@@ -36,6 +44,12 @@ protected:
 private:
   vtkGIAmbientOcclusion(const vtkGIAmbientOcclusion&) = delete;
   void operator=(const vtkGIAmbientOcclusion&) = delete;
+
+  // Fill in the pass that samples. variant: what its shader is compiled with.
+  void DeclareHemisphere(penumbra::PassDeclaration& pass,
+    std::map<std::string, std::string> variant, double radius, const penumbra::Drawing& drawing);
+  void DeclareHorizon(penumbra::PassDeclaration& pass, std::map<std::string, std::string> variant,
+    double radius, double thickness, const penumbra::Drawing& drawing);
 
   struct Resources;
   std::unique_ptr<Resources> Impl;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIAntiAliasing.h"
 
-#include "gpu/ScopedState.h"
 #include "technique/FrameBuilder.h"
 #include "technique/StillFrames.h"
 
@@ -46,35 +45,20 @@ struct Sums
   }
 };
 
-void DrawFilter(FrameContext& context, const Program& program, const char* resource)
-{
-  ScopedState scope(context.State());
-  scope.Set(GL_BLEND, false);
-  scope.Set(GL_DEPTH_TEST, false);
-  scope.DepthMask(false);
-  context.BindTarget({ resource });
-  context.Use(program, { context.Input(resource) });
-  context.DrawFullscreen();
-}
-
 // Add this frame to the sum of the frames before, and show the average.
-void Average(FrameContext& context, Sums& sums, const char* resource, int maximum)
+void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource,
+  int maximum)
 {
-  const View& view = context.GetView();
-  bool fresh = false;
-  Texture& sum = context.History((std::string("sum.") + resource).c_str(),
-    { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, fresh);
-  const bool first = fresh || view.StillFrames == 0;
-  const bool frozen = !first && sums.IsWhole(resource, maximum);
-  int& frames = sums.Frames[resource];
-  frames = first ? 1 : frozen ? frames : frames + 1;
-  const Program& program = context.Shaders().Fragment("anti_aliasing/accumulate.frag",
-    { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } });
-  glProgramUniform1f(program.Get(), program.Location("frames"), static_cast<GLfloat>(frames));
-  glBindImageTexture(0, sum.Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  DrawFilter(context, program, resource);
-  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  History& sum = frame.Keep(std::string("sum.") + resource, frame.WindowTexture(GL_RGBA32F));
+  pass.UpdateHistory(sum, "sums").Execute([&sums, &sum, resource, maximum](FrameContext& context) {
+    const bool first = !sum.Written || context.GetView().StillFrames == 0;
+    const bool frozen = !first && sums.IsWhole(resource, maximum);
+    int& frames = sums.Frames[resource];
+    frames = first ? 1 : frozen ? frames : frames + 1;
+    context.Draw("anti_aliasing/accumulate.frag",
+      { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } },
+      Arguments().Set("frames", static_cast<double>(frames)));
+  });
 }
 }
 
@@ -94,23 +78,20 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
     const bool whole = sums.IsWhole(resource::Color, maximum) &&
       (!view.KeepsRadiance || sums.IsWhole(resource::Radiance, maximum));
     ShiftStillFrame(frame, whole ? 0 : view.StillFrames);
-    frame.AddPass("accumulate")
-      .Modify(resource::Color, AccumulateOrder)
-      .Execute([maximum, &sums](
-                 FrameContext& context) { Average(context, sums, resource::Color, maximum); });
-    frame.AddPass("accumulate-radiance")
-      .ModifyIfPresent(resource::Radiance, AccumulateOrder)
-      .Execute([maximum, &sums](
-                 FrameContext& context) { Average(context, sums, resource::Radiance, maximum); });
+    AddAverage(frame.AddPass("accumulate").Modify(resource::Color, AccumulateOrder), frame, sums,
+      resource::Color, maximum);
+    if (view.KeepsRadiance)
+    {
+      AddAverage(
+        frame.AddPass("accumulate-radiance").ModifyIfPresent(resource::Radiance, AccumulateOrder),
+        frame, sums, resource::Radiance, maximum);
+    }
     filter = view.StillFrames + 1 < FramesToFilter;
   }
   if (filter)
   {
     frame.AddPass("edge-filter")
       .Modify(resource::Color, EdgeFilterOrder)
-      .Execute([](FrameContext& context) {
-        DrawFilter(
-          context, context.Shaders().Fragment("anti_aliasing/edge_filter.frag"), resource::Color);
-      });
+      .Draw("anti_aliasing/edge_filter.frag", {}, {});
   }
 }

@@ -108,11 +108,11 @@ void LiveField::MakeGrids(const View& view)
   this->Update.Uniforms.Grids = this->Nested.List();
 }
 
-void LiveField::Follow(FrameContext& context)
+void LiveField::Follow(Frame& frame)
 {
   NestedGrids& grids = this->Nested;
-  const View& view = context.GetView();
-  vtkCamera* camera = context.Renderer()->GetActiveCamera();
+  const View& view = frame.GetView();
+  vtkCamera* camera = frame.GetRenderer()->GetActiveCamera();
   const bool fixed = this->Now.Refinement > 0.0;
   const bool others =
     grids.Refine(fixed ? std::max(this->Now.Refinement, NestedGrids::LeastRefinement)
@@ -125,7 +125,7 @@ void LiveField::Follow(FrameContext& context)
     this->Update.Uniforms.Grids = grids.List();
     if (!this->Unknown && (others || moved != glm::ivec3(0)))
     {
-      this->Update.Scroll(context, this->Textures, number, others ? grid.Counts : moved);
+      this->Update.Scroll(frame, this->Textures, number, others ? grid.Counts : moved);
       this->Done = 0;
       this->Looked = std::min(this->Looked, AllDistances);
       this->Unconnected = this->Grids().Size();
@@ -133,34 +133,36 @@ void LiveField::Follow(FrameContext& context)
   }
 }
 
-void LiveField::Trace(FrameContext& context, RayProps& rays, LightTable& lights)
+void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights)
 {
-  this->TraceOne(context, rays, lights);
-  if (!context.GetView().StandsAlone)
+  const int size = this->Grids().Size();
+  this->Textures = LiveProbeMaps::Of(frame, size, this->Now.Rays);
+  this->Unknown |= this->Textures.AreFresh();
+  if (this->Unknown)
   {
+    this->Textures.Clear(frame);
+    this->Next = this->Total = this->Known = this->Done = this->Seen = this->Looked = 0;
+    this->Unconnected = size;
+  }
+  this->Trace(frame, rays, lights);
+  if (!frame.GetView().StandsAlone)
+  {
+    this->Blend(frame);
     return;
   }
   // No frame follows in which light could arrive. What comes after these updates averages noise.
   const int updates = std::min(this->Now.Updates, Agile);
   while (this->Done < updates - 1 || (this->Done < updates && !this->IsLastPart()))
   {
-    this->Blend(context);
-    this->TraceOne(context, rays, lights);
+    this->Blend(frame);
+    this->Trace(frame, rays, lights);
   }
+  this->Blend(frame);
 }
 
-void LiveField::TraceOne(FrameContext& context, RayProps& rays, LightTable& lights)
+void LiveField::Trace(Frame& frame, RayProps& rays, LightTable& lights)
 {
   const int size = this->Grids().Size();
-  bool fresh = false;
-  this->Textures = LiveProbeMaps::Of(context, size, this->Now.Rays, fresh);
-  this->Unknown |= fresh;
-  if (this->Unknown)
-  {
-    this->Textures.Clear();
-    this->Next = this->Total = this->Known = this->Done = this->Seen = this->Looked = 0;
-    this->Unconnected = size;
-  }
   LiveProbeUpdate& update = this->Update;
   update.Uniforms.Origin = rays.Origin();
   update.Uniforms.Bias = this->Now.Bias;
@@ -170,7 +172,7 @@ void LiveField::TraceOne(FrameContext& context, RayProps& rays, LightTable& ligh
   update.Number = this->Total;
   update.First = this->Next;
   update.Last = this->Next + this->Now.ProbesPerFrame(size - this->Next);
-  this->Follow(context);
+  this->Follow(frame);
   this->Unknown = false;
   if (this->Rests())
   {
@@ -180,20 +182,20 @@ void LiveField::TraceOne(FrameContext& context, RayProps& rays, LightTable& ligh
     this->Done < Agile && this->Now.Relocate;
   if (judged)
   {
-    update.Relocate(context, this->Textures, this->Moved);
+    update.Relocate(frame, this->Textures, this->Moved);
     this->Moved = false;
-    update.Connect(context, this->Textures, 0, size);
+    update.Connect(frame, this->Textures, 0, size);
     this->Unconnected = 0;
   }
   if (this->Unconnected > 0)
   {
-    update.Connect(context, this->Textures, update.First, update.Last);
+    update.Connect(frame, this->Textures, update.First, update.Last);
     this->Unconnected -= update.Last - update.First;
   }
-  update.Trace(context, this->Textures);
+  update.Trace(frame, this->Textures);
 }
 
-void LiveField::Blend(FrameContext& context)
+void LiveField::Blend(Frame& frame)
 {
   if (this->Rests())
   {
@@ -203,8 +205,8 @@ void LiveField::Blend(FrameContext& context)
   const bool all = this->Seen < AllDistances;
   const int seen = all ? this->Seen : AllDistances + (this->Seen - AllDistances) / DistanceStride;
   const int stride = all ? 1 : (this->Looked < MostDistances ? DistanceStride : 0);
-  this->Update.BlendDistances(context, this->Textures, seen, stride);
-  this->Update.BlendLight(context, this->Textures, ShareOf(this->Known, this->Now.Hysteresis));
+  this->Update.BlendDistances(frame, this->Textures, seen, stride);
+  this->Update.BlendLight(frame, this->Textures, ShareOf(this->Known, this->Now.Hysteresis));
   this->Advance();
 }
 

@@ -14,7 +14,6 @@
 
 namespace penumbra
 {
-class FrameBuilder;
 struct SceneChanges;
 struct View;
 
@@ -40,9 +39,8 @@ public:
   /// Before each frame: grids that suit the scene, and what is no longer true. parameters: when any was changed.
   void Prepare(const View& view, const Settings& settings, vtkMTimeType parameters);
 
-  /// A frame's two steps of an update, or of the last one where a frame does several; nothing once the probes rest.
-  void Trace(FrameContext& context, RayProps& rays, LightTable& lights);
-  void Blend(FrameContext& context);
+  /// Add a frame's part of an update, or several updates to a frame that stands alone; nothing once the probes rest.
+  void AddUpdates(Frame& frame, RayProps& rays, LightTable& lights);
 
   const ProbeGrids& Grids() const { return this->Update.Uniforms.Grids; }
   const ProbeUniforms& Uniforms() const { return this->Update.Uniforms; }
@@ -52,9 +50,10 @@ public:
 private:
   bool Rests() const { return this->Done >= this->Now.Updates; }
   bool IsLastPart() const { return this->Update.Last >= this->Grids().Size(); }
-  void TraceOne(FrameContext& context, RayProps& rays, LightTable& lights);
+  void Trace(Frame& frame, RayProps& rays, LightTable& lights);
+  void Blend(Frame& frame);
   void MakeGrids(const View& view);
-  void Follow(FrameContext& context);
+  void Follow(Frame& frame);
   void Advance();
 
   Settings Now;

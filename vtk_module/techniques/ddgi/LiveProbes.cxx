@@ -17,13 +17,6 @@ namespace
 constexpr int LightTexels = 8;
 constexpr int DistanceTexels = 16;
 
-constexpr int Group = 64; // of invocations, as in the shaders
-
-GLuint Groups(int invocations)
-{
-  return (invocations + Group - 1) / Group;
-}
-
 // Along a spiral, neighbours in the table being neighbours on the sphere (Bauer 2000, Distribution of Points on
 // a Sphere with Application to Star Catalogs).
 std::vector<glm::vec4> EvenDirections(int count)
@@ -54,177 +47,178 @@ void FillAll(const Texture& texture, const glm::vec4& value)
 }
 }
 
-LiveProbeMaps LiveProbeMaps::Of(FrameContext& context, int probes, int rays, bool& fresh)
+LiveProbeMaps LiveProbeMaps::Of(Frame& frame, int probes, int rays)
 {
   const int columns = ProbeUniforms::Columns(probes);
   const int rows = ProbeUniforms::Rows(probes, columns);
-  bool made = false;
-  fresh = false;
-  const auto get = [&](const char* name, GLenum format, int side, int rows) {
-    const TextureDesc desc = { format, columns * side, rows * side, 0 };
-    Texture& texture = context.History(name, desc, made);
-    fresh |= made;
-    return &texture;
+  const auto keep = [&](const char* name, GLenum format, int side, int rowCount) {
+    return &frame.Keep(name, { format, columns * side, rowCount * side, 0 });
   };
   LiveProbeMaps maps;
-  maps.Found = &context.History("ddgi.rays", { GL_RGBA32F, rays, probes, 0 }, made);
-  maps.Directions = &context.History("ddgi.directions", { GL_RGBA32F, rays, 1, 0 }, made);
-  if (made)
-  {
-    Fill(*maps.Directions, EvenDirections(rays));
-  }
-  maps.Light = get("ddgi.light", GL_RGBA32F, LightTexels + 2, rows);
+  maps.Found = &frame.Keep("ddgi.rays", { GL_RGBA32F, rays, probes, 0 });
+  maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 1, 0 });
+  maps.Light = keep("ddgi.light", GL_RGBA32F, LightTexels + 2, rows);
   // And of places that probes left.
   maps.Distance =
-    get("ddgi.distance", GL_RG32F, DistanceTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
-  maps.Probes = get("ddgi.probes", GL_RGBA32F, 1, rows);
-  maps.Places = get("ddgi.places", GL_RGBA32F, 1, rows);
-  maps.States = get("ddgi.states", GL_RGBA32F, 1, rows);
+    keep("ddgi.distance", GL_RG32F, DistanceTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
+  maps.Probes = keep("ddgi.probes", GL_RGBA32F, 1, rows);
+  maps.Places = keep("ddgi.places", GL_RGBA32F, 1, rows);
+  maps.States = keep("ddgi.states", GL_RGBA32F, 1, rows);
+  if (!maps.Directions->Written)
+  {
+    frame.AddPass("ddgi-directions")
+      .WriteHistory(*maps.Directions)
+      .Execute([map = &maps.Directions->Storage, rays](
+                 FrameContext&) { Fill(*map, EvenDirections(rays)); });
+  }
   return maps;
 }
 
-void LiveProbeMaps::Clear() const
+bool LiveProbeMaps::AreFresh() const
 {
-  for (Texture* texture : { this->Light, this->Distance })
-  {
-    texture->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    texture->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    FillAll(*texture, glm::vec4(0.0f));
-  }
-  FillAll(*this->Probes, glm::vec4(0.0f));
-  FillAll(*this->Places, glm::vec4(0.0f));
-  FillAll(*this->States, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f));
+  const auto kept = { this->Light, this->Distance, this->Probes, this->Places, this->States };
+  return std::any_of(
+    kept.begin(), kept.end(), [](const History* history) { return !history->Written; });
 }
 
-void LiveProbeMaps::BindStates() const
+void LiveProbeMaps::Clear(Frame& frame) const
 {
-  glBindImageTexture(2, this->States->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  frame.AddPass("ddgi-clear")
+    .WriteHistory(*this->Light)
+    .WriteHistory(*this->Distance)
+    .WriteHistory(*this->Probes)
+    .WriteHistory(*this->Places)
+    .WriteHistory(*this->States)
+    .Execute([maps = *this](FrameContext&) {
+      for (History* history : { maps.Light, maps.Distance })
+      {
+        history->Storage.SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        history->Storage.SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        FillAll(history->Storage, glm::vec4(0.0f));
+      }
+      FillAll(maps.Probes->Storage, glm::vec4(0.0f));
+      FillAll(maps.Places->Storage, glm::vec4(0.0f));
+      FillAll(maps.States->Storage, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f));
+    });
+}
+
+void LiveProbeMaps::ReadField(PassDeclaration& pass) const
+{
+  pass.ReadHistory(*this->Light, "fieldLight")
+    .ReadHistory(*this->Distance, "fieldDistance")
+    .ReadHistory(*this->Probes, "fieldProbes");
+}
+
+PassDeclaration& LiveProbeUpdate::AddPass(Frame& frame, const char* name) const
+{
+  return frame.AddPass(name).Offer(this->Uniforms.ShaderArguments());
 }
 
 void LiveProbeUpdate::Scroll(
-  FrameContext& context, const LiveProbeMaps& maps, int number, const glm::ivec3& moved) const
+  Frame& frame, const LiveProbeMaps& maps, int number, const glm::ivec3& moved) const
 {
-  const Program& program = context.Shaders().Compute("ddgi/scroll.comp", this->Uniforms.Variant());
-  context.Use(program, {});
-  this->Uniforms.Set(program);
-  glBindImageTexture(0, maps.Probes->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  glBindImageTexture(3, maps.Distance->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
-  glBindImageTexture(4, maps.Places->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  maps.BindStates();
-  glUniform1i(program.Location("number"), number);
-  glUniform3iv(program.Location("moved"), 1, &moved[0]);
-  glDispatchCompute(
-    Groups(this->Uniforms.Grids.Begin(number + 1) - this->Uniforms.Grids.Begin(number)), 1, 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  this->AddPass(frame, "ddgi-scroll")
+    .UpdateHistory(*maps.Probes, "probes")
+    .UpdateHistory(*maps.Distance, "distances")
+    .UpdateHistory(*maps.Places, "places")
+    .UpdateHistory(*maps.States, "states")
+    .Compute("ddgi/scroll.comp", this->Uniforms.Variant(),
+      Arguments().Set("number", number).Set("moved", moved),
+      Work::Items(this->Uniforms.Grids.Begin(number + 1) - this->Uniforms.Grids.Begin(number)));
 }
 
-void LiveProbeUpdate::Trace(FrameContext& context, const LiveProbeMaps& maps) const
+void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
 {
   Defines variant = this->Rays->ShaderDefines();
   variant.merge(this->Uniforms.Variant());
-  const Program& program = context.Shaders().Compute("ddgi/trace.comp", variant);
-  context.Use(program,
-    { nullptr, nullptr, nullptr, maps.Directions, maps.Light, maps.Distance, maps.Probes });
-  this->Rays->Bind(program);
-  this->Rays->BindSkyCells(this->RayCount);
-  this->Lights->BindWorld(0, this->Rays->Origin());
-  this->Uniforms.Set(program);
-  glBindImageTexture(0, maps.Found->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  maps.BindStates();
-  const glm::vec3 eye(glm::dvec3(context.GetView().ViewToWorld[3]) - this->Rays->Origin());
-  glUniform3fv(program.Location("eye"), 1, &eye[0]);
-  glUniform1i(program.Location("rays"), this->RayCount);
-  glUniform1i(program.Location("update"), this->Number);
-  glUniform1i(program.Location("firstProbe"), this->First);
-  glUniform1i(program.Location("lastProbe"), this->Last);
-  glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
-  glUniform1i(program.Location("lit"), this->Number > 0);
-  glDispatchCompute(Groups(this->RayCount * (this->Last - this->First)), 1, 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  auto& pass = this->AddPass(frame, "ddgi-trace")
+                 .ReadHistory(*maps.Directions, "fieldDirections")
+                 .UpdateHistory(*maps.Found, "found")
+                 .UpdateHistory(*maps.States, "states");
+  maps.ReadField(pass);
+  pass.Offer(this->Rays->ShaderArguments())
+    .Offer(this->Rays->SkyCells(this->RayCount))
+    .Offer(this->Lights->InWorld(this->Rays->Origin()))
+    .Offer(frame.GetView().ToScene(this->Rays->Origin()))
+    .Compute("ddgi/trace.comp", variant,
+      Arguments()
+        .Set("rays", this->RayCount)
+        .Set("update", this->Number)
+        .Set("firstProbe", this->First)
+        .Set("lastProbe", this->Last)
+        .Set("lit", this->Number > 0),
+      Work::Items(this->RayCount * (this->Last - this->First)));
 }
 
-void LiveProbeUpdate::Relocate(
-  FrameContext& context, const LiveProbeMaps& maps, bool geometryMoves) const
+void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geometryMoves) const
 {
-  const Program& program =
-    context.Shaders().Compute("ddgi/relocate.comp", this->Rays->ShaderDefines());
-  context.Use(program,
-    { maps.Found, nullptr, nullptr, maps.Directions, maps.Light, maps.Distance, maps.Probes });
-  this->Rays->Bind(program);
-  this->Uniforms.Set(program);
-  glBindImageTexture(0, maps.Places->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  maps.BindStates();
-  glUniform1i(program.Location("probeCount"), this->Uniforms.Grids.Size());
-  glUniform1i(program.Location("rays"), this->RayCount);
-  glUniform1i(program.Location("update"), this->Number - 1);
-  glUniform1i(program.Location("geometryMoves"), geometryMoves);
-  glDispatchCompute(Groups(this->Uniforms.Grids.Size()), 1, 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  this->TakeOver(context, maps);
+  const int probes = this->Uniforms.Grids.Size();
+  auto& pass = this->AddPass(frame, "ddgi-relocate")
+                 .ReadHistory(*maps.Found, "foundTexture")
+                 .ReadHistory(*maps.Directions, "fieldDirections")
+                 .UpdateHistory(*maps.Places, "places")
+                 .UpdateHistory(*maps.States, "states");
+  maps.ReadField(pass);
+  pass.Offer(this->Rays->ShaderArguments())
+    .Compute("ddgi/relocate.comp", this->Rays->ShaderDefines(),
+      Arguments()
+        .Set("probeCount", probes)
+        .Set("rays", this->RayCount)
+        .Set("update", this->Number - 1)
+        .Set("geometryMoves", geometryMoves),
+      Work::Items(probes));
+  this->AddPass(frame, "ddgi-take-over")
+    .ReadHistory(*maps.Probes, "fieldProbes")
+    .UpdateHistory(*maps.Places, "places")
+    .UpdateHistory(*maps.Distance, "distances")
+    .UpdateHistory(*maps.Light, "map")
+    .UpdateHistory(*maps.States, "states")
+    .Compute(
+      "ddgi/take_over.comp", {}, Arguments().Set("probeCount", probes), Work::Items(probes));
 }
 
-void LiveProbeUpdate::TakeOver(FrameContext& context, const LiveProbeMaps& maps) const
+void LiveProbeUpdate::Connect(Frame& frame, const LiveProbeMaps& maps, int first, int last) const
 {
-  const Program& program = context.Shaders().Compute("ddgi/take_over.comp");
-  context.Use(program, { nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, maps.Probes });
-  this->Uniforms.Set(program);
-  glBindImageTexture(0, maps.Places->Get(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
-  glBindImageTexture(3, maps.Distance->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RG32F);
-  glBindImageTexture(1, maps.Light->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  maps.BindStates();
-  glUniform1i(program.Location("probeCount"), this->Uniforms.Grids.Size());
-  glDispatchCompute(Groups(this->Uniforms.Grids.Size()), 1, 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  this->AddPass(frame, "ddgi-connect")
+    .ReadHistory(*maps.Places, "fieldProbes")
+    .UpdateHistory(*maps.Probes, "probes")
+    .Offer(this->Rays->ShaderArguments())
+    .Compute("ddgi/connect.comp", this->Rays->ShaderDefines(),
+      Arguments().Set("firstProbe", first).Set("lastProbe", last), Work::Items(last - first));
 }
 
-void LiveProbeUpdate::Connect(
-  FrameContext& context, const LiveProbeMaps& maps, int first, int last) const
+void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double least) const
 {
-  const Program& program =
-    context.Shaders().Compute("ddgi/connect.comp", this->Rays->ShaderDefines());
-  context.Use(program, { nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, maps.Places });
-  this->Rays->Bind(program);
-  this->Uniforms.Set(program);
-  glBindImageTexture(0, maps.Probes->Get(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  glUniform1i(program.Location("firstProbe"), first);
-  glUniform1i(program.Location("lastProbe"), last);
-  glDispatchCompute(Groups(last - first), 1, 1);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-}
-
-void LiveProbeUpdate::BlendLight(
-  FrameContext& context, const LiveProbeMaps& maps, double least) const
-{
-  this->Blend(context, maps, false, least, std::numeric_limits<int>::max(), 0);
+  this->Blend(frame, maps, false, least, std::numeric_limits<int>::max(), 0);
 }
 
 void LiveProbeUpdate::BlendDistances(
-  FrameContext& context, const LiveProbeMaps& maps, int most, int stride) const
+  Frame& frame, const LiveProbeMaps& maps, int most, int stride) const
 {
-  this->Blend(context, maps, true, 0.0, most, stride);
+  this->Blend(frame, maps, true, 0.0, most, stride);
 }
 
-void LiveProbeUpdate::Blend(FrameContext& context, const LiveProbeMaps& maps, bool distances,
-  double least, int most, int stride) const
+void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distances, double least,
+  int most, int stride) const
 {
-  Defines defines;
+  Defines variant;
   if (distances)
   {
-    defines["GI_BLEND_DISTANCE"] = "1";
+    variant["GI_BLEND_DISTANCE"] = "1";
   }
-  const Program& program = context.Shaders().Compute("ddgi/blend.comp", defines);
-  context.Use(program, { maps.Found, nullptr, nullptr, maps.Directions });
-  this->Uniforms.Set(program);
-  const Texture* map = distances ? maps.Distance : maps.Light;
-  glBindImageTexture(1, map->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, map->Desc().Format);
-  glUniform1i(program.Location("rays"), this->RayCount);
-  glUniform1i(program.Location("update"), this->Number);
-  maps.BindStates();
-  glUniform1f(program.Location("least"), static_cast<GLfloat>(least));
-  glUniform1f(program.Location("most"), static_cast<GLfloat>(most));
-  glUniform1i(program.Location("firstProbe"), this->First);
-  glUniform1i(program.Location("stride"), stride);
-  glDispatchCompute(this->Last - this->First, 1, 1);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  this->AddPass(frame, distances ? "ddgi-blend-distances" : "ddgi-blend")
+    .ReadHistory(*maps.Found, "foundTexture")
+    .ReadHistory(*maps.Directions, "fieldDirections")
+    .UpdateHistory(distances ? *maps.Distance : *maps.Light, "map")
+    .UpdateHistory(*maps.States, "states")
+    .Compute("ddgi/blend.comp", variant,
+      Arguments()
+        .Set("rays", this->RayCount)
+        .Set("update", this->Number)
+        .Set("least", least)
+        .Set("most", static_cast<double>(most))
+        .Set("firstProbe", this->First)
+        .Set("stride", stride),
+      Work::Groups(this->Last - this->First));
 }
 }

@@ -13,10 +13,6 @@ using namespace penumbra;
 
 namespace
 {
-// What the passes hand on, beside the textures that they keep.
-constexpr const char* Traced = "ddgi.traced";
-constexpr const char* Blended = "ddgi.blended";
-
 LiveField::Settings SettingsOf(vtkGIDDGI& technique)
 {
   LiveField::Settings settings;
@@ -32,29 +28,13 @@ LiveField::Settings SettingsOf(vtkGIDDGI& technique)
   return settings;
 }
 
-void Gather(FrameContext& context, const LiveField& field, double intensity)
-{
-  const OpenDirection open(context);
-  Defines variant = open.Variant;
-  variant.merge(field.Uniforms().Variant());
-  const Program& program = context.Shaders().Fragment("ddgi/gather.frag", variant);
-  const LiveProbeMaps& maps = field.Maps();
-  context.Use(program,
-    { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-      context.Input(resource::Normal), open.Map, maps.Light, maps.Distance, maps.Probes });
-  field.Uniforms().Set(program);
-  SetProbeView(program, context.GetView(), field.Uniforms().Origin);
-  glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
-  context.DrawFullscreen();
-}
-
 // For translucent surfaces and volumes.
 void BindForward(ForwardProgram& program, const LiveField& field)
 {
-  field.Uniforms().Set(program);
-  program.SetTexture("fieldLight", field.Maps().Light->Get());
-  program.SetTexture("fieldDistance", field.Maps().Distance->Get());
-  program.SetTexture("fieldProbes", field.Maps().Probes->Get());
+  program.Set(field.Uniforms().ShaderArguments());
+  program.SetTexture("fieldLight", field.Maps().Light->Storage.Get());
+  program.SetTexture("fieldDistance", field.Maps().Distance->Storage.Get());
+  program.SetTexture("fieldProbes", field.Maps().Probes->Storage.Get());
 }
 
 ForwardPart ForwardOf(const LiveField& field, std::function<void(ForwardProgram&)> bind)
@@ -67,14 +47,11 @@ ForwardPart ForwardOf(const LiveField& field, std::function<void(ForwardProgram&
   return part;
 }
 
-ProbeBalls Balls(const LiveField& field)
+// For shaders that ask the probes about what is in the picture.
+void Read(PassDeclaration& pass, const LiveField& field, const View& view)
 {
-  const LiveProbeMaps& maps = field.Maps();
-  return { "ddgi/show.frag", maps.Light, maps.Distance, maps.Probes, field.Uniforms().Origin,
-    [&field](const Program& program) {
-      field.Uniforms().Set(program);
-      field.Maps().BindStates();
-    } };
+  field.Maps().ReadField(pass);
+  pass.Offer(field.Uniforms().ShaderArguments()).Offer(view.ToScene(field.Uniforms().Origin));
 }
 }
 
@@ -107,26 +84,34 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   }
   LiveField& field = frame.ViewState<LiveField>(this);
   LightTable& lights = frame.Lights();
-  const TextureDesc token = { GL_R8, 1, 1, 0 };
-  frame.AddPass("ddgi-trace")
-    .Write(Traced, token)
-    .Execute(
-      [&field, &rays, &lights](FrameContext& context) { field.Trace(context, rays, lights); });
-  frame.AddPass("ddgi-blend")
-    .Read(Traced)
-    .Write(Blended, token)
-    .Execute([&field](FrameContext& context) { field.Blend(context); });
-  frame.AddIndirectLight({ IndirectKind::LiveProbes,
-    { Blended, resource::Albedo, resource::Normal, resource::WindowDepth },
-    [this, &field](FrameContext& context) { Gather(context, field, this->Intensity); },
+  field.AddUpdates(frame, rays, lights);
+  IndirectLight light;
+  light.Kind = IndirectKind::LiveProbes;
+  light.Declare = [this, &field, &view](PassDeclaration& pass) {
+    pass.Read(resource::WindowDepth)
+      .Read(resource::Albedo)
+      .Read(resource::Normal)
+      .Offer(this->GetShaderParameters());
+    Read(pass, field, view);
+  };
+  light.Draw = [&field](FrameContext& context) {
+    Arguments given;
+    Defines variant = OpenDirection(context, given);
+    variant.merge(field.Uniforms().Variant());
+    context.DrawBound("ddgi/gather.frag", variant, given);
+  };
+  light.Forward =
     ForwardOf(field, [this, &field, toWorld = view.ViewToWorld](ForwardProgram& program) {
       BindForward(program, field);
       program.SetField(toWorld, field.Uniforms().Origin, this->Intensity);
-    }) });
+    });
+  frame.AddIndirectLight(std::move(light));
   if (this->Show)
   {
-    AddProbeBalls(
-      frame, "ddgi-balls", { Blended }, [&field](FrameContext&) { return Balls(field); });
+    AddProbeBalls(frame, "ddgi-balls", "ddgi/show.frag", [&](PassDeclaration& pass) {
+      Read(pass, field, view);
+      pass.UpdateHistory(*field.Maps().States, "states");
+    });
   }
 }
 

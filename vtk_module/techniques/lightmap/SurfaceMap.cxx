@@ -175,17 +175,13 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
   {
     variant["GI_LIGHTMAP_HOLES"] = "1";
   }
-  const Program& program =
-    context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag", variant);
-  context.Use(program,
-    { context.Input(resource::WindowDepth), this->OnCard->Light.get(),
-      context.Input(resource::Normal) });
   const glm::dmat4 toView = glm::translate(view.WorldToView, this->Origin);
-  const glm::mat4 toClip(view.ViewToClip * toView);
-  const glm::mat3 toWorld(glm::dmat3(view.ViewToWorld));
-  glUniformMatrix4fv(program.Location("mapToClip"), 1, GL_FALSE, &toClip[0][0]);
-  glUniformMatrix3fv(program.Location("viewToWorld"), 1, GL_FALSE, &toWorld[0][0]);
-  glUniform1f(program.Location("intensity"), static_cast<GLfloat>(intensity));
+  context.Use(context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag", variant),
+    Arguments()
+      .Sample("lightTexture", this->OnCard->Light.get())
+      .Set("mapToClip", glm::mat4(view.ViewToClip * toView))
+      .Set("viewToWorld", glm::mat3(glm::dmat3(view.ViewToWorld)))
+      .Set("intensity", intensity));
   // A side's triangles are seen from that side only.
   ScopedState scope(context.State());
   scope.Set(GL_CULL_FACE, true);

@@ -111,9 +111,14 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   {
     return;
   }
-  frame.AddIndirectLight(
-    { IndirectKind::BakedOnSurfaces, { resource::WindowDepth, resource::Normal },
-      [this, solid = fit.IsSolid()](
-        FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity, solid); },
-      {}, this->Impl->Map.HasLamps() });
+  IndirectLight light;
+  light.Kind = IndirectKind::BakedOnSurfaces;
+  light.Declare = [](PassDeclaration& pass) {
+    pass.Read(resource::WindowDepth).Read(resource::Normal);
+  };
+  light.Draw = [this, solid = fit.IsSolid()](FrameContext& context) {
+    this->Impl->Map.Draw(context, this->Intensity, solid);
+  };
+  light.KnowsLamps = this->Impl->Map.HasLamps();
+  frame.AddIndirectLight(std::move(light));
 }

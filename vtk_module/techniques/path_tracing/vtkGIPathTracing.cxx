@@ -4,7 +4,6 @@
 
 #include "capture/MaterialTable.h"
 #include "capture/SceneCapture.h"
-#include "gpu/ScopedState.h"
 #include "rays/RayProps.h"
 #include "technique/FrameBuilder.h"
 #include "technique/StillFrames.h"
@@ -29,7 +28,6 @@ namespace
 {
 // Among the passes that modify the picture: before anti-aliasing.
 constexpr int TraceOrder = 700;
-constexpr const char* Traced = "path-tracing.traced"; // orders the passes that show the sums
 
 constexpr std::array<const char*, 4> SumNames = { { "path-tracing.shown", "path-tracing.encoded",
   "path-tracing.albedo", "path-tracing.normal" } };
@@ -38,37 +36,27 @@ struct PathTracer
 {
   RayProps* Rays;
   LightTable* Lights;
-  MaterialTable* Materials;
-  int Bounces;
-  int Strategy;
-  /// fresh: they were made just now and hold nothing.
-  static std::array<Texture*, 4> Sums(FrameContext& context, bool* fresh = nullptr)
+  std::array<History*, 4> Sums;
+
+  bool IsFresh() const
   {
-    const View& view = context.GetView();
-    std::array<Texture*, 4> sums = {};
-    for (std::size_t i = 0; i < sums.size(); ++i)
-    {
-      bool made = false;
-      sums[i] = &context.History(
-        SumNames[i], { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 }, made);
-      *(fresh ? fresh : &made) |= made;
-    }
-    return sums;
+    return std::any_of(this->Sums.begin(), this->Sums.end(),
+      [](const History* sum) { return !sum->Written; });
   }
 
   /// False where the image has another size.
-  bool Restore(FrameContext& context, vtkImageData* image) const
+  bool Restore(vtkImageData* image) const
   {
-    const auto sums = this->Sums(context);
     int size[3];
     image->GetDimensions(size);
-    if (size[0] != sums[0]->Desc().Width || size[1] != sums[0]->Desc().Height)
+    const TextureDesc& desc = this->Sums[0]->Storage.Desc();
+    if (size[0] != desc.Width || size[1] != desc.Height)
     {
       return false;
     }
-    for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t i = 0; i < this->Sums.size(); ++i)
     {
-      glBindTexture(GL_TEXTURE_2D, sums[i]->Get());
+      glBindTexture(GL_TEXTURE_2D, this->Sums[i]->Storage.Get());
       glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size[0], size[1], GL_RGBA, GL_FLOAT,
         image->GetPointData()->GetArray(SumNames[i])->GetVoidPointer(0));
     }
@@ -79,56 +67,31 @@ struct PathTracer
   /// taken: samples in the sums already.
   void Trace(FrameContext& context, int taken) const
   {
-    const View& view = context.GetView();
-    const auto sums = this->Sums(context);
-    for (GLuint unit = 0; unit < sums.size(); ++unit)
-    {
-      glBindImageTexture(unit, sums[unit]->Get(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-    }
-    Defines defines = this->Rays->ShaderDefines();
-    const Texture* sky = context.Input(resource::Sky);
-    if (sky)
-    {
-      defines["GI_VISIBLE_SKY"] = "1";
-    }
-    const Program& program = context.Shaders().Compute("path_tracing/trace.comp", defines);
-    context.Use(program,
-      { context.Input(resource::Albedo), context.Input(resource::Normal),
-        context.Input(resource::WindowDepth), context.Input(resource::Color), sky });
-    this->Rays->Bind(program);
-    this->Materials->Bind(1);
-    this->Lights->BindWorld(0, this->Rays->Origin());
-    const glm::mat3 rotation(glm::dmat3(view.ViewToWorld));
-    const glm::vec3 eye(glm::dvec3(view.ViewToWorld[3]) - this->Rays->Origin());
-    glUniformMatrix3fv(program.Location("viewToScene"), 1, GL_FALSE, &rotation[0][0]);
-    glUniform3fv(program.Location("eye"), 1, &eye[0]);
-    glUniform1i(program.Location("sampleIndex"), taken);
-    glUniform1i(program.Location("bounces"), this->Bounces);
-    glUniform1i(program.Location("strategy"), this->Strategy);
-    glUniform1i(program.Location("lightCount"), static_cast<GLint>(this->Lights->Lights().size()));
-    glUniform1i(program.Location("emitterCount"), static_cast<GLint>(this->Rays->EmitterCount()));
     // Without lights VTK draws surfaces as flat colours, which look like lines to us: rays see them.
-    constexpr float margin = 1e-3f;
-    glUniform1f(program.Location("drawnReach"),
-      this->Lights->Lights().empty() ? 1.0f + margin : 1.0f - margin);
-    constexpr int group = 8;
-    glDispatchCompute(
-      (view.Viewport.z + group - 1) / group, (view.Viewport.w + group - 1) / group, 1);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    constexpr double margin = 1e-3;
+    context.Dispatch("path_tracing/trace.comp", this->Rays->ShaderDefines(),
+      Arguments().Set("sampleIndex", taken).Set(
+        "drawnReach", this->Lights->Lights().empty() ? 1.0 + margin : 1.0 - margin),
+      Work::Items(context.GetView().Viewport.z, context.GetView().Viewport.w));
+  }
+
+  void Read(FrameContext& context, int number, std::vector<float>& values) const
+  {
+    const Texture& sum = this->Sums[static_cast<std::size_t>(number)]->Storage;
+    context.GetCommands().BeforeUse(sum, GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glBindTexture(GL_TEXTURE_2D, sum.Get());
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
   }
 
   /// Relative standard error of the picture's mean luminance values, of this many samples.
   double EstimateError(FrameContext& context, int samples) const
   {
-    const auto sums = this->Sums(context);
     const glm::ivec2 size = context.GetView().WindowSize;
     std::vector<float> shown(4 * static_cast<std::size_t>(size.x) * size.y);
     std::vector<float> encoded(shown.size());
-    glBindTexture(GL_TEXTURE_2D, sums[0]->Get());
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, shown.data());
-    glBindTexture(GL_TEXTURE_2D, sums[1]->Get());
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, encoded.data());
-    glBindTexture(GL_TEXTURE_2D, 0);
+    this->Read(context, 0, shown);
+    this->Read(context, 1, encoded);
     double squares = 0.0;
     double total = 0.0;
     const glm::ivec4& area = context.GetView().Viewport;
@@ -149,25 +112,24 @@ struct PathTracer
     return total > 0.0 ? std::sqrt(squares / pixels) / (total / pixels) : 0.0;
   }
 
-  void Show(FrameContext& context, const char* target, int samples) const
+  /// For the pass that traces, too, which has them as images.
+  void Show(FrameContext& context, bool radiance, int samples) const
   {
-    ScopedState scope(context.State());
-    scope.Set(GL_BLEND, false);
-    scope.Set(GL_DEPTH_TEST, false);
-    scope.DepthMask(false);
-    Defines defines;
-    if (target == resource::Radiance)
+    Defines variant;
+    if (radiance)
     {
-      defines["GI_RADIANCE"] = "1";
+      variant["GI_RADIANCE"] = "1";
     }
-    const auto sums = this->Sums(context);
-    const Program& program = context.Shaders().Fragment("path_tracing/show.frag", defines);
-    context.BindTarget({ target });
-    context.Use(program, { sums[0], sums[1], context.Input(target) });
-    glUniform1f(program.Location("samples"), static_cast<float>(samples));
-    context.DrawFullscreen();
+    context.Draw("path_tracing/show.frag", variant,
+      Arguments()
+        .Sample("sumShown", &this->Sums[0]->Storage)
+        .Sample("sumEncoded", &this->Sums[1]->Storage)
+        .Set("samples", static_cast<double>(samples)));
   }
 };
+
+constexpr std::array<const char*, 4> SumImages = { { "sumShown", "sumEncoded", "sumAlbedo",
+  "sumNormal" } };
 }
 
 struct vtkGIPathTracing::Progress
@@ -291,20 +253,25 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     progress.Samples =
       static_cast<int>(taken->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
   }
-  const PathTracer tracer = { &rays, &frame.Lights(), &frame.Capture().Materials(), this->Bounces,
-    this->Strategy };
+  PathTracer tracer = { &rays, &frame.Lights(), {} };
   ShiftStillFrame(frame, this->IsFinished(progress) ? 0 : progress.Samples);
-  frame.AddPass("path-trace")
-    .Read(resource::Albedo)
+  auto& pass = frame.AddPass("path-trace");
+  for (std::size_t i = 0; i < tracer.Sums.size(); ++i)
+  {
+    tracer.Sums[i] = &frame.Keep(SumNames[i], frame.WindowTexture(GL_RGBA32F));
+    pass.UpdateHistory(*tracer.Sums[i], SumImages[i]);
+  }
+  pass.Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::WindowDepth)
-    .ReadIfPresent(resource::Sky)
+    .ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
     .Modify(resource::Color, TraceOrder)
-    .Write(Traced, { GL_R8, 1, 1, 0 })
+    .Offer(rays.ShaderArguments())
+    .Offer(frame.Capture().Materials().ShaderArguments())
+    .Offer(frame.Lights().InWorld(rays.Origin()))
+    .Offer(frame.GetView().ToScene(rays.Origin()))
     .Execute([this, &now = progress, tracer, taken](FrameContext& context) {
-      bool fresh = false;
-      PathTracer::Sums(context, &fresh);
-      if (taken ? !tracer.Restore(context, taken) : fresh)
+      if (taken ? !tracer.Restore(taken) : tracer.IsFresh())
       {
         now = Progress();
       }
@@ -318,12 +285,13 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
         const bool estimates = now.Samples > block && now.Samples % interval == 0;
         now.Error = estimates ? tracer.EstimateError(context, now.Samples) : now.Error;
       }
-      tracer.Show(context, resource::Color, now.Samples);
+      tracer.Show(context, false, now.Samples);
     });
   frame.AddPass("path-trace-radiance")
-    .Read(Traced)
+    .ReadHistory(*tracer.Sums[0], "sumShown")
+    .ReadHistory(*tracer.Sums[1], "sumEncoded")
     .ModifyIfPresent(resource::Radiance, TraceOrder)
     .Execute([&progress, tracer](FrameContext& context) {
-      tracer.Show(context, resource::Radiance, progress.Samples);
+      tracer.Show(context, true, progress.Samples);
     });
 }

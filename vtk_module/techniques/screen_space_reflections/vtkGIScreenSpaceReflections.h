@@ -15,8 +15,6 @@
 
 #include "vtkGIScreenSpaceReflectionsParameters.h"
 
-#include <memory> // for the resources
-
 class VTKRENDERINGGI_EXPORT vtkGIScreenSpaceReflections
   : public vtkGIScreenSpaceReflectionsParameters
 {
@@ -26,7 +24,6 @@ public:
 
   const char* GetOfferedResource() override;
   void Contribute(penumbra::FrameBuilder& frame) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
   vtkGIScreenSpaceReflections();
@@ -35,9 +32,6 @@ protected:
 private:
   vtkGIScreenSpaceReflections(const vtkGIScreenSpaceReflections&) = delete;
   void operator=(const vtkGIScreenSpaceReflections&) = delete;
-
-  struct Resources;
-  std::unique_ptr<Resources> Impl;
 };
 
 #endif

@@ -34,14 +34,13 @@ std::vector<float> FindSurfaces(GatherStage& stage, const glm::dvec3& middle, do
 {
   std::vector<float> found(static_cast<std::size_t>(Lines) * LineNumbers, 0.0f);
   stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, found.data(), found.size() * sizeof(found[0]));
-  const Program& program = stage.Use("gathering/surfaces.comp", {});
-  stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
-  const glm::vec3 at(middle - stage.Origin());
-  glUniform3fv(program.Location("middle"), 1, &at[0]);
-  glUniform1f(program.Location("radius"), static_cast<GLfloat>(radius));
-  glUniform1i(program.Location("pointCount"), Lines);
-  GatherStage::Dispatch(Lines / GI_GATHER_GROUP);
-  GatherStage::Read(stage.Results, found);
+  stage.Run("gathering/surfaces.comp", {},
+    Arguments()
+      .Set("middle", glm::vec3(middle - stage.Origin()))
+      .Set("radius", radius)
+      .Set("pointCount", Lines),
+    Lines / GI_GATHER_GROUP);
+  stage.Read(found);
   return found;
 }
 }
@@ -160,16 +159,13 @@ std::vector<float> LightTrial::LightOf(GatherStage& stage, const ProbeField& fie
   stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), data.size() * sizeof(data[0]));
   std::vector<float> light(3 * data.size(), 0.0f);
   stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, light.data(), light.size() * sizeof(light[0]));
-  const Program& program = stage.Use("sh_probes/points.comp", textures.Variant());
-  stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
-  stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
   vtkNew<vtkGISHProbes> technique;
-  textures.Set(program, technique->GetBias(), stage.Origin());
-  textures.Bind();
-  glUniform1i(program.Location("pointCount"), static_cast<GLint>(data.size()));
-  glUniform1f(program.Location("offset"), static_cast<GLfloat>(2.0 * stage.Error()));
-  GatherStage::Dispatch((data.size() + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
-  GatherStage::Read(stage.Results, light);
+  stage.Run("sh_probes/points.comp", textures.Variant(),
+    textures.ShaderArguments(technique->GetBias(), stage.Origin())
+      .Set("pointCount", static_cast<int>(data.size()))
+      .Set("offset", 2.0 * stage.Error()),
+    (data.size() + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
+  stage.Read(light);
   return light;
 }
 

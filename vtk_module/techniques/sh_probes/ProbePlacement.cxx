@@ -60,16 +60,15 @@ bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int ra
     stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), count * sizeof(data[0]));
     std::vector<float> found(count * MapTexels * 3, 0.0f);
     stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, found.data(), found.size() * sizeof(found[0]));
-    const Program& program = stage.Use("gathering/distances.comp", {});
-    stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
-    stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
-    glUniform1i(program.Location("pointCount"), static_cast<GLint>(count));
-    glUniform1i(program.Location("firstPoint"), static_cast<GLint>(first));
-    glUniform1i(program.Location("texels"), Texels);
-    glUniform1i(program.Location("samples"), rays);
-    glUniform1f(program.Location("farthest"), static_cast<GLfloat>(reach));
-    GatherStage::Dispatch(count * MapTexels / GI_GATHER_GROUP);
-    GatherStage::Read(stage.Results, found);
+    stage.Run("gathering/distances.comp", {},
+      Arguments()
+        .Set("pointCount", static_cast<int>(count))
+        .Set("firstPoint", static_cast<int>(first))
+        .Set("texels", Texels)
+        .Set("samples", rays)
+        .Set("farthest", reach),
+      count * MapTexels / GI_GATHER_GROUP);
+    stage.Read(found);
     for (std::size_t i = 0; i < count * MapTexels; ++i)
     {
       maps[first * MapTexels + i] = { found[3 * i], found[3 * i + 1], found[3 * i + 2] };
@@ -113,12 +112,9 @@ std::vector<float> SeeEachOther(GatherStage& stage, const std::vector<shared::Ga
     std::vector<float> found(count, 0.0f);
     stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, &pairs[first], count * sizeof(pairs[0]));
     stage.Results.Upload(GL_SHADER_STORAGE_BUFFER, found.data(), count * sizeof(found[0]));
-    const Program& program = stage.Use("gathering/sight.comp", {});
-    stage.Points.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_POINT_BINDING);
-    stage.Results.BindBase(GL_SHADER_STORAGE_BUFFER, GI_GATHER_RESULT_BINDING);
-    glUniform1i(program.Location("pointCount"), static_cast<GLint>(count));
-    GatherStage::Dispatch((count + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
-    GatherStage::Read(stage.Results, found);
+    stage.Run("gathering/sight.comp", {}, Arguments().Set("pointCount", static_cast<int>(count)),
+      (count + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
+    stage.Read(found);
     seen.insert(seen.end(), found.begin(), found.end());
   }
   return seen;

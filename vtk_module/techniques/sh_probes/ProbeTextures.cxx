@@ -135,22 +135,13 @@ void ProbeTextures::FillProbes(const ProbeField& field)
   Fill(this->ProbeTexture, GL_RGBA, texels);
 }
 
-void ProbeTextures::Bind() const
+Arguments ProbeTextures::ShaderArguments(double bias, const glm::dvec3& origin) const
 {
-  GLint active = 0; // VTK remembers it
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-  GLenum unit = GL_TEXTURE4;
-  for (const Texture* texture : { this->Light(), this->Distance(), this->Probes() })
-  {
-    glActiveTexture(unit++);
-    glBindTexture(texture->Target(), texture->Get());
-  }
-  glActiveTexture(static_cast<GLenum>(active));
-}
-
-void ProbeTextures::Set(const Program& program, double bias, const glm::dvec3& origin) const
-{
-  ProbeUniforms{ this->Grids, origin, bias }.Set(program);
-  glUniform1f(program.Location("lightScale"), static_cast<GLfloat>(this->Scale));
+  return ProbeUniforms{ this->Grids, origin, bias }
+    .ShaderArguments()
+    .Sample("probeLight", &this->LightTexture)
+    .Sample("fieldDistance", &this->DistanceTexture)
+    .Sample("fieldProbes", &this->ProbeTexture)
+    .Set("lightScale", this->Scale);
 }
 }

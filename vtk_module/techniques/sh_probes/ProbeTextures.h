@@ -21,15 +21,12 @@ public:
   /// The context must be current. window: smooth harmonics that go below zero.
   ProbeTextures(const ProbeField& field, bool window);
 
-  /// To the units of glsl/sh_probes/light.glsl, past VTK's records.
-  void Bind() const;
   const Texture* Light() const { return &this->LightTexture; }
   const Texture* Distance() const { return &this->DistanceTexture; }
   const Texture* Probes() const { return &this->ProbeTexture; }
 
-  /// For a program in use. Coordinates of its scene are relative to Origin(), or to another place.
-  void Set(const Program& program, double bias) const { this->Set(program, bias, this->Origin()); }
-  void Set(const Program& program, double bias, const glm::dvec3& origin) const;
+  /// For shaders that ask these probes, with coordinates relative to a place in the world.
+  Arguments ShaderArguments(double bias, const glm::dvec3& origin) const;
   const glm::dvec3& Origin() const { return this->Grids.Get(0).First; }
   /// Of shaders that ask these probes.
   Defines Variant() const { return this->Uniforms(0.0).Variant(); }

@@ -35,21 +35,12 @@ struct vtkGISHProbes::Internals
     return *this->Textures;
   }
 
-  void Gather(FrameContext& context, const vtkGISHProbes& settings)
+  // For shaders that ask the probes about what is in the picture.
+  void Read(PassDeclaration& pass, const vtkGISHProbes& settings, const View& view)
   {
     const ProbeTextures& textures = this->Ready(settings.Window);
-    const OpenDirection open(context);
-    Defines variant = textures.Variant();
-    variant.insert(open.Variant.begin(), open.Variant.end());
-    const Program& program = context.Shaders().Fragment("sh_probes/gather.frag", variant);
-    context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-        context.Input(resource::Normal), open.Map, textures.Light(), textures.Distance(),
-        textures.Probes() });
-    textures.Set(program, settings.Bias);
-    SetProbeView(program, context.GetView(), textures.Origin());
-    glUniform1f(program.Location("intensity"), static_cast<GLfloat>(settings.Intensity));
-    context.DrawFullscreen();
+    pass.Offer(textures.ShaderArguments(settings.Bias, textures.Origin()))
+      .Offer(view.ToScene(textures.Origin()));
   }
 
   // For translucent surfaces and volumes.
@@ -61,21 +52,13 @@ struct vtkGISHProbes::Internals
     part.Textures = 3;
     part.Bind = [this, &settings, toWorld = view.ViewToWorld](ForwardProgram& program) {
       const ProbeTextures& textures = this->Ready(settings.Window);
-      textures.Set(program, settings.Bias);
+      program.Set(textures.ShaderArguments(settings.Bias, textures.Origin()));
       program.SetTexture("probeLight", textures.Light()->Get());
       program.SetTexture("fieldDistance", textures.Distance()->Get());
       program.SetTexture("fieldProbes", textures.Probes()->Get());
       program.SetField(toWorld, textures.Origin(), settings.Intensity);
     };
     return part;
-  }
-
-  ProbeBalls Balls(const vtkGISHProbes& settings)
-  {
-    const ProbeTextures& textures = this->Ready(settings.Window);
-    return { "sh_probes/show.frag", textures.Light(), textures.Distance(), textures.Probes(),
-      textures.Origin(),
-      [&textures, bias = settings.Bias](const Program& program) { textures.Set(program, bias); } };
   }
 };
 
@@ -156,14 +139,29 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
   }
   if (frame.ViewState<BakeFit>(this).Fits())
   {
-    frame.AddIndirectLight({ IndirectKind::BakedProbes,
-      { resource::WindowDepth, resource::Albedo, resource::Normal },
-      [this](FrameContext& context) { this->Impl->Gather(context, *this); },
-      this->Impl->Forward(*this, frame.GetView()) });
+    IndirectLight light;
+    light.Kind = IndirectKind::BakedProbes;
+    light.Declare = [this, view = frame.GetView()](PassDeclaration& pass) {
+      pass.Read(resource::WindowDepth)
+        .Read(resource::Albedo)
+        .Read(resource::Normal)
+        .Offer(this->GetShaderParameters());
+      this->Impl->Read(pass, *this, view);
+    };
+    light.Draw = [variant = ProbeUniforms{ this->Impl->Field.Grids }.Variant()](
+                   FrameContext& context) {
+      Arguments given;
+      Defines all = OpenDirection(context, given);
+      all.insert(variant.begin(), variant.end());
+      context.DrawBound("sh_probes/gather.frag", all, given);
+    };
+    light.Forward = this->Impl->Forward(*this, frame.GetView());
+    frame.AddIndirectLight(std::move(light));
   }
   if (this->Show)
   {
-    AddProbeBalls(
-      frame, "probe-balls", {}, [this](FrameContext&) { return this->Impl->Balls(*this); });
+    AddProbeBalls(frame, "probe-balls", "sh_probes/show.frag", [&](PassDeclaration& pass) {
+      this->Impl->Read(pass, *this, frame.GetView());
+    });
   }
 }

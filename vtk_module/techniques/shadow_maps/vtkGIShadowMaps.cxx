@@ -33,12 +33,6 @@ constexpr double PatternRadius = 2.5;
 constexpr int PatternSamples = 16;
 
 using TileKey = std::tuple<int, int, int>;
-/// What an atlas shows: of which casters, and each of its squares.
-struct Shown
-{
-  std::vector<double> Casters;
-  std::map<TileKey, std::vector<double>> Squares;
-};
 
 // When a prop or one of its parts moved or changed last.
 vtkMTimeType CastTime(vtkProp* prop)
@@ -117,18 +111,40 @@ void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, c
     map.Shown.Parallel, Anchor(map));
   glDisable(GL_DEPTH_CLAMP);
 }
+
+void DrawMask(FrameContext& context, const Defines& variant, int layers, int lights)
+{
+  ScopedState scope(context.State());
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_GREATER);
+  scope.DepthMask(false);
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    context.BindTarget({ { context.Output(resource::DirectVisibility), layer } },
+      { context.Input(resource::Depth), -1 });
+    context.DrawBound("shadow_maps/mask.frag", variant,
+      Arguments().Set("firstLight", layer * 4).Set("lightCount", std::min(4, lights - layer * 4)));
+  }
 }
+}
+
+/// What a view's atlas shows: of which casters, and each of its squares.
+struct vtkGIShadowMaps::ShownSquares
+{
+  std::vector<double> Casters;
+  std::map<TileKey, std::vector<double>> Squares;
+};
 
 struct vtkGIShadowMaps::Resources
 {
   Buffer MapBlock;
   Buffer LightBlock;
-  std::map<const Texture*, Shown> Drawn; ///< by atlas: each view has its own
   std::shared_ptr<ShadowPlan> Plan;
   double Radius = 0.0; ///< of the filter, in texels
   int Samples = 1;     ///< of the filter
   bool InPart = false; ///< casters may cover in part
-  GLuint Atlas = 0;    ///< of the view that was drawn last
+  const History* Atlas = nullptr; ///< of the view that was drawn last
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()
@@ -205,32 +221,44 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
   }
   SceneCapture& scene = frame.Capture();
   scene.Request(resource::Facet);
+  const ShadowPlan& plan = *this->Impl->Plan;
+  History& atlas = frame.Keep(Atlas, { GL_DEPTH_COMPONENT32F, plan.Width, plan.Height, 0 });
+  this->Impl->Atlas = &atlas;
   this->ShadeForward(frame);
+  this->Impl->MapBlock.Upload(
+    GL_SHADER_STORAGE_BUFFER, plan.MapData.data(), plan.MapData.size() * sizeof(plan.MapData[0]));
+  this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.LightData.data(),
+    plan.LightData.size() * sizeof(plan.LightData[0]));
   const int layers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
+    .UpdateHistory(atlas)
+    // Casters are those of the capture, which brings them up to date.
+    .Read(resource::Depth)
+    .Execute([this, &scene, &atlas, &shown = frame.ViewState<ShownSquares>(this)](
+               FrameContext& context) { this->DrawMaps(context, scene, atlas, shown); });
+  frame.AddPass("shadow-mask")
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::Facet)
+    .ReadHistory(atlas, "atlas")
     .Write(resource::DirectVisibility, frame.WindowTexture(GL_RGBA8, layers))
-    .Execute([this, &scene, layers](FrameContext& context) {
-      const Texture& atlas = this->DrawMaps(context, scene);
-      this->DrawMask(context, atlas, layers);
+    .Offer(this->FilterArguments(false))
+    .Execute([variant = VariantOf(plan), layers,
+               lights = this->ShadowedLights](FrameContext& context) {
+      DrawMask(context, variant, layers, lights);
     });
 }
 
-const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& scene)
+void vtkGIShadowMaps::DrawMaps(
+  FrameContext& context, SceneCapture& scene, const History& atlas, ShownSquares& before)
 {
   const ShadowPlan& plan = *this->Impl->Plan;
-  bool fresh = false;
-  const Texture& atlas =
-    context.History(Atlas, { GL_DEPTH_COMPONENT32F, plan.Width, plan.Height, 0 }, fresh);
-  this->Impl->Atlas = atlas.Get();
-  Shown& before = this->Impl->Drawn[&atlas];
-  Shown now;
+  ShownSquares now;
   this->DrawnMaps = 0;
-  const bool stale = fresh || this->AlwaysRedraw || before.Casters != SignCasters(scene);
+  const bool stale =
+    !atlas.Written || this->AlwaysRedraw || before.Casters != SignCasters(scene);
   for (const auto& map : plan.Maps)
   {
     const TileKey key(map.Tile.X, map.Tile.Y, map.Tile.Size);
@@ -238,7 +266,7 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
     const auto found = before.Squares.find(key);
     if (stale || found == before.Squares.end() || found->second != signature)
     {
-      DrawMap(context, scene, atlas, map);
+      DrawMap(context, scene, atlas.Storage, map);
       ++this->DrawnMaps;
     }
     now.Squares[key] = std::move(signature);
@@ -247,56 +275,22 @@ const Texture& vtkGIShadowMaps::DrawMaps(FrameContext& context, SceneCapture& sc
   now.Casters = SignCasters(scene);
   // Squares that are no longer used are forgotten: others may be drawn over them.
   before = std::move(now);
-  return atlas;
 }
 
-void vtkGIShadowMaps::BindFilter(const Program& program, bool volume)
+Arguments vtkGIShadowMaps::FilterArguments(bool volume)
 {
-  const auto whole = [&program](
-                       const char* name, int value) { glUniform1i(program.Location(name), value); };
-  const auto real = [&program](const char* name, double value) {
-    glUniform1f(program.Location(name), static_cast<GLfloat>(value));
-  };
-  this->Impl->MapBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 2);
-  this->Impl->LightBlock.BindBase(GL_SHADER_STORAGE_BUFFER, 3);
-  glUniform3f(program.Location("bias"), static_cast<GLfloat>(this->ConstantBias),
-    static_cast<GLfloat>(this->SlopeBias), static_cast<GLfloat>(this->NormalBias));
-  whole("receiverPlane", this->ReceiverPlane);
   // Volumes add up many places along each ray: there one sample each is enough.
   const bool filters = this->Impl->Radius > 0.0 && !volume;
-  real("filterRadius", filters ? this->Impl->Radius : 0.0);
-  real("pixelRadius", filters && this->Impl->InPart ? 1.0 : 0.0);
-  whole("filterSamples", filters ? this->Impl->Samples : 1);
-  whole("blockerSamples", this->BlockerSamples);
-  whole("penumbraSamples", this->PenumbraSamples);
-}
-
-void vtkGIShadowMaps::DrawMask(FrameContext& context, const Texture& atlas, int layers)
-{
-  const ShadowPlan& plan = *this->Impl->Plan;
-  this->Impl->MapBlock.Upload(
-    GL_SHADER_STORAGE_BUFFER, plan.MapData.data(), plan.MapData.size() * sizeof(plan.MapData[0]));
-  this->Impl->LightBlock.Upload(GL_SHADER_STORAGE_BUFFER, plan.LightData.data(),
-    plan.LightData.size() * sizeof(plan.LightData[0]));
-  const Program& program = context.Shaders().Fragment("shadow_maps/mask.frag", VariantOf(plan));
-  ScopedState scope(context.State());
-  scope.Set(GL_BLEND, false);
-  scope.Set(GL_DEPTH_TEST, true);
-  scope.DepthFunc(GL_GREATER);
-  scope.DepthMask(false);
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    context.BindTarget({ { context.Output(resource::DirectVisibility), layer } },
-      { context.Input(resource::Depth), -1 });
-    context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(resource::Albedo),
-        context.Input(resource::Normal), context.Input(resource::Facet), &atlas });
-    this->BindFilter(program, false);
-    glUniform1i(program.Location("firstLight"), layer * 4);
-    glUniform1i(program.Location("lightCount"),
-      std::min(4, static_cast<int>(plan.LightData.size()) - layer * 4));
-    context.DrawFullscreen();
-  }
+  return Arguments()
+    .Block("ShadowMapBlock", this->Impl->MapBlock)
+    .Block("ShadowLightBlock", this->Impl->LightBlock)
+    .Set("bias", glm::vec3(this->ConstantBias, this->SlopeBias, this->NormalBias))
+    .Set("filterRadius", filters ? this->Impl->Radius : 0.0)
+    .Set("pixelRadius", filters && this->Impl->InPart ? 1.0 : 0.0)
+    .Set("filterSamples", filters ? this->Impl->Samples : 1)
+    .Set("blockerSamples", this->BlockerSamples)
+    .Set("penumbraSamples", this->PenumbraSamples)
+    .Set("receiverPlane", this->ReceiverPlane);
 }
 
 void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
@@ -308,8 +302,8 @@ void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
   visibility.InVolumes.erase("GI_SOFT");
   visibility.Textures = 1;
   visibility.Bind = [this](ForwardProgram& program) {
-    this->BindFilter(program, program.IsOfVolume());
-    program.SetTexture("atlas", this->Impl->Atlas);
+    program.Set(this->FilterArguments(program.IsOfVolume()));
+    program.SetTexture("atlas", this->Impl->Atlas->Storage.Get());
   };
   frame.ShadeForward(std::move(visibility));
 }

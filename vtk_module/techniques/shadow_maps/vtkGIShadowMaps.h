@@ -20,10 +20,10 @@
 
 namespace penumbra
 {
+class Arguments;
 class FrameContext;
-class Program;
 class SceneCapture;
-class Texture;
+struct History;
 }
 
 class VTKRENDERINGGI_EXPORT vtkGIShadowMaps : public vtkGIShadowMapsParameters
@@ -67,11 +67,12 @@ private:
   void operator=(const vtkGIShadowMaps&) = delete;
 
   struct Resources;
+  struct ShownSquares;
   bool MakePlan(penumbra::FrameBuilder& frame);
-  const penumbra::Texture& DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene);
-  void DrawMask(penumbra::FrameContext& context, const penumbra::Texture& atlas, int layers);
+  void DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene,
+    const penumbra::History& atlas, ShownSquares& before);
   void ShadeForward(penumbra::FrameBuilder& frame);
-  void BindFilter(const penumbra::Program& program, bool volume);
+  penumbra::Arguments FilterArguments(bool volume);
 
   bool AlwaysRedraw = false;
   int ShadowedLights = 0;

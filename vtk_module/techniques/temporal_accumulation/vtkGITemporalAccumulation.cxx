@@ -86,32 +86,29 @@ TextureDesc MeanDesc(const TextureDesc& shown)
 }
 
 /// A history that is read and one that is written, by turns.
+template <typename Kept>
 struct Pair
 {
-  const Texture* Before;
-  const Texture* Now;
-  bool Fresh = false;
+  Kept* Before;
+  Kept* Now;
 
-  Pair(const FrameContext& context, const std::string& name, const TextureDesc& desc)
+  template <typename Keep>
+  Pair(const View& view, const std::string& name, const Keep& keep)
   {
-    const bool odd = context.GetView().FrameNumber % 2 != 0;
-    bool fresh[2];
-    const Texture* both[2] = { &context.History((name + ".even").c_str(), desc, fresh[0]),
-      &context.History((name + ".odd").c_str(), desc, fresh[1]) };
+    const bool odd = view.FrameNumber % 2 != 0;
+    Kept* both[2] = { keep(name + ".even"), keep(name + ".odd") };
     this->Now = both[odd];
     this->Before = both[!odd];
-    this->Fresh = fresh[!odd];
   }
 };
+using SurfacePair = Pair<History>;
 
-struct Work
+struct Accumulation
 {
   MotionTable* Motion;
-  MaterialTable* Materials;
   const Ages* Age;
   int MaximumFrames;
   int ChangeFrames;
-  double ClampWidth;
   double DepthTolerance;
   double NormalTolerance;
 
@@ -131,15 +128,13 @@ struct Work
     scope.DepthMask(false);
   }
 
-  void Reproject(FrameContext& context) const
+  void Reproject(FrameContext& context, const SurfacePair& surfaces) const
   {
     const View& view = context.GetView();
-    const Pair surfaces(context, "temporal-accumulation.surface",
-      { GL_RGBA32F, view.WindowSize.x, view.WindowSize.y, 0 });
-    const bool continued = this->Motion->IsContinued() && !surfaces.Fresh;
+    const bool continued = this->Motion->IsContinued() && surfaces.Before->Written;
     ScopedState scope(context.State());
     this->Begin(scope);
-    context.BindTarget({ { context.Output(Reprojection), -1 }, { surfaces.Now, -1 } },
+    context.BindTarget({ { context.Output(Reprojection), -1 }, { &surfaces.Now->Storage, -1 } },
       { context.Input(resource::Depth), -1 });
     const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
     glClearBufferfv(GL_COLOR, 0, nothing);
@@ -149,26 +144,16 @@ struct Work
     {
       variant["GI_STILL"] = "1";
     }
-    if (context.Input(resource::Displacement))
-    {
-      variant["GI_DISPLACEMENT"] = "1";
-    }
     if (this->Motion->PropsMove())
     {
       variant["GI_PROPS_MOVE"] = "1";
     }
-    const Program& program =
-      context.Shaders().Fragment("temporal_accumulation/reproject.frag", variant);
-    context.Use(program,
-      { context.Input(resource::WindowDepth), context.Input(resource::Normal), surfaces.Before,
-        context.Input(resource::Displacement) });
-    this->Materials->Bind(1);
-    this->Motion->Bind(1, 2);
-    glUniform2f(program.Location("tolerance"), static_cast<GLfloat>(this->DepthTolerance),
-      static_cast<GLfloat>(std::cos(glm::radians(this->NormalTolerance))));
-    glUniform1f(program.Location("most"), static_cast<GLfloat>(this->Most(view)));
-    glUniform1i(program.Location("continued"), continued ? 1 : 0);
-    context.DrawFullscreen();
+    context.DrawBound("temporal_accumulation/reproject.frag", variant,
+      Arguments()
+        .Set("tolerance",
+          glm::vec2(this->DepthTolerance, std::cos(glm::radians(this->NormalTolerance))))
+        .Set("most", static_cast<double>(this->Most(view)))
+        .Set("continued", continued));
   }
 
   void Accumulate(FrameContext& context, const NoisyResource& noisy) const
@@ -176,7 +161,14 @@ struct Work
     const View& view = context.GetView();
     const Texture* shown = context.Output(noisy.Name);
     const TextureDesc& desc = shown->Desc();
-    const Pair means(context, std::string("temporal-accumulation.") + noisy.Name, MeanDesc(desc));
+    std::map<const Texture*, bool> fresh;
+    const Pair<const Texture> means(view, std::string("temporal-accumulation.") + noisy.Name,
+      [&](const std::string& name) {
+        bool made = false;
+        const Texture& texture = context.Keep(name, MeanDesc(desc), made);
+        fresh[&texture] = made;
+        return &texture;
+      });
     Defines variant;
     if (desc.Layers > 0)
     {
@@ -192,29 +184,21 @@ struct Work
     }
     ScopedState scope(context.State());
     this->Begin(scope);
-    const Program& program =
-      context.Shaders().Fragment("temporal_accumulation/accumulate.frag", variant);
     for (int layer = 0; layer < std::max(1, desc.Layers); ++layer)
     {
       const int target = desc.Layers > 0 ? layer : -1;
       context.BindTarget(
         { { means.Now, target }, { shown, target } }, { context.Input(resource::Depth), -1 });
-      context.Use(
-        program, { context.Input(Reprojection), context.Input(noisy.Name), means.Before });
       glm::vec4 most;
       for (int i = 0; i < 4; ++i)
       {
-        const int age =
-          means.Fresh ? 1 : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
+        const int age = fresh[means.Before]
+          ? 1
+          : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
         most[i] = static_cast<float>(age);
       }
-      glUniform4f(program.Location("most"), most.x, most.y, most.z, most.w);
-      glUniform1f(program.Location("clampWidth"), static_cast<GLfloat>(this->ClampWidth));
-      if (desc.Layers > 0)
-      {
-        glUniform1i(program.Location("layer"), layer);
-      }
-      context.DrawFullscreen();
+      context.DrawBound("temporal_accumulation/accumulate.frag", variant,
+        Arguments().Sample("history", means.Before).Set("most", most).Set("layer", layer));
     }
   }
 };
@@ -229,24 +213,30 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
   Ages& ages = frame.ViewState<Ages>(this);
   MotionTable& motion = frame.Motion();
   const LightTable& lights = frame.Lights();
-  const Work work{ &motion, &frame.Capture().Materials(), &ages, this->MaximumFrames,
-    this->ChangeFrames, this->ClampWidth, this->DepthTolerance, this->NormalTolerance };
+  const Accumulation work{ &motion, &ages, this->MaximumFrames, this->ChangeFrames,
+    this->DepthTolerance, this->NormalTolerance };
+  const SurfacePair surfaces(frame.GetView(), "temporal-accumulation.surface",
+    [&](const std::string& name) { return &frame.Keep(name, frame.WindowTexture(GL_RGBA32F)); });
   frame.AddPass("temporal-reproject")
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
     .Read(resource::Normal)
-    .ReadIfPresent(resource::Displacement)
+    .ReadIfPresent(resource::Displacement, "GI_DISPLACEMENT")
     .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
-    .Execute([work, &ages, &motion, &lights](FrameContext& context) {
+    .ReadHistory(*surfaces.Before, "surfaceTexture")
+    .WriteHistory(*surfaces.Now)
+    .Offer(frame.Capture().Materials().ShaderArguments())
+    .Offer(motion.ShaderArguments())
+    .Execute([work, surfaces, &ages, &motion, &lights](FrameContext& context) {
       ages.Advance(context.GetView(), lights, motion.IsContinued());
-      work.Reproject(context);
+      work.Reproject(context, surfaces);
     });
   for (const NoisyResource& noisy : resource::Noisy)
   {
     frame.AddPass(std::string("temporal-") + noisy.Name)
-      .Read(Reprojection)
+      .Read(Reprojection, "reprojection")
       .Read(resource::Depth)
-      .ModifyIfPresent(noisy.Name, Order)
+      .ModifyIfPresent(noisy.Name, Order, "current")
       .Execute([work, noisy](FrameContext& context) { work.Accumulate(context, noisy); });
   }
 }
