@@ -63,13 +63,13 @@ def technique_part(path, technique):
                             ", ".join(f"`{kebab(k)}` {shown(v)}" for k, v in values.items()) or "none"])
     return "\n".join([
         BEGIN.format(source=path.relative_to(ROOT).as_posix()),
-        f"It buys *{technique['term']}*; verb: {technique['verb']}; follows a moving scene: {technique['dynamic']}.",
-        f"Source: {technique['source']}.", "", "## Parameters", "", table(rows), "", "## Presets", "",
-        table(preset_rows), END])
+        f"- Computes: {technique['term']}", f"- Method: {technique['verb']}",
+        f"- Dynamic scenes: {technique['dynamic']}", f"- Source: {technique['source']}",
+        "", "## Parameters", "", table(rows), "", "## Presets", "", table(preset_rows), END])
 
 
 def overview_part(techniques):
-    rows = [["technique", "term it buys", "verb", "follows a moving scene?"], ["---"] * 4]
+    rows = [["technique", "computes", "method", "dynamic scenes"], ["---"] * 4]
     for _, t in techniques:
         rows.append([f"[{t['title']}]({t['name']}.md)", t["term"], t["verb"], t["dynamic"]])
     return "\n".join([BEGIN.format(source="vtk_module/techniques/"), table(rows), END])

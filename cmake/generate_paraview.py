@@ -90,44 +90,43 @@ def rows(techniques):
 def general_properties(presets):
     names = "".join(f'<Entry text="{name}" value="{i}"/>' for i, name in enumerate(presets))
     yield sm_property(SWITCH, "Global illumination", "SetEnabled", "int", 0, '<BooleanDomain name="bool"/>',
-                      "Light what is drawn in this view by Penumbra: shadows, occlusion, reflected light. Off: the "
-                      "picture of ParaView itself.")
+                      "Light this view with Penumbra: shadows, occlusion, reflections, indirect light. Off shows "
+                      "ParaView's own picture.")
     yield sm_property("GIPreset", "Apply preset", None, "int", -1,
                       f'<EnumerationDomain name="enum"><Entry text="choose" value="-1"/>{names}</EnumerationDomain>',
-                      "Sets all techniques and parameters below to the values of a preset. What they are afterwards "
-                      "is what counts and what is saved; this goes back to where it was.", [SWITCH])
+                      "Set all techniques and parameters below to the values of a preset. The parameters' values are "
+                      "what counts and what is saved; this box goes back to \"choose\".", [SWITCH])
     yield sm_property("GIStillFrames", "Frames of a still picture", "SetStillFrames", "int", 1,
                       '<IntRangeDomain name="range" min="1"/>',
-                      "How many frames are drawn for one still picture, a screenshot for instance: techniques that "
-                      "collect light or smooth edges from frame to frame need several. While the camera is moved, one.",
-                      [SWITCH])
+                      "Number of frames drawn for one still picture, such as a screenshot. Techniques that accumulate "
+                      "over frames need several. While the camera moves, one frame is drawn.", [SWITCH])
 
 
 def probe_properties():
-    """What a view needs to bake probes and to keep them."""
+    """Properties to bake probes and to keep them."""
     shown = [SWITCH, f"GI{PROBES}"]
     yield (f'      <StringVectorProperty name="GI{PROBES}File" label="File" command="SetProbesFile" animateable="0" '
            'number_of_elements="1" default_values="" panel_visibility="default">\n        <FileListDomain name="files"/>\n'
-           '        <Documentation>Probes that were baked, for the scene as it was then. Baking writes this file, '
-           'if one is named; without, the probes are gone with the view.</Documentation>\n' +
+           '        <Documentation>File of baked probes, valid for the scene that they were baked in. Baking writes '
+           'this file if one is named; otherwise the probes are lost with the view.</Documentation>\n' +
            visible_where(shown, "        ", '<FileChooser extensions="vti" file_description="Baked probes"/>'
                          '<AcceptAnyFile/>') + "      </StringVectorProperty>\n")
     for name, title, command, bounds, default, doc in (
             ("Count", "Probes to bake", "SetProbesToBake", [27, MOST_PROBES], 1024,
-             "How many probes at most fill the bounds of what is visible."),
+             "Maximum number of probes in the bounds of the visible props."),
             ("Samples", "Samples to bake", "SetSamplesToBake", [1, 1 << 24], 256,
-             "Paths from each probe: four times as many take four times as long, and leave half of the noise.")):
+             "Number of paths from each probe. Four times as many take four times as long and halve the noise.")):
         parameter = {"type": "int", "range": bounds, "doc": doc}
         yield sm_property(f"GI{PROBES}{name}", title, command, "int", default, domain(parameter), tooltip(parameter),
                           shown, True)
     yield (f'      <Property name="GI{PROBES}Bake" label="Bake probes" command="BakeProbes" '
            'panel_widget="command_button" panel_visibility="default">\n'
-           '        <Documentation>Gather the light that arrives in the scene as the view shows it now, which takes '
-           'seconds to minutes. Lamps that follow the camera are left out.</Documentation>\n' +
+           '        <Documentation>Bake the indirect light of the scene as the view shows it now. This takes seconds to '
+           'minutes. Lights that follow the camera are left out.</Documentation>\n' +
            visible_where(shown, "        ") + "      </Property>\n")
     yield (f'      <StringVectorProperty name="GI{PROBES}Problem" command="GetProbesProblem" information_only="1" '
-           'panel_visibility="never">\n        <Documentation>Why probes could not be baked, read or written, or nothing.'
-           '</Documentation>\n      </StringVectorProperty>\n')
+           'panel_visibility="never">\n        <Documentation>Why probes could not be baked, read or written; empty if all '
+           'is well.</Documentation>\n      </StringVectorProperty>\n')
 
 
 PROBE_PROPERTIES = [f"GI{PROBES}{name}" for name in ("File", "Bake", "Count", "Samples", "Problem")]
@@ -142,7 +141,7 @@ def settings_proxy(techniques):
         if parameter is None:
             out.append(sm_property(
                 name, declaration["title"], f"Set{name}", "int", default, '<BooleanDomain name="bool"/>',
-                f"It buys: {declaration['term']}. Verb: {declaration['verb']}. Follows a moving scene: "
+                f"Computes: {declaration['term']}. Method: {declaration['verb']}. Dynamic scenes: "
                 f"{declaration['dynamic']}.", [SWITCH]))
             switch = name
         else:
@@ -151,8 +150,8 @@ def settings_proxy(techniques):
     out += probe_properties()
     out.append('      <ProxyProperty name="GIView" command="SetView" panel_visibility="never">\n'
                '        <ProxyGroupDomain name="groups"><Group name="views"/></ProxyGroupDomain>\n'
-               '        <Documentation>The render view that these are the settings of, where they are no part of '
-               'it.</Documentation>\n      </ProxyProperty>\n    </GISettingsProxy>\n')
+               '        <Documentation>The render view that these settings apply to, if they are not '
+               'part of it.</Documentation>\n      </ProxyProperty>\n    </GISettingsProxy>\n')
     return "".join(out)
 
 
