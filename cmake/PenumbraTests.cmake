@@ -10,7 +10,7 @@ function(penumbra_test_cases name file)
   add_test(NAME ${name}
     COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/tests/support/run_cases.py" "${file}" ${arg_ARGUMENTS})
   set_tests_properties(${name} PROPERTIES
-    ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1;${arg_ENVIRONMENT}"
+    ENVIRONMENT "PENUMBRA_CHECK_SHADERS=1;PYTHONDONTWRITEBYTECODE=1;${arg_ENVIRONMENT}"
     FAIL_REGULAR_EXPRESSION "ERR\\|;WARN\\|"
     SKIP_RETURN_CODE ${PENUMBRA_SKIPPED}
     TIMEOUT ${PENUMBRA_TEST_TIMEOUT})

@@ -1,7 +1,6 @@
 #version 430 core
 // Which of its neighbours a probe sees: a bit for each of thirteen, the others see it. Variants: those of
 // rays/passage.glsl.
-#include "shared/material.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sampling.glsl"

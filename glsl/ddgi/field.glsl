@@ -1,7 +1,6 @@
 // Irradiance at a point between probes that keep it, divided by pi, in an octahedral map over all directions
 // with a border of one texel. Needs lib/octahedral.glsl.
 #include "probes/field.glsl"
-#define GI_FIELD_LIGHT 8 // texels across a map of irradiance, without its border
 layout(binding = 4) uniform sampler2D fieldLight;
 
 // What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing

@@ -2,7 +2,6 @@
 // Where a probe should stand. One in the dark, which no neighbour in the light sees, is within something: it goes
 // to the nearest surface that such a neighbour sees, before it. Neither the winding of polygons nor whether
 // surfaces are closed matters for that. Variants: those of rays/passage.glsl.
-#include "shared/material.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sampling.glsl"

@@ -3,13 +3,13 @@
 // that is. Variants: GI_RAY_SKY (the surroundings shine), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
-#include "shared/material.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/lights.glsl"
 #include "lib/sampling.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
+#include "rays/toward_light.glsl"
 #ifdef GI_RAY_SKY
 #define GI_RAY_SKY_CELLS 1
 #include "rays/sky.glsl"
@@ -37,20 +37,13 @@ const int MOST_LAMPS = 4; // of more, one is picked by chance
 // where Phong materials look at them, and of their colour where PBR ones do.
 vec3 arriving(LightData lamp, RaySurfacePoint at, bool pbr, inout uint state)
 {
-  bool head = lamp.Kind.z != 0;
-  bool local = head || lamp.Kind.x == GI_LIGHT_POSITIONAL;
   GiIncident incident = giIncident(lamp, at.position);
-  vec3 target = head ? eye : lamp.Position.xyz;
   float facing = -dot(at.normal, incident.Travel);
   if (facing <= 0.0 || incident.Attenuation <= 0.0)
   {
     return vec3(0.0);
   }
-  vec3 direction = local ? target - at.position : -lamp.Direction.xyz;
-  bool closed;
-  vec3 origin = rayArrive(at, normalize(direction), closed);
-  Ray ray = Ray(origin, 0.0, local ? target - origin : direction, local ? 1.0 : RAY_FAR);
-  if (closed || blocked(ray, state))
+  if (!rayReaches(rayTowardLight(lamp, at.position, eye), at, state))
   {
     return vec3(0.0);
   }

@@ -2,7 +2,6 @@
 // How far surfaces are from points, by direction: an invocation for each texel of a point's octahedral map. Rays
 // are spread about the texel's direction by the 64th power of the cosine, as DDGI blends them. Variants: those of
 // rays/passage.glsl.
-#include "shared/material.h"
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"

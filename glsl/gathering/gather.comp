@@ -5,7 +5,6 @@
 // spread over directions too), and those of path_tracing/paths.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
-#include "shared/material.h"
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -16,6 +15,7 @@
 #include "lib/spherical_harmonics.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
+#include "rays/toward_light.glsl"
 #include "path_tracing/paths.glsl"
 
 #ifdef GI_HEMISPHERE

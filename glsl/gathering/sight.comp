@@ -1,7 +1,6 @@
 #version 430 core
 // Whether nothing is between two points: 1 or 0. The second one stands in place of a normal. Variants: those of
 // rays/passage.glsl.
-#include "shared/material.h"
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"

@@ -2,7 +2,6 @@
 // Points spread evenly over all surfaces: where lines that are spread evenly over space meet them (Crofton's formula,
 // see Santalo 1976, Integral Geometry and Geometric Probability). An invocation for each line, which keeps one of
 // the points that it meets. Variants: those of rays/passage.glsl.
-#include "shared/material.h"
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -13,7 +12,6 @@
 layout(local_size_x = GI_GATHER_GROUP) in;
 
 const int MOST_SURFACES = 64; // along a line
-const int NUMBERS = 7;        // place, normal toward the line's beginning, how many surfaces the line meets
 
 uniform int pointCount;
 uniform vec3 middle;  // of the scene
@@ -56,8 +54,8 @@ void main()
   }
   for (int k = 0; k < 3; ++k)
   {
-    gatherResults[NUMBERS * index + k] = place[k];
-    gatherResults[NUMBERS * index + 3 + k] = normal[k];
+    gatherResults[GI_SURFACE_NUMBERS * index + k] = place[k];
+    gatherResults[GI_SURFACE_NUMBERS * index + 3 + k] = normal[k];
   }
-  gatherResults[NUMBERS * index + 6] = float(met);
+  gatherResults[GI_SURFACE_NUMBERS * index + 6] = float(met);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Radiance along a ray by a path of reflections. Kajiya 1986, "The Rendering Equation"; next-event estimation
 // and multiple importance sampling after Veach 1997, "Robust Monte Carlo Methods for Light Transport
-// Simulation". Needs shared/light.h, rays/surface.glsl, rays/passage.glsl, lib/lights.glsl, lib/phong.glsl,
+// Simulation". Needs shared/light.h, rays/surface.glsl, rays/passage.glsl, rays/toward_light.glsl, lib/lights.glsl, lib/phong.glsl,
 // lib/pbr.glsl, lib/sampling.glsl. Variants: GI_RAY_SKY (the surroundings shine), and those of
 // rays/passage.glsl. Whoever includes it sets the seed.
 #ifdef GI_RAY_SKY
@@ -105,18 +105,15 @@ EmitterPoint emitterPoint(vec2 u, vec3 from)
 struct Arrival
 {
   vec3 reflected;
-  vec3 direction;
-  float tMax;
-  bool open; // nothing can be in the way
+  vec4 toward; // as of rayTowardLight()
+  bool open;   // nothing can be in the way
 };
 
 Arrival fromLamp(LightData lamp, GiReflector r, RaySurfacePoint at, bool seen)
 {
-  bool head = lamp.Kind.z != 0; // shines from the eye: reaches all that the eye sees
-  bool local = head || lamp.Kind.x == GI_LIGHT_POSITIONAL;
-  vec3 target = head ? eye : lamp.Position.xyz;
+  // A headlight reaches all that the eye sees.
   return Arrival(lampReflected(lamp, r, at.position, seen),
-    local ? target - at.position : -lamp.Direction.xyz, local ? 1.0 : RAY_FAR, head && seen);
+    rayTowardLight(lamp, at.position, eye), lamp.Kind.z != 0 && seen);
 }
 
 Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
@@ -125,8 +122,8 @@ Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
   vec3 L = normalize(point.path);
   float weight = strategy == 1 ? 1.0 : powerHeuristic(point.density, giReflectionDensity(r, L));
   vec3 reflected = giReflect(r, L) * point.emission * weight;
-  return Arrival(point.density > 0.0 ? reflected / point.density : vec3(0.0), point.path,
-    1.0 - 1e-4, false);
+  return Arrival(point.density > 0.0 ? reflected / point.density : vec3(0.0),
+    vec4(point.path, 1.0 - 1e-4), false);
 }
 
 #ifdef GI_RAY_SKY
@@ -145,7 +142,7 @@ Arrival fromSky(vec2 u, GiReflector r)
   vec3 L = raySkySample(u, density);
   float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
   return Arrival(density > 0.0 ? skyReflected(r, L) * weight / density : vec3(0.0),
-    L, RAY_FAR, false);
+    vec4(L, RAY_FAR), false);
 }
 #endif
 
@@ -184,12 +181,8 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, bool seen, int bounce, inout
 #endif
     if (dot(arrival.reflected, vec3(1.0)) > 0.0)
     {
-      bool closed;
-      vec3 origin = rayArrive(at, normalize(arrival.direction), closed);
-      // To the point that the light comes from, from where it arrives.
-      vec3 path = arrival.tMax <= 1.0 ? arrival.direction + (at.position - origin) : arrival.direction;
-      Ray ray = Ray(origin, 0.0, path, arrival.tMax);
-      sum += arrival.open || !(closed || blocked(ray, state)) ? arrival.reflected : vec3(0.0);
+      bool open = arrival.open || rayReaches(arrival.toward, at, state);
+      sum += open ? arrival.reflected : vec3(0.0);
     }
   }
   return sum;

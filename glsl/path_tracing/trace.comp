@@ -9,11 +9,13 @@
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/lights.glsl"
+#include "lib/luminance.glsl"
 #include "lib/phong.glsl"
 #include "lib/pbr.glsl"
 #include "lib/sampling.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
+#include "rays/toward_light.glsl"
 #include "path_tracing/paths.glsl"
 #ifdef GI_RAY_EDGES
 #include "path_tracing/edges.glsl"
@@ -99,7 +101,7 @@ void main()
     value = pathRadiance(ray, at, 0.0, state);
     value = any(isnan(value)) || any(isinf(value)) ? vec3(0.0) : value;
   }
-  float luminance = dot(value, vec3(0.2126, 0.7152, 0.0722));
+  float luminance = giLuminance(value);
   bool more = sampleIndex > 0;
   vec4 none = vec4(0.0);
   vec4 shown = more ? imageLoad(sumShown, window) : none;

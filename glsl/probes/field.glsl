@@ -8,11 +8,10 @@
 // move keep their probes where they are: one is stored by its place modulo the grid's size
 // (Majercik et al. 2021, Scaling Probe-Based Real-Time Dynamic Global Illumination for Production). Needs
 // lib/octahedral.glsl. Coordinates are those of the rays' scene.
-#define GI_FIELD_DISTANCE 16 // texels across a map of distances, without its border
+#include "shared/probe_field.h"
 layout(binding = 5) uniform sampler2D fieldDistance;
 layout(binding = 6) uniform sampler2D fieldProbes; // xyz how far a probe stands off its grid's place, w which neighbours it sees
 
-#define GI_FIELD_GRIDS 6
 uniform int fieldGrids;
 uniform vec3 fieldOrigins[GI_FIELD_GRIDS];  // of each grid's first place
 uniform vec3 fieldSpacings[GI_FIELD_GRIDS];

@@ -9,6 +9,7 @@
 #include "lib/sampling.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
+#include "rays/toward_light.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -63,25 +64,16 @@ RaySurfacePoint surfaceAt(ivec2 window)
 
 float reaching(LightData lamp, RaySurfacePoint at, uint seed, inout uint state)
 {
-  bool local = lamp.Kind.x == GI_LIGHT_POSITIONAL;
-  vec3 toward = local ? lamp.Position.xyz - at.position : -lamp.Direction.xyz;
-  mat3 across = giBasis(normalize(toward));
-  float radius = local ? size.y : size.x;
+  vec4 toward = rayTowardLight(lamp, at.position, eye);
+  mat3 across = giBasis(normalize(toward.xyz));
+  float radius = toward.w <= 1.0 ? size.y : size.x;
   int count = radius > 0.0 ? samples : 1;
   float open = 0.0;
   for (int i = 0; i < count; ++i)
   {
     vec2 disc = radius * giSampleDisc(giSample2D(uint(view.Frame.x * count + i), seed));
-    vec3 direction = toward + across * vec3(disc, 0.0);
-    if (dot(at.normal, direction) <= 0.0)
-    {
-      continue;
-    }
-    bool closed;
-    vec3 origin = rayArrive(at, normalize(direction), closed);
-    vec3 path = local ? direction + (at.position - origin) : direction;
-    Ray ray = Ray(origin, 0.0, path, local ? 1.0 : RAY_FAR);
-    open += closed || blocked(ray, state) ? 0.0 : 1.0;
+    vec4 direction = vec4(toward.xyz + across * vec3(disc, 0.0), toward.w);
+    open += dot(at.normal, direction.xyz) > 0.0 && rayReaches(direction, at, state) ? 1.0 : 0.0;
   }
   return open / float(count);
 }

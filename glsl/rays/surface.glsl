@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a ray sees where it ends: position, normals and material, as VTK draws them. Needs
-// rays/trace.glsl, shared/material.h, lib/octahedral.glsl. Variants: GI_RAY_CLIPPED (some surfaces
+// rays/trace.glsl, lib/octahedral.glsl. Variants: GI_RAY_CLIPPED (some surfaces
 // have clipping planes), GI_RAY_PICTURES (some have pictures), and those of rays/trace.glsl.
 #include "shared/ray_surface.h"
 #ifdef GI_RAY_PICTURES

@@ -63,7 +63,7 @@ vec3 painted(ivec2 window, vec3 shown)
 {
   vec4 end = texelFetch(endTexture, window, 0);
   int reason = int(end.z);
-  vec3 grey = vec3(0.25 + 0.35 * dot(shown, vec3(0.2126, 0.7152, 0.0722)));
+  vec3 grey = vec3(0.25 + 0.35 * giLuminance(shown));
   return debugView == 2 ? vec3(texelFetch(reflectionTexture, window, 0).a)
     : reason == GI_REFLECTION_NONE ? grey
     : LEGEND[reason] * (reason == GI_REFLECTION_HIT ? 0.3 + 0.7 * end.w : 1.0);

@@ -1,6 +1,7 @@
 // How a pixel's surface reflects from all around: the highlight of direct_light/resolve.frag as a lobe
 // of directions. Needs shared/view.h, shared/material.h, lib/octahedral.glsl, lib/reconstruct.glsl,
 // lib/pbr.glsl, lib/sampling.glsl. Variants: GI_EXTENDED (textures, PBR).
+#include "lib/luminance.glsl"
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
@@ -157,5 +158,5 @@ float lobeValue(Lobe lobe, vec3 L)
   float NdH = clamp(dot(lobe.N, H), 0.0, 1.0);
   vec3 F = giFresnelSchlick(lobe.f0, lobe.f90, clamp(dot(H, L), 0.0, 1.0));
   return giDistributionGGX(NdH, lobe.roughness) * giVisibilitySmith(NdV, NdL, lobe.roughness) *
-    dot(F, vec3(0.2126, 0.7152, 0.0722)) * NdL;
+    giLuminance(F) * NdL;
 }

@@ -18,13 +18,7 @@ bool reaches(LightData lamp, RaySurfacePoint at, inout uint state)
   {
     return true;
   }
-  bool local = lamp.Kind.z != 0 || lamp.Kind.x == GI_LIGHT_POSITIONAL;
-  vec3 target = lamp.Kind.z != 0 ? eye : lamp.Position.xyz;
-  vec3 toward = local ? target - at.position : -lamp.Direction.xyz;
-  bool closed;
-  vec3 origin = rayArrive(at, normalize(toward), closed);
-  vec3 path = local ? toward + (at.position - origin) : toward;
-  return !closed && !blocked(Ray(origin, 0.0, path, local ? 1.0 : RAY_FAR), state);
+  return rayReaches(rayTowardLight(lamp, at.position, eye), at, state);
 }
 
 // False where the ray meets nothing. P, N, L: in view coordinates.

@@ -19,6 +19,7 @@
 #include "rays/trace.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
+#include "rays/toward_light.glsl"
 #include "path_tracing/reflection.glsl"
 #include "screen_space_reflections/rays.glsl"
 #endif

@@ -8,7 +8,7 @@
 // In place of a surface: all around a point, which probes on every side light alike.
 void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
-  vec4 sums[LIGHT_TEXELS];
+  vec4 sums[GI_FIELD_HARMONICS];
   addProbesAround(P, vec3(0.0), V, reach, sums);
   vec3 colors[GI_HARMONICS];
   for (int k = 0; k < GI_HARMONICS; ++k)

@@ -7,26 +7,24 @@ layout(binding = 4) uniform sampler2D probeLight;
 
 uniform float lightScale; // of the numbers in the texture
 
-const int LIGHT_TEXELS = 7;
-
-void addProbe(int probe, float weight, inout vec4 sums[LIGHT_TEXELS])
+void addProbe(int probe, float weight, inout vec4 sums[GI_FIELD_HARMONICS])
 {
-  ivec2 tile = fieldTile(probe) * ivec2(LIGHT_TEXELS, 1);
-  for (int i = 0; i < LIGHT_TEXELS; ++i)
+  ivec2 tile = fieldTile(probe) * ivec2(GI_FIELD_HARMONICS, 1);
+  for (int i = 0; i < GI_FIELD_HARMONICS; ++i)
   {
     sums[i] += weight * texelFetch(probeLight, tile + ivec2(i, 0), 0);
   }
 }
 
 // The coefficient of a harmonic.
-vec3 harmonicColor(vec4 sums[LIGHT_TEXELS], int k)
+vec3 harmonicColor(vec4 sums[GI_FIELD_HARMONICS], int k)
 {
   int at = 3 * k;
   return vec3(sums[at / 4][at % 4], sums[(at + 1) / 4][(at + 1) % 4], sums[(at + 2) / 4][(at + 2) % 4]);
 }
 
 // In a direction. Few harmonics can fall a little below zero there.
-vec3 harmonicLight(vec4 sums[LIGHT_TEXELS], vec3 N)
+vec3 harmonicLight(vec4 sums[GI_FIELD_HARMONICS], vec3 N)
 {
   float y[GI_HARMONICS];
   giHarmonics(N, y);
@@ -40,8 +38,8 @@ vec3 harmonicLight(vec4 sums[LIGHT_TEXELS], vec3 N)
 
 vec3 probeIrradiance(int probe, vec3 N)
 {
-  vec4 sums[LIGHT_TEXELS];
-  for (int i = 0; i < LIGHT_TEXELS; ++i)
+  vec4 sums[GI_FIELD_HARMONICS];
+  for (int i = 0; i < GI_FIELD_HARMONICS; ++i)
   {
     sums[i] = vec4(0.0);
   }
@@ -50,9 +48,9 @@ vec3 probeIrradiance(int probe, vec3 N)
 }
 
 // Of the probes that light a point, as fieldWeights() weighs them.
-void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[LIGHT_TEXELS])
+void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[GI_FIELD_HARMONICS])
 {
-  for (int i = 0; i < LIGHT_TEXELS; ++i)
+  for (int i = 0; i < GI_FIELD_HARMONICS; ++i)
   {
     sums[i] = vec4(0.0);
   }
@@ -77,7 +75,7 @@ void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[LIGHT_TE
 // near hides some. V, reach: as for fieldWeights().
 vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
-  vec4 sums[LIGHT_TEXELS];
+  vec4 sums[GI_FIELD_HARMONICS];
   addProbesAround(P, N, V, reach, sums);
   return harmonicLight(sums, D);
 }

@@ -1,7 +1,6 @@
 #version 430 core
 // What baked probes send to points of surfaces, divided by pi, for an eye right before each. Variants: those of
 // rays/passage.glsl and probes/field.glsl.
-#include "shared/material.h"
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"

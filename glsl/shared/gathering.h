@@ -24,6 +24,10 @@ using vec4 = glm::vec4;
 #define GI_GATHER_DISTANCE 2 // of those, added up
 #define GI_GATHER_SURROUNDINGS 3
 
+// Numbers of a place on a surface that gathering/surfaces.comp finds: place, normal toward the line's beginning, how
+// many surfaces the line meets.
+#define GI_SURFACE_NUMBERS 7
+
 struct GatherPoint
 {
   vec4 Position; // xyz: relative to the scene's origin

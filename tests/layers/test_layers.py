@@ -64,12 +64,33 @@ def complaints(folder, layers):
     return found
 
 
+GPU_WORK = re.compile(r"\bgl(?:Program)?Uniform\w*\(|\bgl(?:BindImageTexture|DispatchCompute|MemoryBarrier)\w*\(")
+
+
+def undeclared(folder):
+    """Where a shader is given something, run or waited for by hand, outside the rooms that do so for all."""
+    return [f"{path.relative_to(folder)}: {call}" for path in sources(folder)
+            if path.relative_to(folder).parts[0] not in ("gpu", "graph") for call in GPU_WORK.findall(path.read_text())]
+
+
 class Layers(unittest.TestCase):
     def test_the_module(self):
         self.assertEqual(complaints(ROOT / "vtk_module", MODULE), [])
 
     def test_the_command(self):
         self.assertEqual(complaints(ROOT / "tool", TOOL), [])
+
+    def test_work_of_the_gpu_is_declared(self):
+        self.assertEqual(undeclared(ROOT / "vtk_module"), [])
+        with tempfile.TemporaryDirectory() as name:
+            for room in ("gpu", "light"):
+                folder = pathlib.Path(name) / room
+                folder.mkdir()
+                (folder / "A.cxx").write_text("glUniform3fv(1);\nglProgramUniform1i(2);\nglDispatchCompute(3);\n"
+                                              "glMemoryBarrier(4);\nglGetUniformLocation(5);\n")
+            self.assertEqual(undeclared(pathlib.Path(name)), [
+                "light/A.cxx: glUniform3fv(", "light/A.cxx: glProgramUniform1i(",
+                "light/A.cxx: glDispatchCompute(", "light/A.cxx: glMemoryBarrier("])
 
     def test_no_folder_is_a_drawer(self):
         for top in ("vtk_module", "tool"):

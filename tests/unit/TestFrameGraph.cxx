@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/FrameGraph.h"
+#include "graph/Resources.h"
 
 #include <stdexcept>
 
@@ -187,5 +188,66 @@ TEST(FrameGraph, CompilesAgain)
   graph.Compile();
   EXPECT_EQ(graph.Steps().size(), 1u);
   EXPECT_EQ(graph.Versions().size(), 1u);
+}
+
+// Histories are used in the order of declaration, whatever else would let passes run earlier.
+TEST(FrameGraph, HistoriesAreUsedAsDeclared)
+{
+  History sums{ Texture::Borrow(1, Small), false };
+  FrameGraph graph;
+  graph.AddPass("show before").ReadHistory(sums, "sums").Write("before", Small).SideEffect();
+  graph.AddPass("late").Read("light").UpdateHistory(sums, "sums").SideEffect();
+  graph.AddPass("show after").ReadHistory(sums, "sums").Write("after", Small).SideEffect();
+  graph.AddPass("early").Read("before").Write("light", Small);
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "show before", "early", "late", "show after" }));
+}
+
+TEST(FrameGraph, WhoWritesAHistoryIsNeededByWhoReadsItLater)
+{
+  History read{ Texture::Borrow(1, Small), false };
+  History unread{ Texture::Borrow(2, Small), false };
+  FrameGraph graph;
+  graph.AddPass("fill").WriteHistory(read);
+  graph.AddPass("go on").UpdateHistory(read);
+  graph.AddPass("in vain").WriteHistory(unread);
+  graph.AddPass("show").ReadHistory(read, "read").SideEffect();
+  graph.AddPass("too late").UpdateHistory(read);
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "fill", "go on", "show" }));
+}
+
+TEST(FrameGraph, PassesThatWaitForEachOthersHistoriesAreAnError)
+{
+  History kept{ Texture::Borrow(1, Small), false };
+  FrameGraph graph;
+  graph.AddPass("first").Read("light").WriteHistory(kept).SideEffect();
+  graph.AddPass("second").ReadHistory(kept, "kept").Write("light", Small);
+  EXPECT_NE(ErrorOf(graph).find("waits for a pass that waits for it"), std::string::npos);
+}
+
+TEST(FrameGraph, ShadersGetWhatIsDeclaredByItsName)
+{
+  History kept{ Texture::Borrow(1, Small), false };
+  FrameGraph graph;
+  graph.AddPass("capture").Write(resource::Albedo, Small).Write("own", Small);
+  graph.AddPass("light")
+    .Read(resource::Albedo)
+    .Read("own", "ownTexture")
+    .ReadIfPresent(resource::Sky, "GI_SKY")
+    .ReadIfPresent(resource::Albedo, "GI_ALBEDO")
+    .UpdateHistory(kept, "sums")
+    .Write("color", Small, "picture")
+    .Offer(Arguments().Set("strength", 2.0))
+    .SideEffect();
+  graph.Compile();
+  const FrameGraph::Step& step = graph.Steps().back();
+  EXPECT_EQ(step.InputSamplers.at(resource::Albedo), "albedoTexture");
+  EXPECT_EQ(step.InputSamplers.at("own"), "ownTexture");
+  EXPECT_EQ(step.OutputImages.at("color"), "picture");
+  EXPECT_EQ(step.Variant, (Defines{ { "GI_ALBEDO", "1" } }));
+  EXPECT_EQ(step.Offered.Images().count("sums"), 1u);
+  EXPECT_EQ(step.Offered.Values().count("strength"), 1u);
+  EXPECT_EQ(step.Written, std::vector<History*>{ &kept });
 }
 }

@@ -17,8 +17,7 @@ constexpr std::size_t MostGroups = 32768; // along one direction; OpenGL 4.3 has
 
 bool ChecksShaders()
 {
-  static const bool checks = std::getenv("PENUMBRA_CHECK_SHADERS") != nullptr;
-  return checks;
+  return std::getenv("PENUMBRA_CHECK_SHADERS") != nullptr;
 }
 
 template <typename T>
@@ -73,6 +72,7 @@ void Commands::Wait(const Object& object, GLbitfield use)
   {
     return;
   }
+  ++this->Barriers;
   glMemoryBarrier(use);
   for (auto& written : this->Written)
   {

@@ -67,6 +67,9 @@ public:
   /// Before others use anything.
   void Finish();
 
+  /// Barriers so far, but for those of Finish().
+  int NumberOfBarriers() const { return this->Barriers; }
+
 private:
   enum Kind
   {
@@ -80,6 +83,7 @@ private:
 
   ShaderLibrary& Library;
   vtkOpenGLRenderWindow* Window = nullptr;
+  int Barriers = 0;
   std::map<Object, GLbitfield> Written; ///< by shaders; the uses that barriers since have made safe
 };
 }

@@ -8,6 +8,8 @@
 
 #include "probes/ProbeGrid.h"
 
+#include "probe_field.h"
+
 #include <vector>
 
 namespace penumbra
@@ -15,7 +17,7 @@ namespace penumbra
 class ProbeGrids
 {
 public:
-  static constexpr int Most = 6; ///< as GI_FIELD_GRIDS in glsl/probes/field.glsl
+  static constexpr int Most = GI_FIELD_GRIDS;
 
   ProbeGrids(const ProbeGrid& first = ProbeGrid())
     : List{ first }

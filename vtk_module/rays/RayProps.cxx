@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rays/RayProps.h"
 
+#include "base/Luminance.h"
 #include "base/Matrices.h"
 
 #include "vtkRenderer.h"
@@ -15,11 +16,6 @@ namespace
 {
 constexpr std::size_t MostEmitters = 4000000; // beyond, light finds them only by chance
 
-double Luminance(const glm::vec3& color)
-{
-  return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
-}
-
 /// What a part emits, roughly: how often its points are picked hangs on it, not what they emit.
 double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
 {
@@ -31,7 +27,8 @@ double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
     (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
   return never ? 0.0
                : (colored && phong ? 0.5 * surface.Factors.y
-                                   : Luminance(glm::vec3(surface.Emission) * picture));
+                                   : Luminance(surface.Emission.r * picture.r, surface.Emission.g * picture.g,
+                         surface.Emission.b * picture.b));
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rays/RaySky.h"
 
+#include "base/Luminance.h"
 #include "base/Matrices.h"
 #include "rays/SkyPictures.h"
 #include "rays/TexturePixels.h"
@@ -48,7 +49,7 @@ std::vector<float> MakeSkyTable(
         const int along = std::clamp(y + i / 3 - 1, 0, height - 1);
         const double weight = (2 - std::abs(i % 3 - 1)) * (2 - std::abs(i / 3 - 1)) / 16.0;
         const glm::vec4& p = pixels[static_cast<std::size_t>(along) * width + across];
-        sent += weight * share * (0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b);
+        sent += weight * share * Luminance(p.r, p.g, p.b);
       }
       cells[row * columns +
         static_cast<std::size_t>(static_cast<long long>(x) * columns / width)] += sent;

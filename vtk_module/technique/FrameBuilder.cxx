@@ -13,7 +13,7 @@
 
 namespace penumbra
 {
-RayProps& FrameBuilder::Rays()
+RayProps& FrameBuilder::Rays(const std::string& consequence)
 {
   if (!this->WorldReady)
   {
@@ -25,6 +25,11 @@ RayProps& FrameBuilder::Rays()
         " surfaces have normals that are zero or no numbers: they are lit by the normals of their "
         "cells");
     }
+  }
+  if (this->World.LeftOut() > 0)
+  {
+    this->AddNote("rays do not see " + std::to_string(this->World.LeftOut()) +
+      " props of kinds that cannot be traced yet: " + consequence);
   }
   return this->World;
 }

@@ -40,8 +40,9 @@ public:
   const LightingPlan& Plan() const { return this->CurrentPlan; }
   LightTable& Lights() { return this->CurrentLights; }
   SceneCapture& Capture() { return this->Scene; }
-  /// The scene for rays, brought up to date when first asked for in a frame.
-  RayProps& Rays();
+  /// The scene for rays, brought up to date when first asked for in a frame. consequence: what becomes of props that rays
+  /// do not see, for a note where there are some ("they cast no shadow").
+  RayProps& Rays(const std::string& consequence);
 
   /// Where things were in the frame before, recorded while the frame is captured. Any number of techniques may ask.
   MotionTable& Motion();

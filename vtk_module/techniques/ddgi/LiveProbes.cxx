@@ -13,9 +13,8 @@ namespace penumbra
 {
 namespace
 {
-// As in glsl/ddgi/field.glsl.
-constexpr int LightTexels = 8;
-constexpr int DistanceTexels = 16;
+constexpr int LightTexels = GI_FIELD_LIGHT;
+constexpr int DistanceTexels = GI_FIELD_DISTANCE;
 
 // Along a spiral, neighbours in the table being neighbours on the sphere (Bauer 2000, Distribution of Points on
 // a Sphere with Application to Star Catalogs).

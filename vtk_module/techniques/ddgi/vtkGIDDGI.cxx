@@ -76,12 +76,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   {
     return;
   }
-  RayProps& rays = frame.Rays();
-  if (rays.LeftOut() > 0)
-  {
-    frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
-      " props of kinds that cannot be traced yet: they send no indirect light");
-  }
+  RayProps& rays = frame.Rays("they send no indirect light");
   LiveField& field = frame.ViewState<LiveField>(this);
   LightTable& lights = frame.Lights();
   field.AddUpdates(frame, rays, lights);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIPathTracing.h"
 
+#include "base/Luminance.h"
 #include "capture/MaterialTable.h"
 #include "capture/SceneCapture.h"
 #include "rays/RayProps.h"
@@ -100,9 +101,8 @@ struct PathTracer
       for (int x = area.x; x < area.x + area.z; ++x)
       {
         const std::size_t at = 4 * (static_cast<std::size_t>(y) * size.x + x);
-        const double mean =
-          (0.2126 * (shown[at] + encoded[at]) + 0.7152 * (shown[at + 1] + encoded[at + 1]) +
-            0.0722 * (shown[at + 2] + encoded[at + 2])) /
+        const double mean = Luminance(shown[at] + encoded[at], shown[at + 1] + encoded[at + 1],
+                              shown[at + 2] + encoded[at + 2]) /
           samples;
         squares += std::max(0.0, encoded[at + 3] / samples - mean * mean) / (samples - 1);
         total += mean;
@@ -236,12 +236,7 @@ vtkSmartPointer<vtkImageData> vtkGIPathTracing::TakeUp(vtkRenderer* renderer)
 
 void vtkGIPathTracing::Contribute(FrameBuilder& frame)
 {
-  RayProps& rays = frame.Rays();
-  if (rays.LeftOut() > 0)
-  {
-    frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
-      " props of kinds that cannot be traced yet: they are drawn without global illumination");
-  }
+  RayProps& rays = frame.Rays("they are drawn without global illumination");
   Progress& progress = frame.ViewState<Progress>(this);
   const vtkSmartPointer<vtkImageData> taken = this->TakeUp(frame.GetRenderer());
   if (frame.GetView().StillFrames == 0 || taken)

@@ -31,12 +31,7 @@ void vtkGIRayTracedShadows::Contribute(FrameBuilder& frame)
   {
     return;
   }
-  RayProps& rays = frame.Rays();
-  if (rays.LeftOut() > 0)
-  {
-    frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
-      " props of kinds that cannot be traced yet: they cast no shadow");
-  }
+  RayProps& rays = frame.Rays("they cast no shadow");
   const int layers = (static_cast<int>(shadowed.With.size()) + 3) / 4;
   frame.AddPass("ray-traced-shadows")
     .Read(resource::Albedo)

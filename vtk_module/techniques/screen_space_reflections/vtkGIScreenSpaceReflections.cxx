@@ -176,12 +176,7 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   Defines variant = reflections.Variant;
   if (this->Fallback == ByRays)
   {
-    RayProps& rays = frame.Rays();
-    if (rays.LeftOut() > 0)
-    {
-      frame.AddNote("rays do not see " + std::to_string(rays.LeftOut()) +
-        " props of kinds that cannot be traced yet: reflections show them on the screen only");
-    }
+    RayProps& rays = frame.Rays("reflections show them on the screen only");
     reflections.FallBackToRays(trace, variant, rays);
   }
   // How rays ended is kept for those who ask vtkGIPass::GetBuffer for it.

@@ -21,7 +21,7 @@ namespace penumbra
 namespace
 {
 constexpr int Lines = 1 << 17;
-constexpr int LineNumbers = 7; // as in glsl/gathering/surfaces.comp
+constexpr int LineNumbers = GI_SURFACE_NUMBERS;
 
 // Paths, of each half of them. Errors of halves are multiplied, so that what chance does to them cancels out.
 constexpr int PointSamples = 16;

@@ -19,7 +19,7 @@ namespace penumbra
 struct ProbeField
 {
   static constexpr int Harmonics = 27;      ///< nine, of red, green and blue each
-  static constexpr int DistanceTexels = 16; ///< across an octahedral map
+  static constexpr int DistanceTexels = GI_FIELD_DISTANCE; ///< across an octahedral map
   static constexpr int Distances = 2 * DistanceTexels * DistanceTexels;
 
   ProbeGrids Grids;

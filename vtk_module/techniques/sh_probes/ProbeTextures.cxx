@@ -13,7 +13,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr int LightTexels = 7; // as glsl/sh_probes/light.glsl
+constexpr int LightTexels = GI_FIELD_HARMONICS;
 constexpr int Inner = ProbeField::DistanceTexels;
 constexpr int Outer = Inner + 2; // with its border
 

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Arguments reach shaders by name, and what is written is waited for.
+#include "HeadlessTesting.h"
+#include "Stage.h"
+
+#include "gpu/Commands.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+using namespace penumbra;
+using namespace penumbra_test;
+
+namespace
+{
+class CommandsTest : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (!HasBackend())
+    {
+      GTEST_SKIP() << "no such backend here";
+    }
+    setenv("PENUMBRA_CHECK_SHADERS", "1", 1);
+    this->Window = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
+    this->Window->Initialize();
+    this->Window->MakeCurrent();
+    this->Runner.SetWindow(this->Window);
+  }
+
+  std::unique_ptr<Program> Make(const std::string& body) const
+  {
+    const std::string text = "#version 430 core\nlayout(local_size_x = 4) in;\n" + body;
+    const char* source = text.c_str();
+    return std::make_unique<Program>(
+      glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source), true, "test", text);
+  }
+
+  std::string Complaint(const Program& program, const Arguments& given)
+  {
+    try
+    {
+      this->Runner.Dispatch(program, given, Work::Items(1));
+    }
+    catch (const std::logic_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::vector<float> Read(const Buffer& buffer, std::size_t count)
+  {
+    std::vector<float> values(count);
+    this->Runner.BeforeUse(buffer, GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Get());
+    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+      static_cast<GLsizeiptr>(count * sizeof(float)), values.data());
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    return values;
+  }
+
+  ShaderLibrary Library;
+  Commands Runner{ Library };
+  vtkSmartPointer<vtkHeadlessRenderWindow> Window;
+};
+
+const char* const Results = "layout(std430, binding = 3) writeonly buffer ResultBlock { float results[]; };\n";
+}
+
+TEST_F(CommandsTest, ValuesOfEveryKindArriveByName)
+{
+  const auto program = this->Make(std::string(Results) +
+    "uniform bool flag; uniform int whole; uniform float real; uniform vec2 two; uniform vec3 three;"
+    "uniform vec4 four; uniform ivec2 pair; uniform ivec3 triple; uniform mat3 turn; uniform mat4 place;"
+    "uniform int wholes[3]; uniform vec3 places[2]; uniform ivec2 pairs[2]; uniform ivec3 triples[2];"
+    "void main() {"
+    "  results[0] = flag ? 1.0 : 0.0; results[1] = float(whole); results[2] = real; results[3] = two.y;"
+    "  results[4] = three.z; results[5] = four.w; results[6] = float(pair.y); results[7] = float(triple.z);"
+    "  results[8] = turn[2][1]; results[9] = place[3][2]; results[10] = float(wholes[2]);"
+    "  results[11] = places[1].y; results[12] = float(pairs[1].x); results[13] = float(triples[1].z);"
+    "}");
+  glm::mat3 turn(0.0f);
+  turn[2][1] = 9.0f;
+  glm::mat4 place(0.0f);
+  place[3][2] = 10.0f;
+  Buffer results;
+  const std::vector<float> blank(14, -1.0f);
+  results.Upload(GL_SHADER_STORAGE_BUFFER, blank.data(), blank.size() * sizeof(float));
+  this->Runner.Dispatch(*program,
+    Arguments()
+      .Block("ResultBlock", results, ShaderAccess::Write)
+      .Set("flag", true)
+      .Set("whole", 2)
+      .Set("real", 3.0)
+      .Set("two", glm::vec2(0.0f, 4.0f))
+      .Set("three", glm::vec3(0.0f, 0.0f, 5.0f))
+      .Set("four", glm::vec4(0.0f, 0.0f, 0.0f, 6.0f))
+      .Set("pair", glm::ivec2(0, 7))
+      .Set("triple", glm::ivec3(0, 0, 8))
+      .Set("turn", turn)
+      .Set("place", place)
+      .Set("wholes", std::vector<int>{ 0, 0, 11 })
+      .Set("places", std::vector<glm::vec3>{ glm::vec3(0.0f), glm::vec3(0.0f, 12.0f, 0.0f) })
+      .Set("pairs", std::vector<glm::ivec2>{ glm::ivec2(0), glm::ivec2(13, 0) })
+      .Set("triples", std::vector<glm::ivec3>{ glm::ivec3(0), glm::ivec3(0, 0, 14) }),
+    Work::Items(1));
+  EXPECT_EQ(this->Read(results, 14),
+    (std::vector<float>{ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 }));
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+TEST_F(CommandsTest, NamesThatDoNotMatchAreAnErrorWhereShadersAreChecked)
+{
+  const auto program = this->Make(std::string(Results) +
+    "uniform float strength; void main() { results[0] = strength; }");
+  Buffer results;
+  const float blank = 0.0f;
+  results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
+  Arguments given = Arguments().Block("ResultBlock", results, ShaderAccess::Write);
+  EXPECT_EQ(this->Complaint(*program, given), "the shader test is not given 'strength'");
+  given.Set("strength", 1.0);
+  EXPECT_EQ(this->Complaint(*program, given), "");
+  given.Set("strengths", 1.0);
+  EXPECT_EQ(this->Complaint(*program, given),
+    "the shader test does not know 'strengths', which it is given");
+  EXPECT_EQ(this->Complaint(*program, Arguments().Set("strength", 1.0)),
+    "the shader test is not given 'ResultBlock'");
+  unsetenv("PENUMBRA_CHECK_SHADERS");
+  EXPECT_EQ(this->Complaint(*program, given), "");
+}
+
+TEST_F(CommandsTest, WhatIsOfferedNeedNotBeTaken)
+{
+  const auto program = this->Make(std::string(Results) +
+    "uniform float strength; uniform float width; void main() { results[0] = strength + width; }");
+  Buffer results;
+  const float blank = 0.0f;
+  results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
+  const Arguments offered =
+    Arguments().Set("strength", 1.0).Set("width", 2.0).Set("height", 3.0);
+  this->Runner.Dispatch(*program,
+    Arguments().Block("ResultBlock", results, ShaderAccess::Write).Set("width", 20.0),
+    Work::Items(1), offered);
+  EXPECT_EQ(this->Read(results, 1), std::vector<float>{ 21.0f });
+}
+
+TEST_F(CommandsTest, WaitsOnceForWhatWasWritten)
+{
+  const auto writer = this->Make("layout(r32f, binding = 0) uniform writeonly image2D target;"
+    "void main() { imageStore(target, ivec2(0), vec4(1.0)); }");
+  const auto reader = this->Make(
+    std::string(Results) + "layout(binding = 0) uniform sampler2D source;"
+    "void main() { results[0] = texelFetch(source, ivec2(0), 0).r; }");
+  const Texture texture({ GL_R32F, 1, 1, 0 });
+  const Texture other({ GL_R32F, 1, 1, 0 });
+  Buffer results;
+  const float blank = 0.0f;
+  results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
+  const auto write = [&](const Texture& target) {
+    this->Runner.Dispatch(
+      *writer, Arguments().Image("target", target, ShaderAccess::Write), Work::Items(1));
+    return this->Runner.NumberOfBarriers();
+  };
+  const auto read = [&](const Texture& source) {
+    this->Runner.Dispatch(*reader,
+      Arguments().Sample("source", &source).Block("ResultBlock", results, ShaderAccess::Write),
+      Work::Items(1));
+    return this->Runner.NumberOfBarriers();
+  };
+  EXPECT_EQ(read(texture), 0); // nobody wrote it
+  EXPECT_EQ(write(texture), 0);
+  EXPECT_EQ(read(other), 1); // the results, written again
+  EXPECT_EQ(read(texture), 3); // and the texture
+  EXPECT_EQ(write(texture), 4);
+  EXPECT_EQ(write(other), 4);
+  this->Runner.BeforeUse(texture, GL_FRAMEBUFFER_BARRIER_BIT);
+  EXPECT_EQ(this->Runner.NumberOfBarriers(), 5);
+  this->Runner.BeforeUse(other, GL_FRAMEBUFFER_BARRIER_BIT); // waited for with it
+  EXPECT_EQ(this->Runner.NumberOfBarriers(), 5);
+  this->Runner.Finish();
+  this->Runner.BeforeUse(texture, GL_TEXTURE_FETCH_BARRIER_BIT);
+  EXPECT_EQ(this->Runner.NumberOfBarriers(), 5);
+}
