@@ -1,14 +1,14 @@
 // Into the fragment shaders of what VTK draws itself, translucent surfaces and volumes: what of
 // each of its lights arrives. A technique gives the functions giVisibility. Variant: GI_POSITIONAL_FIRST,
 // the shader has the positional lights first, else all as the renderer lists them.
-const int GiMostLights = 64;
+#include "shared/forward.h"
 uniform int giLights;
 uniform float giKept; // of their strength
 #ifdef GI_POSITIONAL_FIRST
 #define giShadowOf giShadowOfSorted
 #endif
-uniform int giShadowOf[GiMostLights]; // the light among the shadowed ones, -1 for none
-float giArrives[GiMostLights];
+uniform int giShadowOf[GI_FORWARD_LIGHTS]; // the light among the shadowed ones, -1 for none
+float giArrives[GI_FORWARD_LIGHTS];
 
 void giArriveAt(vec3 P, vec3 N, vec3 facet, float bulge)
 {

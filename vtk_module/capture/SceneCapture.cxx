@@ -3,6 +3,7 @@
 #include "capture/SceneCapture.h"
 
 #include "base/Matrices.h"
+#include "base/ScopeExit.h"
 #include "capture/CameraOverride.h"
 #include "capture/CaptureHooks.h"
 #include "capture/MotionTable.h"
@@ -209,9 +210,11 @@ int SceneCapture::DrawProps(
   vtkRenderState state(renderer);
   state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   this->Hooks->Attach(&state);
+  const ScopeExit detach([&] { this->Hooks->Detach(&state); });
   vtkTextureUnitManager* units =
     static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetTextureUnitManager();
   const int unit = units->Allocate();
+  const ScopeExit free([&] { units->Free(unit); });
   this->Hooks->SetTextureUnit(unit, renderer);
   int drawn = 0;
   int layer = 0;
@@ -232,8 +235,6 @@ int SceneCapture::DrawProps(
       keys->Remove(vtkOpenGLActor::GLDepthMaskOverride());
     }
   }
-  this->Hooks->Detach(&state);
-  units->Free(unit);
   return drawn;
 }
 
@@ -243,8 +244,8 @@ void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& wo
   CameraOverride camera(renderer, worldToView, viewToClip);
   this->Hooks->SetParallel(parallel);
   this->Hooks->SetCasting(true, anchor);
+  const ScopeExit capture([&] { this->Hooks->SetCasting(false, anchor); });
   this->DrawProps(renderer, this->All, true);
-  this->Hooks->SetCasting(false, anchor);
 }
 
 int SceneCapture::DrawOthers(vtkOpenGLRenderer* renderer)

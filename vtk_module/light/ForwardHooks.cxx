@@ -5,6 +5,8 @@
 #include "light/ForwardShaders.h"
 #include "light/LightTable.h"
 
+#include "forward.h"
+
 #include "vtkCamera.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkObjectFactory.h"
@@ -25,9 +27,6 @@ using namespace penumbra;
 
 namespace
 {
-// As many as glsl/forward/lights.glsl has room for; lights beyond are without shadow.
-constexpr std::size_t MostLights = 64;
-
 bool IsVolume(vtkProp* prop)
 {
   return vtkVolume::SafeDownCast(prop) != nullptr;
@@ -85,7 +84,7 @@ void vtkGIForwardHooks::SortShadows(const LightTable& lights)
     (light.Positional ? this->ShadowOfSorted : others).push_back(light.MaskChannel);
   }
   this->ShadowOfSorted.insert(this->ShadowOfSorted.end(), others.begin(), others.end());
-  this->ShadowOf.resize(std::min(this->ShadowOf.size(), MostLights));
+  this->ShadowOf.resize(std::min(this->ShadowOf.size(), std::size_t(GI_FORWARD_LIGHTS)));
   this->ShadowOfSorted.resize(this->ShadowOf.size());
 }
 

@@ -5,6 +5,7 @@
 #include "gpu/ScopedState.h"
 #include "graph/FrameExecutor.h"
 #include "light/DirectLight.h"
+#include "base/ScopeExit.h"
 #include "pass/PassInternals.h"
 #include "pass/StockStages.h"
 
@@ -187,6 +188,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
 
 void vtkGIPass::RenderPicture(const vtkRenderState* state)
 {
+  const penumbra::ScopeExit lighten([this] { this->Impl->Dark.Remove(); });
   penumbra::StockStages stages(state);
   stages.UpdateCameraAndLights();
   if (stages.RenderSelection())
@@ -222,10 +224,11 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   {
     stages.LeaveOutTranslucent([rays](vtkProp* prop) { return rays->Contains(prop); });
   }
-  this->Impl->Forward->Attach(state);
-  stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
-  this->Impl->Forward->Detach();
-  this->Impl->Dark.Remove();
+  {
+    this->Impl->Forward->Attach(state);
+    const penumbra::ScopeExit detach([this] { this->Impl->Forward->Detach(); });
+    stages.RenderAfterOpaque(this->Impl->CapturedProps, this->Impl->FxaaFilter);
+  }
   this->NumberOfRenderedProps = stages.RenderedProps() + this->Impl->CapturedProps;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIShadowMaps.h"
 
+#include "base/ScopeExit.h"
 #include "capture/ChangeTimes.h"
 #include "capture/SceneCapture.h"
 #include "gpu/ScopedState.h"
@@ -106,10 +107,10 @@ void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, c
   const GLfloat far = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &far);
   // Depths hold all casters; one that a rounding puts before them casts all the same.
-  glEnable(GL_DEPTH_CLAMP);
+  glEnable(GL_DEPTH_CLAMP); // which VTK's cache does not know
+  const ScopeExit unclamp([] { glDisable(GL_DEPTH_CLAMP); });
   scene.DrawCasters(context.Renderer(), map.Shown.WorldToView, map.Shown.ViewToClip,
     map.Shown.Parallel, Anchor(map));
-  glDisable(GL_DEPTH_CLAMP);
 }
 
 void DrawMask(FrameContext& context, const Defines& variant, int layers, int lights)

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Undoes something on every way out of a scope.
+ */
+#pragma once
+
+#include <utility>
+
+namespace penumbra
+{
+template <typename Action>
+class ScopeExit
+{
+public:
+  explicit ScopeExit(Action undo)
+    : Undo(std::move(undo))
+  {
+  }
+  ~ScopeExit() { this->Undo(); }
+  ScopeExit(const ScopeExit&) = delete;
+  ScopeExit& operator=(const ScopeExit&) = delete;
+
+private:
+  Action Undo;
+};
+}
