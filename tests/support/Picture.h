@@ -50,6 +50,22 @@ struct Difference
 /// Pictures of different sizes differ everywhere.
 Difference Compare(const Picture& a, const Picture& b, int tolerance);
 
+/// Relative mean squared error: the mean of (x - r)^2 / (r^2 + 0.01).
+class RelativeError
+{
+public:
+  void Add(double value, double reference)
+  {
+    this->Sum += (value - reference) * (value - reference) / (reference * reference + 0.01);
+    ++this->Count;
+  }
+  double Mean() const { return this->Sum / this->Count; }
+
+private:
+  double Sum = 0.0;
+  int Count = 0;
+};
+
 /// Share of pixels that do not have the most frequent colour: 0 for a constant picture.
 double Busyness(const Picture& picture);
 

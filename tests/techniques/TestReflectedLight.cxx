@@ -106,11 +106,10 @@ protected:
     this->Reflections->SetParameterFromText("debug-view", "off");
   }
 
-  // mean((x - r)^2 / (r^2 + 0.01)) over the pixels that reflect.
+  // Over the pixels that reflect.
   double RelMse(const std::vector<float>& picture) const
   {
-    double sum = 0.0;
-    int count = 0;
+    RelativeError error;
     for (std::size_t i = 0; i < this->Reasons.size(); ++i)
     {
       if (static_cast<int>(this->Reasons[i].z) == GI_REFLECTION_NONE)
@@ -119,12 +118,10 @@ protected:
       }
       for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
       {
-        const double off = picture[c] - this->Truth[c];
-        sum += off * off / (this->Truth[c] * this->Truth[c] + 0.01);
-        ++count;
+        error.Add(picture[c], this->Truth[c]);
       }
     }
-    return sum / count;
+    return error.Mean();
   }
 
   /// The relMSE of the first frame, of 16 and of 16 with rays, at most.

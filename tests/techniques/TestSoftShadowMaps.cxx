@@ -193,16 +193,14 @@ std::vector<double> BoxAndBall(bool lamp, const char* technique, double size, in
   return mean;
 }
 
-double RelativeError(const std::vector<double>& picture, const std::vector<double>& reference)
+double ErrorOf(const std::vector<double>& picture, const std::vector<double>& reference)
 {
-  constexpr double epsilon = 0.01;
-  double sum = 0.0;
+  RelativeError error;
   for (std::size_t i = 0; i < picture.size(); ++i)
   {
-    const double d = picture[i] - reference[i];
-    sum += d * d / (reference[i] * reference[i] + epsilon);
+    error.Add(picture[i], reference[i]);
   }
-  return sum / picture.size();
+  return error.Mean();
 }
 
 TEST(SoftShadowMaps, AreCloserToRaysThanAPlainFilterThreefold)
@@ -211,9 +209,9 @@ TEST(SoftShadowMaps, AreCloserToRaysThanAPlainFilterThreefold)
   {
     const double size = lamp ? 0.3 : 8.0;
     const auto rays = BoxAndBall(lamp, "ray-traced-shadows", size, 8);
-    const double plain = RelativeError(BoxAndBall(lamp, "shadow-maps", 0.0, 8), rays);
-    const double once = RelativeError(BoxAndBall(lamp, "shadow-maps", size, 1), rays);
-    const double soft = RelativeError(BoxAndBall(lamp, "shadow-maps", size, 8), rays);
+    const double plain = ErrorOf(BoxAndBall(lamp, "shadow-maps", 0.0, 8), rays);
+    const double once = ErrorOf(BoxAndBall(lamp, "shadow-maps", size, 1), rays);
+    const double soft = ErrorOf(BoxAndBall(lamp, "shadow-maps", size, 8), rays);
     std::printf("%s: relMSE of the plain filter %.5f, of penumbrae %.5f (%.3f of it), in one frame "
                 "%.5f (%.3f)\n",
       lamp ? "lamp of radius 0.3" : "sun of 8 degrees", plain, soft, soft / plain, once,

@@ -3,6 +3,7 @@
 #include "capture/PropTraits.h"
 
 #include "capture/ShaderHooks.h"
+#include "rays/parts/MapperTable.h"
 
 #include "vtkActor.h"
 #include "vtkAssembly.h"
@@ -18,24 +19,6 @@ namespace penumbra
 {
 namespace
 {
-// Mappers that fill VTK's polydata shader template and call the hooks on every draw.
-constexpr std::array<const char*, 5> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
-  "vtkGlyph3DMapper", "vtkMoleculeMapper", "vtkCompositePolyDataMapper" } };
-// Among their subclasses, those that do not: splats have a template of their own, the low-memory
-// mapper never calls SetShaderParameters, and line integral convolution writes outputs of its own.
-constexpr std::array<const char*, 3> Unhooked = { { "vtkPointGaussianMapper",
-  "vtkOpenGLLowMemoryPolyDataMapper", "vtkSurfaceLICMapper" } };
-// Those that draw the cells of their input.
-constexpr std::array<const char*, 2> OfCells = { { "vtkPolyDataMapper",
-  "vtkCompositePolyDataMapper" } };
-
-template <std::size_t N>
-bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
-{
-  return std::any_of(
-    classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
-}
-
 /// Whether it holds for the prop, or for any part of an assembly; other is the answer for what is no actor.
 template <typename Holds>
 bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
@@ -142,8 +125,8 @@ bool MayHaveAmbient(vtkProperty* property, bool environment)
 bool CanCapture(vtkProp* prop)
 {
   return !AnyActor(prop, true, [](vtkActor* actor) {
-    return !actor->GetMapper() || actor->IsA("vtkSkybox") || !IsAny(actor->GetMapper(), Hooked) ||
-      IsAny(actor->GetMapper(), Unhooked) || DecidesItsColor(actor);
+    const MapperKind* kind = actor->GetMapper() ? FindMapperKind(actor->GetMapper()) : nullptr;
+    return !kind || !kind->Hooked || actor->IsA("vtkSkybox") || DecidesItsColor(actor);
   });
 }
 
@@ -175,7 +158,8 @@ bool MayHaveAmbient(vtkProp* prop, bool environment)
   return AnyActor(prop, true, [environment](vtkActor* actor) {
     vtkMapper* mapper = actor->GetMapper();
     vtkShaderProperty* shader = actor->GetShaderProperty();
-    return !mapper || !IsAny(mapper, OfCells) || !IsAllFaces(mapper->GetInputDataObject(0, 0)) ||
+    const MapperKind* kind = mapper ? FindMapperKind(mapper) : nullptr;
+    return !kind || !kind->OfCells || !IsAllFaces(mapper->GetInputDataObject(0, 0)) ||
       shader->HasVertexShaderCode() || shader->HasGeometryShaderCode() ||
       shader->HasFragmentShaderCode() || shader->GetNumberOfShaderReplacements() > 0 ||
       MayHaveAmbient(actor->GetProperty(), environment) ||

@@ -3,6 +3,7 @@
 #include "rays/parts/Gatherers.h"
 
 #include "base/Matrices.h"
+#include "rays/parts/MapperTable.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -16,36 +17,6 @@
 
 namespace penumbra
 {
-namespace
-{
-/// How the mappers of a class become parts; derived classes come before their bases.
-struct Gatherer
-{
-  const char* Class;
-  bool (*Gather)(vtkMapper* mapper, const Drawn& drawn);
-  bool Impostors; ///< drawn as surfaces whatever the representation
-};
-// Mappers are told apart by name: VTK's versions derive them from one another differently.
-constexpr std::array<Gatherer, 9> Gatherers = { {
-  { "vtkPointGaussianMapper", nullptr, false }, // soft splats have no surface
-  { "vtkMoleculeMapper", GatherMolecule, true },
-  { "vtkOpenGLSphereMapper", GatherSpheres, true },
-  { "vtkOpenGLStickMapper", GatherSticks, true },
-  { "vtkGlyph3DMapper", GatherGlyphs, false },
-  { "vtkCompositePolyDataMapper2", GatherComposite, false },
-  { "vtkCompositePolyDataMapper", GatherComposite, false },
-  { "vtkDataSetMapper", GatherDataSet, false },
-  { "vtkPolyDataMapper", GatherPolyData, false },
-} };
-
-const Gatherer* Find(vtkMapper* mapper)
-{
-  const auto found = std::find_if(Gatherers.begin(), Gatherers.end(),
-    [mapper](const Gatherer& gatherer) { return mapper->IsA(gatherer.Class) != 0; });
-  return found == Gatherers.end() ? nullptr : &*found;
-}
-}
-
 std::uint64_t GatherKey(const void* a, const void* b)
 {
   const auto x = reinterpret_cast<std::uintptr_t>(a);
@@ -98,8 +69,8 @@ std::vector<RayPart> GatherRayParts(
       {
         continue;
       }
-      const Gatherer* gatherer = Find(actor->GetMapper());
-      if (!(gatherer && gatherer->Impostors) &&
+      const MapperKind* kind = FindMapperKind(actor->GetMapper());
+      if (!(kind && kind->Impostors) &&
         actor->GetProperty()->GetRepresentation() != VTK_SURFACE)
       {
         continue;
@@ -107,7 +78,7 @@ std::vector<RayPart> GatherRayParts(
       vtkMatrix4x4* matrix = path->GetLastNode()->GetMatrix();
       const Drawn drawn = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts, cache };
       const std::size_t before = parts.size();
-      if (!gatherer || !gatherer->Gather || !gatherer->Gather(actor->GetMapper(), drawn))
+      if (!kind || !kind->Gather || !kind->Gather(actor->GetMapper(), drawn))
       {
         left.push_back(prop);
       }
