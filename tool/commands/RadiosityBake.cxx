@@ -10,7 +10,6 @@
 #include "common/Failure.h"
 #include "common/Names.h"
 #include "image/Picture.h"
-#include "lab/ConvergencePlot.h"
 #include "scene/build/SceneBuilder.h"
 
 #include <vtkGILightmap.h>
@@ -102,9 +101,6 @@ public:
       ->group(group);
     command->add_option("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr")
       ->group(group);
-    command
-      ->add_option("--plot", this->Plot, "chart of the residual over the work: .png, .jpg, .tif")
-      ->group(group);
     command->add_flag("--anew", this->Anew, "keep nothing of a solution that was broken off")
       ->group(group);
     command->add_flag("--flat", this->Flat, "show patches in one colour each")->group(group);
@@ -147,10 +143,6 @@ public:
     {
       this->Draw(solution, built, scene, console);
     }
-    if (!this->Plot.empty())
-    {
-      this->DrawPlot(solution, console);
-    }
     this->Report(solution, log.ShareTaken(), seconds);
     return 0;
   }
@@ -160,12 +152,9 @@ private:
   {
     radiosity::Settings& s = this->Settings;
     RequireBakeFile(this->Options.Output, ".vtp", "the solution is a VTK file of polygons");
-    for (const std::string& picture : { this->View, this->Plot })
+    if (!this->View.empty())
     {
-      if (!picture.empty())
-      {
-        RequireWritablePicture(picture);
-      }
+      RequireWritablePicture(this->View);
     }
     RequireWithin("--rays", s.Rays, 1, 1e6);
     RequireWithin("--shadow-points", s.ShadowPoints, 1, 1e4);
@@ -253,26 +242,6 @@ private:
     WritePicture(this->View, picture);
   }
 
-  void DrawPlot(const radiosity::Solution& solution, Console& console) const
-  {
-    Step step(console, fmt::format("drawing '{}'", this->Plot));
-    std::vector<ConvergenceCurve> curves;
-    const auto add = [&curves](const char* name, const radiosity::Reflected& solved) {
-      if (!solved.History.empty())
-      {
-        curves.push_back({ name, { { 0.0, 1.0 } } });
-        for (const auto& done : solved.History)
-        {
-          curves.back().Steps.push_back({ done.Work, done.Residual });
-        }
-      }
-    };
-    add("gathering (Gauss-Seidel)", solution.Gathered);
-    add("shooting (progressive refinement)", solution.Shot);
-    WritePicture(this->Plot,
-      DrawConvergence(curves, "form factors used, in matrices' worth", this->Options.Backend));
-  }
-
   void Report(const radiosity::Solution& solution, double taken, double seconds) const
   {
     const auto history = [](const radiosity::Reflected& solved) {
@@ -321,7 +290,6 @@ private:
   radiosity::Settings Settings;
   std::string Solver = "gathering";
   std::string View;
-  std::string Plot;
   bool OneWay = false;
   bool Flat = false;
   bool Anew = false;
