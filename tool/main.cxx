@@ -145,14 +145,7 @@ int RunCommandLine(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    return ReportUsage(app, error, console);
-  }
-  CollectVtkMessages();
-  try
-  {
+    CollectVtkMessages();
     for (const Declared& command : commands)
     {
       if (command.Options->parsed())
@@ -160,6 +153,10 @@ int RunCommandLine(int argc, char** argv)
         return ReportLeftovers(command.Runner->Run(console), console);
       }
     }
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return ReportUsage(app, error, console);
   }
   catch (const Failure& failure)
   {
