@@ -190,10 +190,12 @@ void RequireCompletePly(const std::string& path, vtkDataObject* data)
     }
     else if (key == "property")
     {
-      const bool list = type == "list";
-      words >> (list ? type : name) >> listed >> name;
+      if (type == "list")
+      {
+        words >> type >> listed >> name; // the type of its length, the type of its values
+      }
       needed += count * (binary ? PlySize(type) : 1);
-      if (list && surface && name.rfind("vertex_ind", 0) == 0)
+      if (surface && name.rfind("vertex_ind", 0) == 0)
       {
         needed += static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds()) *
           (binary ? PlySize(listed) : 1);
@@ -236,16 +238,28 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data)
   {
     dataFile = (fs::path(path).parent_path() / dataFile).string();
     file = std::ifstream(dataFile, std::ios::binary);
+    if (!file)
+    {
+      Fail(
+        "'{}' keeps its values in '{}', which cannot be opened: put it beside it", path, dataFile);
+    }
   }
   else
   {
     dataFile = path;
   }
   const auto start = static_cast<double>(file.tellg());
-  const auto needed = static_cast<std::size_t>(values->GetDataSize()) * values->GetDataTypeSize();
+  // MET_LONG has four bytes or eight, as the system had that wrote it.
+  const int type = values->GetDataType();
+  const bool either = type == VTK_LONG || type == VTK_UNSIGNED_LONG;
+  const auto needed =
+    static_cast<std::size_t>(values->GetDataSize()) * (either ? 4 : values->GetDataTypeSize());
   if (!compressed)
   {
     RequireSize(dataFile, start + static_cast<double>(needed), FileSize(dataFile));
+  }
+  if (!compressed || either)
+  {
     return;
   }
   const std::string packed{ std::istreambuf_iterator<char>(file), {} };
