@@ -22,10 +22,11 @@ vtk_module_wrap_python(
 set_target_properties(vtkRenderingGIPython PROPERTIES
   LIBRARY_OUTPUT_DIRECTORY "${PENUMBRA_PYTHON_DIR}/penumbra")
 
-file(GLOB _python_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/python/penumbra/*.py")
+set(_python_folder "${CMAKE_CURRENT_SOURCE_DIR}/python/penumbra")
+file(GLOB_RECURSE _python_sources CONFIGURE_DEPENDS "${_python_folder}/*.py")
 set(_python_copies "")
 foreach(_source IN LISTS _python_sources)
-  get_filename_component(_name "${_source}" NAME)
+  file(RELATIVE_PATH _name "${_python_folder}" "${_source}")
   set(_copy "${PENUMBRA_PYTHON_DIR}/penumbra/${_name}")
   add_custom_command(OUTPUT "${_copy}"
     COMMAND "${CMAKE_COMMAND}" -E copy "${_source}" "${_copy}"
@@ -35,4 +36,5 @@ foreach(_source IN LISTS _python_sources)
   list(APPEND _python_copies "${_copy}")
 endforeach()
 add_custom_target(penumbra_python ALL DEPENDS ${_python_copies})
-install(FILES ${_python_sources} DESTINATION "${PENUMBRA_PYTHON_DESTINATION}/penumbra" COMPONENT python)
+install(DIRECTORY "${_python_folder}/" DESTINATION "${PENUMBRA_PYTHON_DESTINATION}/penumbra" COMPONENT python
+  FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)

@@ -32,7 +32,7 @@ CLI::App* Chosen(CLI::App& app)
   return chosen;
 }
 
-/// "penumbra lab shadow-bias"
+/// "penumbra bake probes"
 std::string FullName(const CLI::App* command)
 {
   const CLI::App* parent = command->get_parent();
@@ -136,8 +136,7 @@ int RunCommandLine(int argc, char** argv)
              "  penumbra info --parameters\n"
              "  penumbra compare picture.png reference.png --max-relmse 0.01");
   std::vector<Declared> commands;
-  for (auto make :
-    { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeLabCommand, MakeBakeCommand })
+  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeBakeCommand })
   {
     auto command = make();
     CLI::App* options = command->Declare(app);
@@ -146,14 +145,7 @@ int RunCommandLine(int argc, char** argv)
   try
   {
     app.parse(argc, argv);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    return ReportUsage(app, error, console);
-  }
-  CollectVtkMessages();
-  try
-  {
+    CollectVtkMessages();
     for (const Declared& command : commands)
     {
       if (command.Options->parsed())
@@ -161,6 +153,10 @@ int RunCommandLine(int argc, char** argv)
         return ReportLeftovers(command.Runner->Run(console), console);
       }
     }
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return ReportUsage(app, error, console);
   }
   catch (const Failure& failure)
   {

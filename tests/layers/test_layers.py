@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODULE = (("base",), ("gpu",), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique",), ("pass",),
           ("bake",), ("probes",), ("techniques/*",))
 TOOL = (("common",), ("image",), ("scene/model",), ("scene/readers",), ("scene/build",), ("scene/file",),
-        ("bake/*", "lab"), ("console",), ("commands",))
+        ("bake/*",), ("console",), ("commands",))
 MOST_FILES = 30  # in a folder
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)

@@ -6,9 +6,8 @@ import sys
 
 import numpy as np
 import penumbra
+from penumbra.shadow_bias.bench import positions  # noqa: F401 the tests' too
 from scipy.spatial import cKDTree
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkRenderingCore import vtkLight
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
@@ -61,24 +60,6 @@ class Shot:
             self.radiance = self.radiance + penumbra.radiance(gi, renderer)[..., :3].max(axis=2)
         self.radiance /= frames
         gi.ReleaseGraphicsResources(window)
-
-
-def positions(renderer, window):
-    """World coordinates of each pixel's surface, top row first; NaN where there is none."""
-    width, height = window.GetSize()
-    depth = vtkFloatArray()
-    window.GetZbufferData(0, 0, width - 1, height - 1, depth)
-    z = vtk_to_numpy(depth).reshape(height, width)[::-1].astype(float)
-    matrix = renderer.GetActiveCamera().GetCompositeProjectionTransformMatrix(
-        renderer.GetTiledAspectRatio(), -1, 1)
-    matrix = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
-    x = (np.arange(width) + 0.5) / width * 2 - 1
-    y = 1 - (np.arange(height) + 0.5) / height * 2
-    clip = np.stack(np.broadcast_arrays(x[None, :], y[:, None], 2 * z - 1, 1.0), axis=-1)
-    world = clip @ np.linalg.inv(matrix).T
-    world = world[..., :3] / world[..., 3:]
-    world[z >= 1.0] = np.nan
-    return world
 
 
 def across(light, points, bounds, resolution):

@@ -17,6 +17,25 @@ using namespace penumbra_test;
 
 namespace
 {
+/// Pairs of triangles of the chart that overlap in its plane: none, as MakeCharts() leaves it.
+std::size_t CountOverlaps(const Surfaces& surfaces, const Chart& chart)
+{
+  constexpr double rounding = 1e-9;
+  constexpr double cells = 256.0;
+  const double extent = std::max(chart.Size.x, chart.Size.y);
+  FlatSet taken(extent / cells, rounding * extent);
+  std::size_t overlaps = 0;
+  for (const std::uint32_t t : chart.Triangles)
+  {
+    const auto& p = surfaces.Triangles[t].Points;
+    const Flat flat = { chart.Project(surfaces.Points[p[0]]), chart.Project(surfaces.Points[p[1]]),
+      chart.Project(surfaces.Points[p[2]]) };
+    overlaps += taken.CountHits(flat);
+    taken.Add(flat);
+  }
+  return overlaps;
+}
+
 // A strip that winds upward around an axis, flat enough everywhere to be one chart: its turns cover each other.
 Surfaces Spiral()
 {

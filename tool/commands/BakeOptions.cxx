@@ -26,14 +26,6 @@ void RequireBakeFile(const std::string& path, const char* ending, const char* wh
   }
 }
 
-void RequireWithin(const char* option, double value, double least, double most)
-{
-  if (!(value >= least && value <= most))
-  {
-    FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, least, most);
-  }
-}
-
 void HideObjects(const BuiltScene& built, const std::vector<std::string>& names)
 {
   for (const std::string& name : names)

@@ -20,9 +20,6 @@ namespace penumbra::tool
 /// cannot be written.
 void RequireBakeFile(const std::string& path, const char* ending, const char* what);
 
-/// Fails where an option's value is out of its range, bounds included.
-void RequireWithin(const char* option, double value, double least, double most);
-
 /// Hides the objects of these names. Fails where there is none of a name.
 void HideObjects(const BuiltScene& built, const std::vector<std::string>& names);
 

@@ -28,11 +28,7 @@ public:
 std::unique_ptr<Command> MakeRenderCommand();
 std::unique_ptr<Command> MakeInfoCommand();
 std::unique_ptr<Command> MakeCompareCommand();
-std::unique_ptr<Command> MakeLabCommand();
 std::unique_ptr<Command> MakeBakeCommand();
-
-/// Experiments: subcommands of lab.
-std::unique_ptr<Command> MakeShadowBiasLab();
 
 /// Light worked out beforehand: subcommands of bake.
 std::unique_ptr<Command> MakeProbeBake();

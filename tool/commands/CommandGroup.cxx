@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Commands that hold commands: penumbra lab NAME, penumbra bake NAME.
+// Commands that hold commands: penumbra bake NAME.
 #include "commands/Command.h"
 
 #include <CLI/CLI.hpp>
@@ -56,16 +56,6 @@ private:
   std::vector<Maker> Makers;
   std::vector<std::pair<std::unique_ptr<Command>, CLI::App*>> Commands;
 };
-}
-
-std::unique_ptr<Command> MakeLabCommand()
-{
-  return std::make_unique<CommandGroup>("lab",
-    "experiments: an error of a technique, made visible and measured",
-    "Examples:\n"
-    "  penumbra lab shadow-bias examples/shadow_bias.json -o bias\n"
-    "  penumbra lab shadow-bias --help",
-    std::vector<Maker>{ MakeShadowBiasLab });
 }
 
 std::unique_ptr<Command> MakeBakeCommand()

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake lightmap: indirect light on surfaces, kept in a picture that is laid over them.
 #include "commands/BakeOptions.h"
+#include "commands/OptionGroup.h"
 #include "commands/RenderOptions.h"
 
 #include "bake/lightmap/Bake.h"
@@ -9,7 +10,6 @@
 #include "common/Windows.h"
 #include "scene/build/SceneBuilder.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -27,45 +27,27 @@ public:
     CLI::App* command = app.add_subcommand(
       "lightmap", "indirect (and direct) light on still surfaces, in a picture laid over them");
     command->add_option("-o,--output", this->Options.Output, "the lightmap (.exr)")->required();
-    DeclareSceneOptions(*command, this->Options, "the scene's", false);
-    const char* group = "Lightmap";
+    DeclareSceneOptions(*command, this->Options);
+    OptionGroup group(*command, "Lightmap");
     lightmap::BakeSettings& s = this->Settings;
-    command
-      ->add_option(
-        "--texel-size", s.TexelSize, "width of texels, world units [1/128 of the scene's diagonal]")
-      ->group(group);
-    command->add_option("--max-size", s.LargestSide, "texels a side of the picture, at most")
-      ->capture_default_str()
-      ->group(group);
-    command->add_option("--samples", s.Samples, "paths from each texel, a multiple of 16")
-      ->capture_default_str()
-      ->group(group);
-    command->add_option("--bounces", s.Bounces, "reflections after which a path ends")
-      ->capture_default_str()
-      ->group(group);
-    command
-      ->add_flag("--directional", s.Directional,
-        "keep where light comes from too, for normals that pictures bend")
-      ->group(group);
-    command
-      ->add_flag("--direct", s.Lamps,
-        "keep the lamps' own light too, with its shadows: frames add highlights alone")
-      ->group(group);
-    command->add_flag("--no-denoise", this->Noisy, "leave the noise of few samples in")
-      ->group(group);
-    command->add_flag("--open-seams", this->OpenSeams, "leave steps between charts as they are")
-      ->group(group);
-    command
-      ->add_option("--without", this->Without,
-        "an object of the scene file that moves, by its name; may be repeated")
-      ->allow_extra_args(false)
-      ->group(group);
-    command
-      ->add_flag("--anew", s.Anew, "keep nothing of an earlier bake, or of one that was broken off")
-      ->group(group);
-    command->add_option("--backend", this->Options.Backend, "egl, osmesa, x11 or auto")
-      ->capture_default_str()
-      ->group("Output");
+    constexpr int rounds = lightmap::BakeSettings::Rounds;
+    group.Add("--texel-size", s.TexelSize,
+      "width of texels, world units [1/128 of the scene's diagonal]", Range{ 0, 1e30 });
+    group.AddShown(
+      "--max-size", s.LargestSide, "texels a side of the picture, at most", Range{ 16, 16384 });
+    group.AddShown(
+      "--samples", s.Samples, "paths from each texel, a multiple of 16", Range{ rounds, 1e6 });
+    group.AddShown("--bounces", s.Bounces, "reflections after which a path ends", Range{ 1, 1000 });
+    group.Flag("--directional", s.Directional,
+      "keep where light comes from too, for normals that pictures bend");
+    group.Flag("--direct", s.Lamps,
+      "keep the lamps' own light too, with its shadows: frames add highlights alone");
+    group.Flag("--no-denoise", this->Noisy, "leave the noise of few samples in");
+    group.Flag("--open-seams", this->OpenSeams, "leave steps between charts as they are");
+    group.Add("--without", this->Without,
+      "an object of the scene file that moves, by its name; may be repeated");
+    group.Flag("--anew", s.Anew, "keep nothing of an earlier bake, or of one that was broken off");
+    DeclareBackend(*command, this->Options.Backend);
     command->footer(
       "Examples:\n"
       "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
@@ -101,10 +83,6 @@ private:
   {
     lightmap::BakeSettings& s = this->Settings;
     RequireBakeFile(this->Options.Output, ".exr", "the lightmap is an OpenEXR picture");
-    RequireWithin("--texel-size", s.TexelSize, 0, 1e30);
-    RequireWithin("--max-size", s.LargestSide, 16, 16384);
-    RequireWithin("--samples", s.Samples, lightmap::BakeSettings::Rounds, 1e6);
-    RequireWithin("--bounces", s.Bounces, 1, 1000);
     if (s.Samples % lightmap::BakeSettings::Rounds != 0)
     {
       FailUsage(

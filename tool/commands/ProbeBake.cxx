@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake probes: indirect light in space, kept at the points of a grid.
 #include "commands/BakeOptions.h"
+#include "commands/OptionGroup.h"
 #include "commands/RenderOptions.h"
 
 #include "common/Failure.h"
@@ -9,9 +10,7 @@
 #include "scene/build/SceneBuilder.h"
 #include "scene/readers/ProbeFile.h"
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <vtkCallbackCommand.h>
 #include <vtkFloatArray.h>
 #include <vtkGIProbeBaker.h>
 #include <vtkImageData.h>
@@ -37,36 +36,6 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A call of the baker, as a part of a step.
-class Progress
-{
-public:
-  Progress(vtkGIProbeBaker* baker, Step& step, double first, double part)
-    : Baker(baker)
-    , Target(step)
-    , First(first)
-    , Part(part)
-  {
-    this->Watch->SetClientData(this);
-    this->Watch->SetCallback([](vtkObject*, unsigned long, void* self, void* progress) {
-      auto* that = static_cast<Progress*>(self);
-      that->Target.Advance(that->First + that->Part * *static_cast<double*>(progress));
-    });
-    this->Tag = baker->AddObserver(vtkCommand::ProgressEvent, this->Watch);
-  }
-  ~Progress() { this->Baker->RemoveObserver(this->Tag); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-private:
-  vtkGIProbeBaker* Baker;
-  Step& Target;
-  double First;
-  double Part;
-  vtkNew<vtkCallbackCommand> Watch;
-  unsigned long Tag = 0;
-};
-
 class ProbeBake : public Command
 {
 public:
@@ -75,37 +44,24 @@ public:
     CLI::App* command =
       app.add_subcommand("probes", "indirect light in space, for what stands and what moves there");
     command->add_option("-o,--output", this->Options.Output, "the probes (.vti)")->required();
-    DeclareSceneOptions(*command, this->Options, "the scene's", false);
-    const char* group = "Probes";
-    command->add_option("--probes", this->Probes, "at most, around the scene")
-      ->capture_default_str()
-      ->group(group);
-    CLI::Option* spacing = command
-                             ->add_option("--probe-spacing", this->Spacing,
-                               "between neighbours at most, world units, in place of --probes")
-                             ->group(group);
-    command->add_option("--samples", this->Samples, "paths from each probe")
-      ->capture_default_str()
-      ->group(group);
-    command->add_option("--bounces", this->Bounces, "reflections after which a path ends")
-      ->capture_default_str()
-      ->group(group);
-    CLI::Option* adaptive = command->add_flag("--adaptive", this->Adaptive,
+    DeclareSceneOptions(*command, this->Options);
+    OptionGroup group(*command, "Probes");
+    group.AddShown("--probes", this->Probes, "at most, around the scene",
+      Range{ 27, vtkGIProbeBaker::MostProbes });
+    CLI::Option* spacing = group.Add("--probe-spacing", this->Spacing,
+      "between neighbours at most, world units, in place of --probes", Range{ 0, 1e30 });
+    group.AddShown("--samples", this->Samples, "paths from each probe", Range{ 1, 1 << 24 });
+    group.AddShown(
+      "--bounces", this->Bounces, "reflections after which a path ends", Range{ 1, 10000 });
+    CLI::Option* adaptive = group.Flag("--adaptive", this->Adaptive,
       "share the probes among a grid around the scene and finer ones where light needs them");
     CLI::Option* uniform =
-      command->add_flag("--uniform", this->Uniform, "leave probes where the grid puts them");
-    adaptive->group(group)->excludes(uniform)->excludes(spacing);
-    uniform->group(group);
-    command
-      ->add_option("--without", this->Without,
-        "an object of the scene file that moves, by its name; may be repeated")
-      ->allow_extra_args(false)
-      ->group(group);
-    command->add_flag("--anew", this->Anew, "keep nothing of a bake that was broken off")
-      ->group(group);
-    command->add_option("--backend", this->Options.Backend, "egl, osmesa, x11 or auto")
-      ->capture_default_str()
-      ->group("Output");
+      group.Flag("--uniform", this->Uniform, "leave probes where the grid puts them");
+    adaptive->excludes(uniform)->excludes(spacing);
+    group.Add("--without", this->Without,
+      "an object of the scene file that moves, by its name; may be repeated");
+    group.Flag("--anew", this->Anew, "keep nothing of a bake that was broken off");
+    DeclareBackend(*command, this->Options.Backend);
     command->footer(
       "Examples:\n"
       "  penumbra bake probes examples/cornell_lamp.json -o room.vti\n"
@@ -119,7 +75,7 @@ public:
   {
     console.SetQuiet(this->Options.Quiet);
     console.SetVerbose(this->Options.Verbose);
-    this->Check();
+    RequireBakeFile(this->Options.Output, ".vti", "probes are written as a VTK image");
     const Scene scene = MakeScene(this->Options);
     const auto window = MakeWindow(this->Options.Backend);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
@@ -156,15 +112,6 @@ private:
     }
   }
 
-  void Check() const
-  {
-    RequireBakeFile(this->Options.Output, ".vti", "probes are written as a VTK image");
-    RequireWithin("--probes", this->Probes, 27, vtkGIProbeBaker::MostProbes);
-    RequireWithin("--probe-spacing", this->Spacing, 0, 1e30);
-    RequireWithin("--samples", this->Samples, 1, 1 << 24);
-    RequireWithin("--bounces", this->Bounces, 1, 10000);
-  }
-
   std::string Partial() const { return this->Options.Output + ".part"; }
 
   /// What a bake that was broken off must have been made with to be gone on with; its scene is kept beside.
@@ -183,7 +130,7 @@ private:
       return samples;
     }
     Step step(console, "placing probes");
-    Progress progress(baker, step, 0.0, 1.0);
+    const ProgressWatch watch(baker, [&step](double share) { step.Advance(share); });
     Require(baker->Place(renderer, field), baker);
     SetProbeText(field, "settings", this->Settings());
     return 0;
@@ -231,7 +178,8 @@ private:
       const int now = std::min(part, this->Samples - done);
       const auto start = Clock::now();
       {
-        Progress progress(baker, step, double(done) / this->Samples, double(now) / this->Samples);
+        const ProgressWatch watch(
+          baker, [&](double share) { step.Advance((done + share * now) / this->Samples); });
         Require(baker->AddSamples(renderer, field, now), baker);
       }
       done += now;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // penumbra bake radiosity: diffuse light between patches, once for all views.
 #include "commands/BakeOptions.h"
+#include "commands/OptionGroup.h"
 #include "commands/RenderOptions.h"
 
 #include "bake/radiosity/SceneSurfaces.h"
@@ -10,12 +11,10 @@
 #include "common/Failure.h"
 #include "common/Names.h"
 #include "image/Picture.h"
-#include "lab/ConvergencePlot.h"
 #include "scene/build/SceneBuilder.h"
 
 #include <vtkGILightmap.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -66,48 +65,28 @@ public:
     CLI::App* command = app.add_subcommand(
       "radiosity", "diffuse light between patches of the surfaces, the same from any view");
     command->add_option("-o,--output", this->Options.Output, "the solution (.vtp)")->required();
-    DeclareSceneOptions(*command, this->Options, "the scene's", false);
-    const char* group = "Radiosity";
+    DeclareSceneOptions(*command, this->Options);
+    OptionGroup group(*command, "Radiosity");
     radiosity::Settings& s = this->Settings;
-    command
-      ->add_option("--patch-size", s.PatchSize,
-        "longest edge of patches, world units [1/40 of the scene's diagonal]")
-      ->group(group);
-    command->add_option("--max-patches", s.MaximumPatches, "refuse to make more")
-      ->capture_default_str()
-      ->group(group);
-    command->add_option("--rays", s.Rays, "from each side of a patch, for form factors")
-      ->capture_default_str()
-      ->group(group);
-    command->add_option("--shadow-points", s.ShadowPoints, "of each patch, for direct light")
-      ->capture_default_str()
-      ->group(group);
-    command
-      ->add_option("--refine", s.Refinements, "times to halve patches where light changes steeply")
-      ->capture_default_str()
-      ->group(group);
-    command
-      ->add_option("--steepness", s.Steepness,
-        "change of irradiance over a patch, of the mean, above which it is halved")
-      ->capture_default_str()
-      ->group(group);
-    command->add_option("--solver", this->Solver, "gathering, shooting, or both, compared")
-      ->capture_default_str()
-      ->group(group);
-    command
-      ->add_option("--tolerance", s.Tolerance, "residual to stop at, of the power first reflected")
-      ->capture_default_str()
-      ->group(group);
-    command->add_flag("--one-way", this->OneWay, "leave form factors as traced, not reciprocal")
-      ->group(group);
-    command->add_option("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr")
-      ->group(group);
-    command
-      ->add_option("--plot", this->Plot, "chart of the residual over the work: .png, .jpg, .tif")
-      ->group(group);
-    command->add_flag("--anew", this->Anew, "keep nothing of a solution that was broken off")
-      ->group(group);
-    command->add_flag("--flat", this->Flat, "show patches in one colour each")->group(group);
+    group.Add("--patch-size", s.PatchSize,
+      "longest edge of patches, world units [1/40 of the scene's diagonal]", Range{ 0, 1e30 });
+    group.AddShown("--max-patches", s.MaximumPatches, "refuse to make more", Range{ 1, 1e8 });
+    group.AddShown(
+      "--rays", s.Rays, "from each side of a patch, for form factors", Range{ 1, 1e6 });
+    group.AddShown(
+      "--shadow-points", s.ShadowPoints, "of each patch, for direct light", Range{ 1, 1e4 });
+    group.AddShown("--refine", s.Refinements, "times to halve patches where light changes steeply",
+      Range{ 0, 8 });
+    group.AddShown("--steepness", s.Steepness,
+      "change of irradiance over a patch, of the mean, above which it is halved",
+      Range{ 0.001, 1000 });
+    group.AddShown("--solver", this->Solver, "gathering, shooting, or both, compared");
+    group.AddShown("--tolerance", s.Tolerance, "residual to stop at, of the power first reflected",
+      Range{ 1e-12, 0.5 });
+    group.Flag("--one-way", this->OneWay, "leave form factors as traced, not reciprocal");
+    group.Add("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr");
+    group.Flag("--anew", this->Anew, "keep nothing of a solution that was broken off");
+    group.Flag("--flat", this->Flat, "show patches in one colour each");
     command->footer(
       "Examples:\n"
       "  penumbra bake radiosity examples/cornell.json -o cornell.vtp --view cornell.png\n"
@@ -147,10 +126,6 @@ public:
     {
       this->Draw(solution, built, scene, console);
     }
-    if (!this->Plot.empty())
-    {
-      this->DrawPlot(solution, console);
-    }
     this->Report(solution, log.ShareTaken(), seconds);
     return 0;
   }
@@ -160,20 +135,10 @@ private:
   {
     radiosity::Settings& s = this->Settings;
     RequireBakeFile(this->Options.Output, ".vtp", "the solution is a VTK file of polygons");
-    for (const std::string& picture : { this->View, this->Plot })
+    if (!this->View.empty())
     {
-      if (!picture.empty())
-      {
-        RequireWritablePicture(picture);
-      }
+      RequireWritablePicture(this->View);
     }
-    RequireWithin("--rays", s.Rays, 1, 1e6);
-    RequireWithin("--shadow-points", s.ShadowPoints, 1, 1e4);
-    RequireWithin("--refine", s.Refinements, 0, 8);
-    RequireWithin("--steepness", s.Steepness, 0.001, 1000);
-    RequireWithin("--tolerance", s.Tolerance, 1e-12, 0.5);
-    RequireWithin("--max-patches", double(s.MaximumPatches), 1, 1e8);
-    RequireWithin("--patch-size", s.PatchSize, 0, 1e30);
     if (this->Solver != "gathering" && this->Solver != "shooting" && this->Solver != "both")
     {
       FailUsage("{}", UnknownName("solver", this->Solver, "", { "gathering", "shooting", "both" }));
@@ -253,26 +218,6 @@ private:
     WritePicture(this->View, picture);
   }
 
-  void DrawPlot(const radiosity::Solution& solution, Console& console) const
-  {
-    Step step(console, fmt::format("drawing '{}'", this->Plot));
-    std::vector<ConvergenceCurve> curves;
-    const auto add = [&curves](const char* name, const radiosity::Reflected& solved) {
-      if (!solved.History.empty())
-      {
-        curves.push_back({ name, { { 0.0, 1.0 } } });
-        for (const auto& done : solved.History)
-        {
-          curves.back().Steps.push_back({ done.Work, done.Residual });
-        }
-      }
-    };
-    add("gathering (Gauss-Seidel)", solution.Gathered);
-    add("shooting (progressive refinement)", solution.Shot);
-    WritePicture(this->Plot,
-      DrawConvergence(curves, "form factors used, in matrices' worth", this->Options.Backend));
-  }
-
   void Report(const radiosity::Solution& solution, double taken, double seconds) const
   {
     const auto history = [](const radiosity::Reflected& solved) {
@@ -321,7 +266,6 @@ private:
   radiosity::Settings Settings;
   std::string Solver = "gathering";
   std::string View;
-  std::string Plot;
   bool OneWay = false;
   bool Flat = false;
   bool Anew = false;

@@ -59,11 +59,9 @@ struct RenderOptions
   bool Verbose = false;
 };
 
-/// What says which scene is drawn and where, without which pictures are made of it: data, look,
-/// parameters, size, backend. size: the default, in words. drawn: false for what is worked out without
-/// OpenGL, which has no parameters of techniques and no backend.
-void DeclareSceneOptions(
-  CLI::App& command, RenderOptions& options, const char* size, bool drawn = true);
+/// What says which scene it is, without which pictures are made of it: data, look, size.
+void DeclareSceneOptions(CLI::App& command, RenderOptions& options);
+void DeclareBackend(CLI::App& command, std::string& backend);
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
 
 /// The scene of the files or the scene file, with what the options say on top. Throws a Failure for an

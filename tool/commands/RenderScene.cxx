@@ -94,30 +94,6 @@ void ApplyToObject(const RenderOptions& options, Object& object, std::size_t ind
   }
 }
 
-void RequireRange(const std::string& option, double value, double low, double high)
-{
-  if (!(value >= low && value <= high))
-  {
-    FailUsage("{} is {:g}: it must be from {:g} to {:g}", option, value, low, high);
-  }
-}
-
-void CheckNumbers(const RenderOptions& options)
-{
-  for (const double opacity : options.Opacities)
-  {
-    RequireRange("--opacity", opacity, 0, 1);
-  }
-  RequireRange("--smooth", options.Smoothing.value_or(0), 0, 20);
-  RequireRange("--stride", options.Stride.value_or(1), 1, 10000);
-  RequireRange("--spacing", options.Spacing.value_or(1), 1e-12, 1e12);
-  RequireRange("--exaggeration", options.Exaggeration.value_or(1), -1e12, 1e12);
-  RequireRange("--radius", options.Radius.value_or(0), 0, 1e15);
-  RequireRange("--feature-angle", options.FeatureAngle.value_or(0), 0, 180);
-  RequireRange("--frames", options.Frames.value_or(1), 1, 65536);
-  RequireRange("--max-triangles", static_cast<double>(options.MaximumTriangles), 1, 1e12);
-}
-
 void ApplySize(const std::string& text, Scene& scene)
 {
   constexpr int largest = 32768;
@@ -168,7 +144,6 @@ void ApplyTechniqueOptions(const RenderOptions& options, TechniqueSettings& sett
 
 Scene MakeScene(const RenderOptions& options)
 {
-  CheckNumbers(options);
   Scene scene;
   const auto sceneFiles = std::count_if(options.Files.begin(), options.Files.end(), IsSceneFile);
   if (sceneFiles > 0)

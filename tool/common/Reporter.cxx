@@ -17,4 +17,21 @@ void Step::Observe(vtkAlgorithm* algorithm)
   });
   algorithm->AddObserver(vtkCommand::ProgressEvent, forward);
 }
+
+ProgressWatch::ProgressWatch(vtkObject* watched, std::function<void(double)> advance)
+  : Watched(watched)
+  , Advance(std::move(advance))
+{
+  vtkNew<vtkCallbackCommand> forward;
+  forward->SetClientData(this);
+  forward->SetCallback([](vtkObject*, unsigned long, void* self, void* share) {
+    static_cast<ProgressWatch*>(self)->Advance(*static_cast<double*>(share));
+  });
+  this->Tag = watched->AddObserver(vtkCommand::ProgressEvent, forward);
+}
+
+ProgressWatch::~ProgressWatch()
+{
+  this->Watched->RemoveObserver(this->Tag);
+}
 }

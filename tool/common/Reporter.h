@@ -4,9 +4,11 @@
 #ifndef penumbra_tool_Reporter_h
 #define penumbra_tool_Reporter_h
 
+#include <functional>
 #include <string>
 
 class vtkAlgorithm;
+class vtkObject;
 
 namespace penumbra::tool
 {
@@ -43,6 +45,21 @@ public:
 
 private:
   Reporter& Target;
+};
+
+/// Tells of the progress of a VTK object for as long as this lives.
+class ProgressWatch
+{
+public:
+  ProgressWatch(vtkObject* watched, std::function<void(double)> advance);
+  ~ProgressWatch();
+  ProgressWatch(const ProgressWatch&) = delete;
+  ProgressWatch& operator=(const ProgressWatch&) = delete;
+
+private:
+  vtkObject* Watched;
+  std::function<void(double)> Advance;
+  unsigned long Tag;
 };
 }
 

@@ -107,12 +107,6 @@ Vec2 Tile::ToTexels(const lightmap::Chart& chart, const Vec2& inChart) const
   return { this->Back ? this->Texels.x - 1 - there.x : there.x, there.y };
 }
 
-Vec2 Tile::ToChart(const lightmap::Chart& chart, const Vec2& inTexels) const
-{
-  const Vec2 there(this->Back ? this->Texels.x - 1 - inTexels.x : inTexels.x, inTexels.y);
-  return there / Scale(*this, chart);
-}
-
 Atlas PackAtlas(const std::vector<Chart>& charts, const std::vector<std::array<bool, 2>>& wanted,
   double texelSize, int largestSide)
 {

@@ -21,7 +21,6 @@ struct Tile
 
   /// From the chart's plane to texels of the tile, where whole numbers are texels' middles.
   Vec2 ToTexels(const lightmap::Chart& chart, const Vec2& inChart) const;
-  Vec2 ToChart(const lightmap::Chart& chart, const Vec2& inTexels) const;
 };
 
 struct Atlas

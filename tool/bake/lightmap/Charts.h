@@ -52,8 +52,6 @@ struct Seam
 std::vector<Seam> FindSeams(const Surfaces& surfaces, const std::vector<Chart>& charts,
   double crease = ChartSettings().Crease);
 
-/// Pairs of triangles of the chart that overlap in its plane: none, as MakeCharts() leaves it.
-std::size_t CountOverlaps(const Surfaces& surfaces, const Chart& chart);
 }
 
 #endif

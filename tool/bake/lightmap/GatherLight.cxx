@@ -3,8 +3,8 @@
 #include "bake/lightmap/GatherLight.h"
 
 #include "common/Failure.h"
+#include "common/Reporter.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkGILightGatherer.h>
@@ -72,14 +72,8 @@ void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<
   Fill(to, normals);
   this->Gatherer->SetFirstSample(firstSample);
   this->Gatherer->SetSamples(samples);
-  vtkNew<vtkCallbackCommand> progress;
-  progress->SetClientData(const_cast<void*>(static_cast<const void*>(&advance)));
-  progress->SetCallback([](vtkObject*, unsigned long, void* client, void* share) {
-    (*static_cast<const std::function<void(double)>*>(client))(*static_cast<double*>(share));
-  });
-  const unsigned long tag = this->Gatherer->AddObserver(vtkCommand::ProgressEvent, progress);
+  const tool::ProgressWatch watch(this->Gatherer, advance);
   const bool done = this->Gatherer->Gather(this->Renderer, at, to, light, around);
-  this->Gatherer->RemoveObserver(tag);
   if (!done)
   {
     tool::Fail("light cannot be gathered: {}", this->Gatherer->GetLastError());

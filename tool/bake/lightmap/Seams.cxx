@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bake/lightmap/Light.h"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -56,83 +59,23 @@ void ForPoints(const std::vector<SeamLine>& lines, const Visit& visit)
   }
 }
 
-/// One equation: the two sides of a point of a seam are the same.
-struct Equation
-{
-  std::array<std::uint32_t, 8> Unknowns;
-  std::array<double, 8> Weights;
-};
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// The normal equations' matrix times x: equations first, then each texel kept where it was.
-std::vector<double> Multiply(const std::vector<Equation>& equations, const std::vector<double>& x,
-  const std::vector<double>& keep)
+/// Least squares of x from where it is: seams' differences, and each texel's change by how much it is to be kept.
+Eigen::VectorXd Solve(const Matrix& squares, const Eigen::VectorXd& x, const Eigen::VectorXd& keep)
 {
-  std::vector<double> result(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i)
+  Matrix kept(x.size(), x.size());
+  kept.reserve(Eigen::VectorXi::Constant(x.size(), 1));
+  for (Eigen::Index i = 0; i < x.size(); ++i)
   {
-    result[i] = keep[i] * x[i];
+    kept.insert(i, i) = keep[i];
   }
-  for (const Equation& equation : equations)
-  {
-    double differs = 0.0;
-    for (std::size_t k = 0; k < equation.Unknowns.size(); ++k)
-    {
-      differs += equation.Weights[k] * x[equation.Unknowns[k]];
-    }
-    for (std::size_t k = 0; k < equation.Unknowns.size(); ++k)
-    {
-      result[equation.Unknowns[k]] += equation.Weights[k] * differs;
-    }
-  }
-  return result;
-}
-
-double Dot(const std::vector<double>& a, const std::vector<double>& b)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    sum += a[i] * b[i];
-  }
-  return sum;
-}
-
-/// Conjugate gradients (Hestenes and Stiefel 1952), from x on. keep: how much each texel is to stay what it is.
-void Solve(
-  const std::vector<Equation>& equations, std::vector<double>& x, const std::vector<double>& keep)
-{
+  const Matrix system = squares + kept;
   constexpr int most = 2000;
-  constexpr double enough = 1e-14; // of the first residual, squared
-  std::vector<double> wanted(x);
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    wanted[i] *= keep[i];
-  }
-  const std::vector<double> product = Multiply(equations, x, keep);
-  std::vector<double> residual(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i)
-  {
-    residual[i] = wanted[i] - product[i];
-  }
-  std::vector<double> direction = residual;
-  double now = Dot(residual, residual);
-  const double end = enough * now;
-  for (int step = 0; step < most && now > end && now > 0.0; ++step)
-  {
-    const std::vector<double> across = Multiply(equations, direction, keep);
-    const double length = now / Dot(direction, across);
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-      x[i] += length * direction[i];
-      residual[i] -= length * across[i];
-    }
-    const double next = Dot(residual, residual);
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-      direction[i] = residual[i] + next / now * direction[i];
-    }
-    now = next;
-  }
+  constexpr double enough = 1e-9;
+  Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(system);
+  solver.setMaxIterations(most).setTolerance(enough);
+  return solver.solveWithGuess(keep.cwiseProduct(x), x);
 }
 }
 
@@ -150,68 +93,65 @@ void CloseSeams(
   Light& light, const std::vector<SeamLine>& lines, const std::vector<unsigned char>& fixed)
 {
   const auto isFixed = [&fixed](std::uint32_t texel) { return !fixed.empty() && fixed[texel]; };
-  std::unordered_map<std::uint32_t, std::uint32_t> unknown;
+  std::unordered_map<std::uint32_t, int> unknown;
   std::vector<std::uint32_t> texels;
-  std::vector<Equation> equations;
+  std::vector<Eigen::Triplet<double>>
+    weights; // a row for each point of a seam: both sides of it are the same
+  int rows = 0;
   ForPoints(lines, [&](const Vec2& a, const Vec2& b) {
-    Equation equation;
-    for (int side = 0; side < 2; ++side)
+    const std::array<Taps, 2> sides = { TapsAt(light, a), TapsAt(light, b) };
+    bool moves = false;
+    for (const Taps& taps : sides)
     {
-      const Taps taps = TapsAt(light, side == 0 ? a : b);
-      for (std::size_t k = 0; k < taps.size(); ++k)
+      moves = moves ||
+        std::any_of(taps.begin(), taps.end(), [&](const Tap& tap) { return !isFixed(tap.Texel); });
+    }
+    for (int side = 0; side < 2 && moves; ++side)
+    {
+      for (const Tap& tap : sides[side])
       {
-        const auto found =
-          unknown.emplace(taps[k].Texel, static_cast<std::uint32_t>(texels.size()));
+        const auto found = unknown.emplace(tap.Texel, static_cast<int>(texels.size()));
         if (found.second)
         {
-          texels.push_back(taps[k].Texel);
+          texels.push_back(tap.Texel);
         }
-        equation.Unknowns[4 * side + k] = found.first->second;
-        equation.Weights[4 * side + k] = (side == 0 ? 1.0 : -1.0) * taps[k].Weight;
+        weights.emplace_back(rows, found.first->second, side == 0 ? tap.Weight : -tap.Weight);
       }
     }
-    if (!std::all_of(equation.Unknowns.begin(), equation.Unknowns.end(),
-          [&](std::uint32_t i) { return isFixed(texels[i]); }))
-    {
-      equations.push_back(equation);
-    }
+    rows += moves ? 1 : 0;
   });
+  if (texels.empty())
+  {
+    return;
+  }
+  const auto count = static_cast<Eigen::Index>(texels.size());
+  Matrix equations(rows, count);
+  equations.setFromTriplets(weights.begin(), weights.end());
+  const Matrix squares = equations.transpose() * equations;
   constexpr double little = 1e-4; // what remains of a step is about this share of it
   constexpr double fast = 1000.0;
   constexpr int rounds = 4;
   for (int channel = 0; channel < light.Channels; ++channel)
   {
-    std::vector<double> x(texels.size());
-    for (std::size_t i = 0; i < texels.size(); ++i)
+    const bool irradiance = channel < 3; // is never below 0, its first moments may be
+    Eigen::VectorXd x(count), keep(count);
+    for (Eigen::Index i = 0; i < count; ++i)
     {
       x[i] = light.At(texels[i])[channel];
-    }
-    const bool irradiance = channel < 3; // is never below 0, its first moments may be
-    std::vector<double> keep(texels.size(), little);
-    for (std::size_t i = 0; i < texels.size(); ++i)
-    {
       keep[i] = isFixed(texels[i]) ? fast : little;
     }
     for (int round = 0; round < rounds; ++round)
     {
-      Solve(equations, x, keep);
-      // What had to be darker than black is black, and the others make up for it.
-      bool below = false;
-      for (std::size_t i = 0; i < texels.size() && irradiance; ++i)
-      {
-        if (x[i] < 0.0)
-        {
-          below = true;
-          x[i] = 0.0;
-          keep[i] = fast;
-        }
-      }
-      if (!below)
+      x = Solve(squares, x, keep);
+      if (!irradiance || x.minCoeff() >= 0.0)
       {
         break;
       }
+      // What had to be darker than black is black, and the others make up for it.
+      keep = (x.array() < 0.0).select(fast, keep);
+      x = x.cwiseMax(0.0);
     }
-    for (std::size_t i = 0; i < texels.size(); ++i)
+    for (Eigen::Index i = 0; i < count; ++i)
     {
       if (!isFixed(texels[i]))
       {

@@ -70,47 +70,18 @@ struct Adder
     }
   }
 };
-
-std::size_t HashOf(const Vec3& p, int weld)
-{
-  const std::hash<double> hash;
-  // Adding 0 makes -0 and 0 the same.
-  return (hash(p.x + 0.0) ^ (hash(p.y + 0.0) * 0x9e3779b97f4a7c15u) ^
-           (hash(p.z + 0.0) * 0xc2b2ae3d27d4eb4fu) ^ std::size_t(weld) * 0x165667b19e3779f9u) *
-    0x9e3779b97f4a7c15u >>
-    16;
-}
 }
 
 std::uint32_t Surfaces::FindOrAdd(const Vec3& point, int weld)
 {
-  constexpr std::size_t least = 1024;
-  if (this->Table.size() < 2 * this->Points.size() + least)
+  const auto next = static_cast<std::uint32_t>(this->Points.size());
+  const auto found =
+    this->Known.emplace(std::array{ point.x, point.y, point.z, double(weld) }, next);
+  if (found.second)
   {
-    this->Table.assign(4 * this->Points.size() + 4 * least, 0);
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
-    {
-      std::size_t slot = HashOf(this->Points[i], this->Welds[i]) % this->Table.size();
-      while (this->Table[slot] != 0)
-      {
-        slot = (slot + 1) % this->Table.size();
-      }
-      this->Table[slot] = static_cast<std::uint32_t>(i + 1);
-    }
+    this->Points.push_back(point);
   }
-  std::size_t slot = HashOf(point, weld) % this->Table.size();
-  for (; this->Table[slot] != 0; slot = (slot + 1) % this->Table.size())
-  {
-    const std::uint32_t index = this->Table[slot] - 1;
-    if (this->Points[index] == point && this->Welds[index] == weld)
-    {
-      return index;
-    }
-  }
-  this->Points.push_back(point);
-  this->Welds.push_back(weld);
-  this->Table[slot] = static_cast<std::uint32_t>(this->Points.size());
-  return this->Table[slot] - 1;
+  return found.first->second;
 }
 
 bool Surfaces::Add(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals, int weld)
@@ -140,7 +111,7 @@ bool Surfaces::Add(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>
   return true;
 }
 
-double Surfaces::Diagonal() const
+std::array<Vec3, 2> Surfaces::Box() const
 {
   Vec3 low(std::numeric_limits<double>::max());
   Vec3 high(-std::numeric_limits<double>::max());
@@ -149,19 +120,8 @@ double Surfaces::Diagonal() const
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
-  return this->Points.empty() ? 0.0 : glm::length(high - low);
-}
-
-Vec3 Surfaces::Center() const
-{
-  Vec3 low(std::numeric_limits<double>::max());
-  Vec3 high(-std::numeric_limits<double>::max());
-  for (const Vec3& point : this->Points)
-  {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  return this->Points.empty() ? Vec3(0.0) : 0.5 * (low + high);
+  return this->Points.empty() ? std::array<Vec3, 2>{ Vec3(0.0), Vec3(0.0) }
+                              : std::array{ low, high };
 }
 
 Surfaces GatherSurfaces(vtkRenderer* renderer)

@@ -4,6 +4,8 @@
 #ifndef penumbra_tool_lightmap_Surfaces_h
 #define penumbra_tool_lightmap_Surfaces_h
 
+#include "common/NumbersHash.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -33,16 +35,20 @@ struct Surfaces
   std::vector<Triangle> Triangles;
   std::vector<std::string> Notes; ///< what is left out, a sentence each
 
-  double Diagonal() const;
-  Vec3 Center() const;
+  std::array<Vec3, 2> Box() const; ///< least and greatest coordinates
+  double Diagonal() const { return glm::distance(this->Box()[0], this->Box()[1]); }
+  Vec3 Center() const
+  {
+    const auto [low, high] = this->Box();
+    return 0.5 * (low + high);
+  }
   /// A triangle with corners in the world and their normals; false, and nothing done, where it is not finite or
   /// has no area. weld: triangles of one number share points.
   bool Add(const std::array<Vec3, 3>& corners, const std::array<Vec3, 3>& normals, int weld);
 
 private:
   std::uint32_t FindOrAdd(const Vec3& point, int weld);
-  std::vector<std::uint32_t> Table; ///< open hashing: point + 1, or 0
-  std::vector<int> Welds;           ///< of Points
+  tool::NumbersMap<4, std::uint32_t> Known; ///< the points by place and weld
 };
 
 /// All visible opaque surfaces that light shades, as rays see them.

@@ -14,14 +14,6 @@ bool IsFinite(const Point& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-std::size_t Hash(const Point& p)
-{
-  const std::hash<double> hash;
-  // Adding 0 makes -0 and 0 the same.
-  return hash(p.x + 0.0) ^ (hash(p.y + 0.0) * 0x9e3779b97f4a7c15u) ^
-    (hash(p.z + 0.0) * 0xc2b2ae3d27d4eb4fu);
-}
-
 Vertex Middle(const Vertex& a, const Vertex& b)
 {
   return { 0.5 * (a.At + b.At), 0.5 * (a.Tint + b.Tint), 0.5 * (a.Uv + b.Uv) };
@@ -65,21 +57,16 @@ std::uint32_t PatchMesh::AddSurface(const Surface& surface)
 
 std::uint32_t PatchMesh::FindOrAdd(const Vertex& vertex, std::uint32_t surface)
 {
-  const std::size_t hash = Hash(vertex.At);
-  const auto range = this->Known.equal_range(hash);
-  for (auto it = range.first; it != range.second; ++it)
+  const Point& p = vertex.At;
+  const Color& t = vertex.Tint;
+  const auto next = static_cast<std::uint32_t>(this->Corners.size());
+  const auto found = this->Known.emplace(
+    std::array{ p.x, p.y, p.z, t.x, t.y, t.z, vertex.Uv.x, vertex.Uv.y, double(surface) }, next);
+  if (found.second)
   {
-    const Vertex& known = this->Corners[it->second.first];
-    if (it->second.second == surface && known.At == vertex.At && known.Tint == vertex.Tint &&
-      known.Uv == vertex.Uv)
-    {
-      return it->second.first;
-    }
+    this->Corners.push_back(vertex);
   }
-  const auto index = static_cast<std::uint32_t>(this->Corners.size());
-  this->Corners.push_back(vertex);
-  this->Known.emplace(hash, std::make_pair(index, surface));
-  return index;
+  return found.first->second;
 }
 
 PatchMesh::Edge PatchMesh::Between(std::uint32_t a, std::uint32_t b)

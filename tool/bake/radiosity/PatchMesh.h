@@ -4,6 +4,8 @@
 #ifndef penumbra_tool_PatchMesh_h
 #define penumbra_tool_PatchMesh_h
 
+#include "common/NumbersHash.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -106,7 +108,7 @@ private:
   std::vector<Face> Originals;
   std::vector<Surface> Looks;
   std::unordered_map<Edge, std::vector<std::uint32_t>> Neighbours;
-  std::unordered_multimap<std::size_t, std::pair<std::uint32_t, std::uint32_t>> Known;
+  tool::NumbersMap<9, std::uint32_t> Known; ///< vertices by their numbers and surface
 };
 }
 

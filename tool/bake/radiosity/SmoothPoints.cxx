@@ -42,6 +42,31 @@ SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>&
   return result;
 }
 
+namespace
+{
+/// The mean by area over the elements around every point; valueAt(element, corner).
+template <typename ValueAt>
+std::vector<Color> Mean(
+  const SmoothPoints& points, const std::vector<Element>& elements, const ValueAt& valueAt)
+{
+  std::vector<Color> sums(points.Points.size(), Color(0.0));
+  std::vector<double> weights(points.Points.size(), 0.0);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      sums[points.OfElement[i][k]] += elements[i].Area * valueAt(i, k);
+      weights[points.OfElement[i][k]] += elements[i].Area;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    sums[i] /= weights[i];
+  }
+  return sums;
+}
+}
+
 std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<Element>& elements,
   const PatchRays& rays, const LightSources& sources, int shadowRays, const tool::Progress& advance)
 {
@@ -54,46 +79,17 @@ std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<El
     const auto& at = element.Corners;
     for (std::size_t k = 0; k < 3 && element.Present; ++k)
     {
-      light[i][k] = element.Area *
-        ArrivingAt(sources, rays, glm::mix(at[k], (at[0] + at[1] + at[2]) / 3.0, nudge),
-          element.Normal, each, 3 * i + k);
+      light[i][k] = ArrivingAt(sources, rays, glm::mix(at[k], (at[0] + at[1] + at[2]) / 3.0, nudge),
+        element.Normal, each, 3 * i + k);
     }
   };
   tool::ForEach(elements.size(), meet, advance);
-  std::vector<Color> sums(points.Points.size(), Color(0.0));
-  std::vector<double> weights(points.Points.size(), 0.0);
-  for (std::size_t i = 0; i < elements.size(); ++i)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      sums[points.OfElement[i][k]] += light[i][k];
-      weights[points.OfElement[i][k]] += elements[i].Area;
-    }
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i)
-  {
-    sums[i] /= weights[i];
-  }
-  return sums;
+  return Mean(points, elements, [&](std::size_t i, std::size_t k) { return light[i][k]; });
 }
 
 std::vector<Color> MeanAround(const SmoothPoints& points, const std::vector<Element>& elements,
   const std::vector<Color>& values)
 {
-  std::vector<Color> sums(points.Points.size(), Color(0.0));
-  std::vector<double> weights(points.Points.size(), 0.0);
-  for (std::size_t i = 0; i < elements.size(); ++i)
-  {
-    for (const std::uint32_t point : points.OfElement[i])
-    {
-      sums[point] += elements[i].Area * values[i];
-      weights[point] += elements[i].Area;
-    }
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i)
-  {
-    sums[i] /= weights[i];
-  }
-  return sums;
+  return Mean(points, elements, [&](std::size_t i, std::size_t) { return values[i]; });
 }
 }

@@ -23,7 +23,8 @@ SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>&
 /// Direct light around every point: the mean by area over the elements there, each met a little off the
 /// corner, clear of what stands at its edge. shadowRays: about so many from each point to a source.
 std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<Element>& elements,
-  const PatchRays& rays, const LightSources& sources, int shadowRays, const tool::Progress& advance = {});
+  const PatchRays& rays, const LightSources& sources, int shadowRays,
+  const tool::Progress& advance = {});
 
 /// The mean of a value of the elements around every point, by their area.
 std::vector<Color> MeanAround(const SmoothPoints& points, const std::vector<Element>& elements,

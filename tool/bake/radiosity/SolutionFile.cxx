@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bake/radiosity/SolutionFile.h"
 
+#include "common/Failure.h"
+#include "common/WholeFile.h"
+
 #include <glm/gtc/constants.hpp>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -16,19 +19,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 
 namespace penumbra::radiosity
 {
 namespace
 {
-vtkSmartPointer<vtkFloatArray> Colors(const char* name)
+/// An array of three components, a tuple for each of count elements or points.
+template <typename ColorOf>
+void AddColors(vtkFieldData* fields, const char* name, std::size_t count, const ColorOf& colorOf)
 {
-  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  vtkNew<vtkFloatArray> array;
   array->SetName(name);
   array->SetNumberOfComponents(3);
-  return array;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Color color = colorOf(i);
+    array->InsertNextTuple(&color[0]);
+  }
+  fields->AddArray(array);
 }
 
 void AddField(vtkPolyData* data, const char* name, const std::vector<double>& values)
@@ -79,8 +87,12 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
   }
   reflectance = MeanAround(smooth, solution.Elements, reflectance);
   emission = MeanAround(smooth, solution.Elements, emission);
-  auto radiosity = Colors("radiosity");
-  auto irradiance = Colors("irradiance");
+  const auto radiosity = [&](std::size_t i) {
+    return emission[i] + reflectance[i] * smooth.Irradiance[i];
+  };
+  AddColors(data->GetPointData(), "radiosity", smooth.Points.size(), radiosity);
+  AddColors(data->GetPointData(), "irradiance", smooth.Points.size(),
+    [&](std::size_t i) { return smooth.Irradiance[i]; });
   vtkNew<vtkUnsignedCharArray> shown;
   shown->SetName("color");
   shown->SetNumberOfComponents(3);
@@ -89,9 +101,7 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
   for (std::size_t i = 0; i < smooth.Points.size(); ++i)
   {
     points->InsertNextPoint(&smooth.Points[i][0]);
-    const Color light = emission[i] + reflectance[i] * smooth.Irradiance[i];
-    radiosity->InsertNextTuple(&light[0]);
-    irradiance->InsertNextTuple(&smooth.Irradiance[i][0]);
+    const Color light = radiosity(i);
     for (int k = 0; k < 3; ++k)
     {
       constexpr double white = 255.0;
@@ -100,8 +110,6 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
     }
   }
   data->SetPoints(points);
-  data->GetPointData()->AddArray(radiosity);
-  data->GetPointData()->AddArray(irradiance);
   data->GetPointData()->SetScalars(shown);
 }
 }
@@ -117,59 +125,40 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const Solution& solution)
   auto data = vtkSmartPointer<vtkPolyData>::New();
   AddPoints(data, solution);
   vtkNew<vtkCellArray> cells;
-  auto radiosity = Colors("radiosity");
-  auto irradiance = Colors("irradiance");
-  auto albedo = Colors("albedo");
-  auto emission = Colors("emission");
-  auto error = Colors("error");
+  std::vector<std::size_t> lit;
   for (std::size_t i = 0; i < solution.Elements.size(); ++i)
   {
-    const Element& element = solution.Elements[i];
-    if (solution.Irradiance[i] == Color(0.0) && element.Emission == Color(0.0))
+    if (solution.Irradiance[i] != Color(0.0) || solution.Elements[i].Emission != Color(0.0))
     {
-      continue;
+      lit.push_back(i);
+      cells->InsertNextCell({ solution.Points.OfElement[i][0], solution.Points.OfElement[i][1],
+        solution.Points.OfElement[i][2] });
     }
-    cells->InsertNextCell(3);
-    for (const std::uint32_t corner : solution.Points.OfElement[i])
-    {
-      cells->InsertCellPoint(corner);
-    }
-    const Color radiance = element.Emission / glm::pi<double>();
-    radiosity->InsertNextTuple(&solution.Radiosity[i][0]);
-    irradiance->InsertNextTuple(&solution.Irradiance[i][0]);
-    albedo->InsertNextTuple(&element.Reflectance[0]);
-    emission->InsertNextTuple(&radiance[0]);
-    error->InsertNextTuple(&solution.Error[i][0]);
   }
   data->SetPolys(cells);
-  for (vtkFloatArray* array :
-    { radiosity.Get(), irradiance.Get(), albedo.Get(), emission.Get(), error.Get() })
-  {
-    data->GetCellData()->AddArray(array);
-  }
+  const auto add = [&](const char* name, const auto& colorOf) {
+    AddColors(
+      data->GetCellData(), name, lit.size(), [&](std::size_t i) { return colorOf(lit[i]); });
+  };
+  add("radiosity", [&](std::size_t i) { return solution.Radiosity[i]; });
+  add("irradiance", [&](std::size_t i) { return solution.Irradiance[i]; });
+  add("albedo", [&](std::size_t i) { return solution.Elements[i].Reflectance; });
+  add("emission", [&](std::size_t i) { return solution.Elements[i].Emission / glm::pi<double>(); });
+  add("error", [&](std::size_t i) { return solution.Error[i]; });
   AddFields(data, solution);
   return data;
 }
 
 void WriteSolution(const std::string& file, const Solution& solution)
 {
-  const std::string partial = file + ".part";
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(partial.c_str());
   writer->SetInputData(MakePolyData(solution));
   // Debian 12 stumbles over appended data: VTK before 9.3.1 with newer versions of Expat.
   writer->SetDataModeToBinary();
-  std::error_code error;
-  if (writer->Write() == 0)
+  if (!tool::WriteWhole(writer, file))
   {
-    std::filesystem::remove(partial, error);
-    throw std::runtime_error(
-      "'" + file + "' cannot be written: make room on the disk, or choose another file with -o");
-  }
-  std::filesystem::rename(partial, file, error);
-  if (error)
-  {
-    throw std::runtime_error("'" + file + "' cannot be written: " + error.message());
+    tool::Fail(
+      "'{}' cannot be written: make room on the disk, or choose another file with -o", file);
   }
 }
 }

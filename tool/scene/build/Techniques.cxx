@@ -13,61 +13,47 @@ namespace penumbra::tool
 {
 namespace
 {
-vtkGITechnique* Find(vtkGIPass* pass, const std::string& name)
+/// The place of a name among so many; throws a Failure that names the nearest where it is not there.
+template <typename NameOf>
+int Find(const std::string& name, int count, const NameOf& nameOf, const char* kind,
+  const std::string& owner = "")
 {
   std::vector<std::string> names;
-  for (int i = 0; i < pass->GetNumberOfTechniques(); ++i)
+  for (int i = 0; i < count; ++i)
   {
-    vtkGITechnique* technique = pass->GetTechnique(i);
-    if (name == technique->GetName())
+    names.emplace_back(nameOf(i));
+    if (names.back() == name)
     {
-      return technique;
+      return i;
     }
-    names.emplace_back(technique->GetName());
   }
-  FailUsage("{}", UnknownName("technique", name, "", names));
+  FailUsage("{}", UnknownName(kind, name, owner, names));
 }
 
-void CheckPreset(vtkGIPass* pass, const std::string& preset)
+vtkGITechnique* Find(vtkGIPass* pass, const std::string& name)
 {
-  std::vector<std::string> names;
-  for (int i = 0; i < pass->GetNumberOfPresets(); ++i)
-  {
-    names.emplace_back(pass->GetPresetName(i));
-    if (names.back() == preset)
-    {
-      return;
-    }
-  }
-  FailUsage("{}", UnknownName("preset", preset, "", names));
+  const auto nameOf = [pass](int i) { return pass->GetTechnique(i)->GetName(); };
+  return pass->GetTechnique(Find(name, pass->GetNumberOfTechniques(), nameOf, "technique"));
 }
 
 void SetParameter(vtkGITechnique* technique, const ParameterSetting& setting)
 {
-  std::vector<std::string> names;
-  for (int i = 0; i < technique->GetNumberOfParameters(); ++i)
-  {
-    names.emplace_back(technique->GetParameterName(i));
-  }
-  if (std::find(names.begin(), names.end(), setting.Parameter) == names.end())
-  {
-    FailUsage("{}", UnknownName("parameter", setting.Parameter, setting.Technique, names));
-  }
+  Find(
+    setting.Parameter, technique->GetNumberOfParameters(),
+    [technique](int i) { return technique->GetParameterName(i); }, "parameter", setting.Technique);
   if (!technique->SetParameterFromText(setting.Parameter.c_str(), setting.Value.c_str()))
   {
     TakeVtkMessages(); // the same sentence, printed by VTK's macro
-    const char* reason = technique->GetLastError();
-    FailUsage("{}",
-      reason
-        ? reason
-        : fmt::format("{}.{} cannot be '{}'", setting.Technique, setting.Parameter, setting.Value));
+    FailUsage("{}", technique->GetLastError());
   }
 }
 }
 
 void ApplyTechniques(const TechniqueSettings& settings, vtkGIPass* pass)
 {
-  CheckPreset(pass, settings.Preset);
+  Find(
+    settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
+    "preset");
   pass->SetPreset(settings.Preset.c_str());
   for (const std::string& name : settings.On)
   {

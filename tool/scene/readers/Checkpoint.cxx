@@ -4,6 +4,7 @@
 
 #include "common/Failure.h"
 #include "common/VtkMessages.h"
+#include "common/WholeFile.h"
 #include "scene/readers/Completeness.h"
 
 #include <OpenImageIO/hash.h>
@@ -120,24 +121,13 @@ void Checkpoint::Save(bool inAnyCase)
   identity->SetName(IdentityArray);
   identity->InsertNextValue(this->Identity);
   image->GetFieldData()->AddArray(identity);
-  const std::string half = this->Path + ".part";
   vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetFileName(half.c_str());
   writer->SetInputData(image);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToLZ4();
-  const bool written = writer->Write() != 0;
-  std::error_code error;
-  if (written)
+  if (!WriteWhole(writer, this->Path))
   {
-    fs::rename(half, this->Path, error);
-  }
-  const bool complained = !TakeVtkMessages().Errors.empty();
-  if (!written || complained || error)
-  {
-    std::error_code ignored;
-    fs::remove(half, ignored);
     Fail("cannot write the checkpoint '{}'", this->Path);
   }
   this->Saved = now;

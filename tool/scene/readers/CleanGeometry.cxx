@@ -3,7 +3,6 @@
 #include "scene/readers/CleanGeometry.h"
 
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
@@ -14,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -24,63 +24,40 @@ namespace
 /// The square of a larger coordinate overflows a float, and with it lengths and normals.
 constexpr double LargestCoordinate = 1e18;
 
-std::vector<char> FindUsable(vtkPoints* points, vtkIdType& bad)
+std::vector<char> FindUsable(vtkPoints* points)
 {
-  const vtkIdType count = points ? points->GetNumberOfPoints() : 0;
-  std::vector<char> usable(static_cast<std::size_t>(count), 1);
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<char> usable(points ? points->GetNumberOfPoints() : 0);
+  for (std::size_t i = 0; i < usable.size(); ++i)
   {
     double p[3];
-    points->GetPoint(i, p);
+    points->GetPoint(static_cast<vtkIdType>(i), p);
     // The comparison is false for NaN too.
-    const bool fine = std::abs(p[0]) < LargestCoordinate && std::abs(p[1]) < LargestCoordinate &&
-      std::abs(p[2]) < LargestCoordinate;
-    usable[i] = fine;
-    bad += fine ? 0 : 1;
+    usable[i] = std::all_of(p, p + 3, [](double c) { return std::abs(c) < LargestCoordinate; });
   }
   return usable;
 }
 
-/// Copies the cells whose points are usable; cell ids run over all four arrays in VTK's order.
-vtkSmartPointer<vtkCellArray> Filter(vtkCellArray* cells, const std::vector<char>& usable,
-  vtkIdType firstId, vtkCellData* from, vtkCellData* to, vtkIdType& written)
+/// Cells with a point that is not usable or does not exist, by ids that run over all four arrays in VTK's order.
+std::vector<vtkIdType> FindBroken(vtkPolyData* geometry, const std::vector<char>& usable)
 {
-  auto kept = vtkSmartPointer<vtkCellArray>::New();
-  const vtkIdType points = static_cast<vtkIdType>(usable.size());
+  const auto points = static_cast<vtkIdType>(usable.size());
+  std::vector<vtkIdType> broken;
+  vtkIdType id = 0;
   vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
+  for (vtkCellArray* cells :
+    { geometry->GetVerts(), geometry->GetLines(), geometry->GetPolys(), geometry->GetStrips() })
   {
-    cells->GetCellAtId(cell, ids);
-    bool fine = true;
-    for (vtkIdType i = 0; fine && i < ids->GetNumberOfIds(); ++i)
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell, ++id)
     {
-      const vtkIdType id = ids->GetId(i);
-      fine = id >= 0 && id < points && usable[id];
-    }
-    if (fine)
-    {
-      kept->InsertNextCell(ids);
-      to->CopyData(from, firstId + cell, written++);
-    }
-  }
-  return kept;
-}
-
-bool RefersOutside(vtkCellArray* cells, vtkIdType points)
-{
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cells && cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, ids);
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      if (ids->GetId(i) < 0 || ids->GetId(i) >= points)
+      cells->GetCellAtId(cell, ids);
+      if (!std::all_of(ids->begin(), ids->end(),
+            [&](vtkIdType i) { return i >= 0 && i < points && usable[i]; }))
       {
-        return true;
+        broken.push_back(id);
       }
     }
   }
-  return false;
+  return broken;
 }
 }
 
@@ -122,54 +99,40 @@ void DroppedPoints::Report(const std::string& what, Reporter& reporter) const
 
 vtkSmartPointer<vtkPolyData> DropNonFinite(vtkPolyData* geometry, DroppedPoints& dropped)
 {
-  vtkIdType bad = 0;
-  const std::vector<char> usable = FindUsable(geometry->GetPoints(), bad);
-  vtkCellArray* groups[4] = { geometry->GetVerts(), geometry->GetLines(), geometry->GetPolys(),
-    geometry->GetStrips() };
-  bool outside = false;
-  for (vtkCellArray* cells : groups)
-  {
-    outside = outside || RefersOutside(cells, geometry->GetNumberOfPoints());
-  }
-  if (bad == 0 && !outside)
+  const std::vector<char> usable = FindUsable(geometry->GetPoints());
+  const std::vector<vtkIdType> broken = FindBroken(geometry, usable);
+  const auto bad = std::count(usable.begin(), usable.end(), 0);
+  if (bad == 0 && broken.empty())
   {
     return geometry;
   }
   auto clean = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(geometry->GetPoints()->GetDataType());
-  clean->GetCellData()->CopyAllocate(geometry->GetCellData());
-  // Unusable points stay as unused copies of the first usable one: ids and arrays keep their order.
-  points->DeepCopy(geometry->GetPoints());
-  vtkIdType stand = 0;
-  while (stand + 1 < static_cast<vtkIdType>(usable.size()) && !usable[stand])
+  clean->ShallowCopy(geometry);
+  clean->BuildCells();
+  for (const vtkIdType cell : broken)
   {
-    ++stand;
+    clean->DeleteCell(cell);
   }
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(usable.size()); ++i)
+  clean->RemoveDeletedCells();
+  // Unusable points stay as unused copies of the first usable one: ids and arrays keep their order.
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(geometry->GetPoints());
+  const auto stand = std::find(usable.begin(), usable.end(), 1);
+  double p[3] = {};
+  if (stand != usable.end())
+  {
+    points->GetPoint(stand - usable.begin(), p);
+  }
+  for (std::size_t i = 0; i < usable.size(); ++i)
   {
     if (!usable[i])
     {
-      points->SetPoint(
-        i, usable[stand] ? points->GetPoint(stand) : std::vector<double>(3, 0.0).data());
+      points->SetPoint(static_cast<vtkIdType>(i), p);
     }
   }
   clean->SetPoints(points);
-  clean->GetPointData()->ShallowCopy(geometry->GetPointData());
-  vtkIdType firstId = 0, written = 0;
-  vtkSmartPointer<vtkCellArray> kept[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    kept[i] =
-      Filter(groups[i], usable, firstId, geometry->GetCellData(), clean->GetCellData(), written);
-    firstId += groups[i] ? groups[i]->GetNumberOfCells() : 0;
-  }
-  clean->SetVerts(kept[0]);
-  clean->SetLines(kept[1]);
-  clean->SetPolys(kept[2]);
-  clean->SetStrips(kept[3]);
   dropped.Points += bad;
-  dropped.Cells += firstId - written;
+  dropped.Cells += static_cast<vtkIdType>(broken.size());
   return clean;
 }
 }

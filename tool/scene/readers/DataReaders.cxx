@@ -31,17 +31,8 @@ Loaded ReadNifti(const std::string& path, Step& step)
 
 Loaded ReadNrrd(const std::string& path, Step& step)
 {
-  RequireCompleteNrrd(path);
-  vtkNew<vtkNrrdReader> reader;
-  Loaded loaded;
-  if (reader->CanReadFile(path.c_str()))
-  {
-    reader->SetFileName(path.c_str());
-    step.Observe(reader);
-    reader->Update();
-    loaded.Data = reader->GetOutputDataObject(0);
-  }
-  return loaded;
+  vtkNew<vtkNrrdReader> asks;
+  return asks->CanReadFile(path.c_str()) ? ReadWith<vtkNrrdReader>(path, step) : Loaded();
 }
 
 Loaded ReadExodus(const std::string& path, Step& step)

@@ -26,12 +26,13 @@ Loaded ReadWith(const std::string& path, Step& step)
   return loaded;
 }
 
-/// As ReadWith, after a check that finds what the reader does not notice.
-template <typename Reader, void (*Check)(const std::string&)>
+/// As ReadWith, with a check that finds what the reader does not notice.
+template <typename Reader, void (*Check)(const std::string&, vtkDataObject*)>
 Loaded ReadChecked(const std::string& path, Step& step)
 {
-  Check(path);
-  return ReadWith<Reader>(path, step);
+  Loaded loaded = ReadWith<Reader>(path, step);
+  Check(path, loaded.Data);
+  return loaded;
 }
 
 /// As ReadWith, for pictures whose values are elevations.

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Formats that bring their own materials: Wavefront OBJ and glTF.
-#include "common/Failure.h"
 #include "scene/readers/FormatReaders.h"
 
-#include <nlohmann/json.hpp>
 #include <vtkActorCollection.h>
 #include <vtkGLTFImporter.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -58,28 +56,6 @@ std::string MaterialLibrary(const std::string& path)
   return "";
 }
 
-/// VTK's reader crashes where a buffer's file is missing.
-void RequireGltfFiles(const std::string& path)
-{
-  std::ifstream file(path);
-  const auto document = nlohmann::json::parse(file, nullptr, /*allow_exceptions=*/false);
-  for (const char* list : { "buffers", "images" })
-  {
-    const auto entries = document.is_object() ? document.find(list) : document.end();
-    for (const auto& entry : entries != document.end() ? *entries : nlohmann::json::array())
-    {
-      const std::string uri =
-        entry.is_object() && entry.contains("uri") && entry["uri"].is_string() ? entry["uri"] : "";
-      const bool plain =
-        !uri.empty() && uri.rfind("data:", 0) != 0 && uri.find('%') == std::string::npos;
-      if (plain && !std::filesystem::exists(std::filesystem::path(path).parent_path() / uri))
-      {
-        Fail("'{}' needs '{}', which is not beside it: copy it there", path, uri);
-      }
-    }
-  }
-}
-
 /// VTK's plain reader repeats each point for each face that uses it, where texture coordinates have
 /// indices of their own.
 Loaded ReadPlainObj(const std::string& path, Step& step)
@@ -113,7 +89,6 @@ Loaded ReadObj(const std::string& path, Step& step)
 
 Loaded ReadGltf(const std::string& path, Step&)
 {
-  RequireGltfFiles(path);
   vtkNew<vtkGLTFImporter> importer;
   importer->SetFileName(path.c_str());
   return Import(importer);

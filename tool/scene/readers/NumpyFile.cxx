@@ -5,8 +5,10 @@
 #include "common/Failure.h"
 
 #include <minizip/unzip.h>
+#include <vtkByteSwap.h>
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
 
-#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -21,50 +23,17 @@ namespace
 /// An elevation model of a continent in doubles; beyond it a header is damaged.
 constexpr std::size_t LargestMember = std::size_t(1) << 32;
 
-template <typename Stored>
-std::vector<double> Convert(const char* bytes, std::size_t count, bool swap)
+/// NumPy's array-protocol type strings, without the byte order, as VTK's types.
+vtkSmartPointer<vtkDataArray> MakeArray(const std::string& code)
 {
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    char raw[sizeof(Stored)];
-    std::memcpy(raw, bytes + i * sizeof(Stored), sizeof(Stored));
-    if (swap)
-    {
-      std::reverse(raw, raw + sizeof(Stored));
-    }
-    Stored value;
-    std::memcpy(&value, raw, sizeof(Stored));
-    values[i] = static_cast<double>(value);
-  }
-  return values;
-}
-
-using Converter = std::vector<double> (*)(const char*, std::size_t, bool);
-struct ElementType
-{
-  std::size_t Size;
-  Converter ToDouble;
-};
-
-/// NumPy's array-protocol type strings, without the byte order.
-std::optional<ElementType> FindElementType(const std::string& code)
-{
-  static const std::map<std::string, ElementType> types = {
-    { "i1", { 1, Convert<std::int8_t> } },
-    { "u1", { 1, Convert<std::uint8_t> } },
-    { "i2", { 2, Convert<std::int16_t> } },
-    { "u2", { 2, Convert<std::uint16_t> } },
-    { "i4", { 4, Convert<std::int32_t> } },
-    { "u4", { 4, Convert<std::uint32_t> } },
-    { "i8", { 8, Convert<std::int64_t> } },
-    { "u8", { 8, Convert<std::uint64_t> } },
-    { "f4", { 4, Convert<float> } },
-    { "f8", { 8, Convert<double> } },
-    { "b1", { 1, Convert<std::uint8_t> } },
-  };
+  static const std::map<std::string, int> types = { { "i1", VTK_SIGNED_CHAR },
+    { "u1", VTK_UNSIGNED_CHAR }, { "b1", VTK_UNSIGNED_CHAR }, { "i2", VTK_SHORT },
+    { "u2", VTK_UNSIGNED_SHORT }, { "i4", VTK_INT }, { "u4", VTK_UNSIGNED_INT },
+    { "i8", VTK_LONG_LONG }, { "u8", VTK_UNSIGNED_LONG_LONG }, { "f4", VTK_FLOAT },
+    { "f8", VTK_DOUBLE } };
   const auto found = types.find(code);
-  return found == types.end() ? std::nullopt : std::optional<ElementType>(found->second);
+  return vtk::TakeSmartPointer(
+    found == types.end() ? nullptr : vtkDataArray::CreateDataArray(found->second));
 }
 
 /// Brings an array in Fortran order (first index fastest) into C order; two axes suffice here.
@@ -109,8 +78,8 @@ std::optional<NumpyArray> ParseArray(const std::string& bytes, const std::string
   {
     return std::nullopt;
   }
-  const auto element = FindElementType(type[2]);
-  if (!element)
+  const auto values = MakeArray(type[2]);
+  if (!values)
   {
     return std::nullopt;
   }
@@ -124,11 +93,21 @@ std::optional<NumpyArray> ParseArray(const std::string& bytes, const std::string
     const bool fits = array.Shape.back() == 0 || count <= LargestMember / array.Shape.back();
     count = fits ? count * array.Shape.back() : LargestMember;
   }
-  if (count > (bytes.size() - start) / element->Size)
+  if (count > (bytes.size() - start) / values->GetDataTypeSize())
   {
     Fail("'{}' is cut off: an array in it needs more values than the file has", path);
   }
-  array.Values = element->ToDouble(bytes.data() + start, count, type[1] == ">");
+  values->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  std::memcpy(values->GetVoidPointer(0), bytes.data() + start, count * values->GetDataTypeSize());
+  if (type[1] == ">")
+  {
+    vtkByteSwap::SwapVoidRange(values->GetVoidPointer(0), count, values->GetDataTypeSize());
+  }
+  array.Values.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    array.Values[i] = values->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
   if (order[1] == "True")
   {
     TransposeFromFortran(array);

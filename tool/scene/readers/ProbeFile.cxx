@@ -4,6 +4,7 @@
 
 #include "common/Failure.h"
 #include "common/VtkMessages.h"
+#include "common/WholeFile.h"
 #include "scene/readers/Completeness.h"
 
 #include <vtkFieldData.h>
@@ -39,24 +40,13 @@ void SetProbeText(vtkImageData* field, const char* name, const std::string& text
 
 void WriteProbes(const std::string& path, vtkImageData* field)
 {
-  const std::string half = path + ".half";
   vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetFileName(half.c_str());
   writer->SetInputData(field);
   // Debian 12 stumbles over appended data: VTK before 9.3.1 with newer versions of Expat.
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToZLib();
-  const bool written = writer->Write() != 0;
-  std::error_code error;
-  if (written)
+  if (!WriteWhole(writer, path))
   {
-    fs::rename(half, path, error);
-  }
-  const bool complained = !TakeVtkMessages().Errors.empty();
-  if (!written || complained || error)
-  {
-    std::error_code ignored;
-    fs::remove(half, ignored);
     Fail("'{}' cannot be written: make room on the disk, or choose another file with -o", path);
   }
 }
