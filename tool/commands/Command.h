@@ -38,6 +38,7 @@ std::unique_ptr<Command> MakeShadowBiasLab();
 std::unique_ptr<Command> MakeProbeBake();
 std::unique_ptr<Command> MakeLightmapBake();
 std::unique_ptr<Command> MakeRadiosityBake();
+std::unique_ptr<Command> MakeConvertBake();
 }
 
 #endif

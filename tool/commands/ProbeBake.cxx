@@ -4,15 +4,17 @@
 #include "commands/BakeOptions.h"
 #include "commands/RenderOptions.h"
 
+#include "bake/BakeImage.h"
 #include "common/Failure.h"
 #include "common/Windows.h"
 #include "scene/build/SceneBuilder.h"
-#include "scene/readers/ProbeFile.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <vtkCallbackCommand.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkGIBakeFile.h>
 #include <vtkGIProbeBaker.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -138,7 +140,7 @@ public:
     this->Comment(baker, console);
     vtkNew<vtkImageData> compact;
     Require(baker->Compact(field, compact), baker);
-    WriteProbes(this->Options.Output, compact);
+    Write(this->Options.Output, compact);
     std::error_code ignored;
     fs::remove(this->Partial(), ignored);
     this->Report(baker, field, resumed, SecondsSince(start));
@@ -153,6 +155,15 @@ private:
     if (!done)
     {
       Fail("the probes cannot be baked: {}", baker->GetLastError());
+    }
+  }
+
+  static void Write(const std::string& path, vtkImageData* field)
+  {
+    vtkNew<vtkGIBakeFile> file;
+    if (!file->Write(path.c_str(), field))
+    {
+      Fail("{}", file->GetLastError());
     }
   }
 
@@ -185,7 +196,7 @@ private:
     Step step(console, "placing probes");
     Progress progress(baker, step, 0.0, 1.0);
     Require(baker->Place(renderer, field), baker);
-    SetProbeText(field, "settings", this->Settings());
+    SetText(field->GetFieldData(), "settings", this->Settings());
     return 0;
   }
 
@@ -197,21 +208,18 @@ private:
     {
       return 0;
     }
-    try
+    vtkNew<vtkGIBakeFile> file;
+    vtkNew<vtkImageData> partial;
+    if (file->Read(this->Partial().c_str(), partial))
     {
-      const vtkSmartPointer<vtkImageData> partial = ReadProbes(this->Partial());
       const int samples = baker->CountSamples(partial);
-      const bool same = ProbeText(partial, "settings") == this->Settings() &&
+      const bool same = GetText(partial->GetFieldData(), "settings") == this->Settings() &&
         samples <= this->Samples && baker->Fits(renderer, partial);
       if (same && samples > 0)
       {
         field->ShallowCopy(partial);
         return samples;
       }
-    }
-    catch (const Failure&)
-    {
-      // Said below: whatever is wrong with it, it is of no use.
     }
     console.Note(
       fmt::format("'{}' is of another scene or of other settings, or damaged: the bake begins anew",
@@ -235,12 +243,12 @@ private:
         Require(baker->AddSamples(renderer, field, now), baker);
       }
       done += now;
-      SetProbeText(field, "settings", this->Settings());
+      SetText(field->GetFieldData(), "settings", this->Settings());
       const double factor = interval / std::max(SecondsSince(start), 1e-3);
       part = std::max(16, static_cast<int>(now * std::clamp(factor, 0.25, 4.0)) / 16 * 16);
       if (done < this->Samples)
       {
-        WriteProbes(this->Partial(), field);
+        Write(this->Partial(), field);
       }
     }
   }

@@ -30,6 +30,7 @@ class ViewDirectory;
 struct ParameterInfo;
 struct PresetValue;
 }
+class vtkImageData;
 class vtkRenderer;
 class vtkWindow;
 
@@ -115,6 +116,18 @@ public:
    */
   virtual const char* GetOfferedResource() { return nullptr; }
   virtual int GetRank() { return 0; }
+  ///@}
+
+  ///@{
+  /**
+   * Light that was baked beforehand. SetBake() takes a copy of a bake, of a baker or read from its file, or none
+   * (nullptr). It returns false, with the reason in GetBakeError(), and keeps the former bake where the image is none
+   * for this technique. The text "format" in the field data of images that it takes begins with GetBakeFormat();
+   * nullptr for a technique that takes none.
+   */
+  virtual const char* GetBakeFormat() { return nullptr; }
+  virtual bool SetBake(vtkImageData*) { return false; }
+  virtual const char* GetBakeError() { return "the technique takes no baked light"; }
   ///@}
 
   /**

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A baked lightmap and its file: OpenEXR with the light as its picture, and the surfaces, what was baked and a
-/// checksum of all beside it.
+/// A baked lightmap and its file: an image of VTK (.vti) as vtkGILightmap takes it, with what the baker needs to bake
+/// it again.
 #ifndef penumbra_tool_lightmap_LightmapFile_h
 #define penumbra_tool_lightmap_LightmapFile_h
 
@@ -12,7 +12,6 @@
 #include <cstdint>
 
 class vtkImageData;
-class vtkPolyData;
 
 namespace penumbra::lightmap
 {
@@ -29,11 +28,10 @@ struct Lightmap
   Light Baked;
   Light Lamps; ///< what arrives straight from lamps; without channels where that is not baked
   Light First; ///< what the first round of samples gave, unfiltered: a later bake compares with it
-  Vec3 Origin{ 0.0 }; ///< what points are relative to
-  std::vector<glm::vec3> Points;
+  std::vector<Vec3> Points;          ///< world
   std::vector<glm::vec3> Normals;    ///< for shading, to the side that the triangle is of
   std::vector<glm::vec2> Places;     ///< in the picture, 0 to 1, rows counted as stored
-  std::vector<glm::uvec3> Triangles; ///< counter-clockwise where the side is seen that they are of
+  std::vector<glm::ivec3> Triangles; ///< counter-clockwise where the side is seen that they are of
   std::vector<Patch> Patches;
   std::string Scene;    ///< BakedScene::ToText()
   std::string Made;     ///< how: settings, in words
@@ -44,16 +42,15 @@ struct Lightmap
 void AddSurfaces(Lightmap& lightmap, const Surfaces& surfaces, const std::vector<Chart>& charts,
   const Atlas& atlas);
 
-/// Writes under another name first, so that there is never half a file. Throws a Failure.
+/// For vtkGILightmap::SetBake(). Light is rounded to the digits of half floats, so that files are small.
+vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap);
+
+/// Throws a Failure.
 void WriteLightmap(const std::string& path, const Lightmap& lightmap);
 
-/// Throws a Failure that says what is wrong with the file.
+/// What another bake compares with: neither surfaces nor the lamps' light. Throws a Failure that says what is wrong
+/// with the file.
 Lightmap ReadLightmap(const std::string& path);
-bool IsLightmap(const std::string& path);
-
-/// As vtkGILightmap::SetBake() takes them.
-vtkSmartPointer<vtkPolyData> MakeSurfaces(const Lightmap& lightmap);
-vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap);
 }
 
 #endif
