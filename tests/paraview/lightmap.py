@@ -19,7 +19,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 folder, command = sys.argv[1:]
 WALLS = {"floor": ([-1, -1, -1], [1, -1, -1], [-1, 1, -1]), "back": ([-1, 1, -1], [1, 1, -1], [-1, 1, 1])}
 COLOUR, LAMP = [0.7, 0.5, 0.3], [0.5, -0.6, 0.9]
-CAMERA = {"position": [0.4, -4, 0.3], "focal": [0, 0, -0.1], "up": [0, 0, 1], "angle": 35}
+CAMERA = {"position": [0.3, -4, 0.3], "focal": [0, 0.6, -0.8], "up": [0, 0, 1], "angle": 12}  # walls fill the picture
 
 
 def write_walls():

@@ -119,7 +119,7 @@ void vtkGILightmap::Plan(LightingPlan& plan, FrameBuilder& frame)
     return;
   }
   BakeFit& fit = frame.ViewState<BakeFit>(this);
-  fit.Check(frame, this->Impl->Scene, "the lightmap");
+  fit.Check(frame, this->Impl->Scene, "the lightmap no longer fits");
   if (fit.Fits())
   {
     plan.KnowIndirectLight(IndirectKind::BakedOnSurfaces, 0.0);

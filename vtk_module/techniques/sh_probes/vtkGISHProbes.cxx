@@ -120,7 +120,7 @@ void vtkGISHProbes::Plan(LightingPlan& plan, FrameBuilder& frame)
     return;
   }
   BakeFit& fit = frame.ViewState<BakeFit>(this);
-  fit.Check(frame, this->Impl->Scene, "the probes");
+  fit.Check(frame, this->Impl->Scene, "the probes no longer fit");
   if (fit.Fits())
   {
     plan.KnowIndirectLight(IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail());
