@@ -270,7 +270,7 @@ class Lightmap(command.LightmapTest):
         self.assertLess(directional, 0.001)
 
     def test_old_files(self):
-        """OpenEXR of an earlier version, and the file of today that is made of it, show the same light."""
+        """A lightmap in the old form shows the same light before and after it is converted."""
         described = lamp_room()
         described["objects"].pop()
         scene = self.scene(described, "walls.json")
@@ -297,7 +297,7 @@ class Lightmap(command.LightmapTest):
         self.succeeds("render", scene, *SMALL, "-o", "picture.exr")
         refused((self.folder / "picture.exr").read_bytes(), "no baked light")
         self.refused("bake", "convert", "picture.exr", "-o", "no.vti", says="no baked light", status=1)
-        self.refused("bake", "convert", "map.vti", "-o", "no.vti", says="'map.vti' is no OpenEXR file", status=1)
+        self.refused("bake", "convert", "map.vti", "-o", "no.vti", says="'map.vti' is not an OpenEXR file", status=1)
         self.refused("bake", "convert", "nowhere.exr", "-o", "no.vti", says="does not exist", status=1)
         self.refused("bake", "convert", "picture.exr", "-o", "no.exr", says=".vti", status=2)
         old = OLD.read_bytes()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// penumbra bake convert: lightmaps in OpenEXR, as earlier versions wrote them, to files of today.
+// penumbra bake convert: lightmaps in the old form, OpenEXR, to VTK images.
 #include "commands/BakeOptions.h"
 
 #include "bake/lightmap/OldLightmap.h"
@@ -19,8 +19,8 @@ class ConvertBake : public Command
 public:
   CLI::App* Declare(CLI::App& app) override
   {
-    CLI::App* command = app.add_subcommand(
-      "convert", "a lightmap in OpenEXR, as it was written before, to a VTK image");
+    CLI::App* command =
+      app.add_subcommand("convert", "a lightmap in the old form, OpenEXR, to a VTK image");
     command->add_option("file", this->Input, "the lightmap (.exr)")->required();
     command->add_option("-o,--output", this->Output, "the same lightmap (.vti)")->required();
     return command;
@@ -35,7 +35,7 @@ public:
     }
     if (!lightmap::IsOpenExr(this->Input))
     {
-      Fail("'{}' is no OpenEXR file: only lightmaps in OpenEXR, of earlier versions, are converted",
+      Fail("'{}' is not an OpenEXR file: only old lightmaps in OpenEXR need to be converted",
         this->Input);
     }
     lightmap::WriteLightmap(this->Output, lightmap::ReadOldLightmap(this->Input));

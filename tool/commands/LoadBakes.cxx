@@ -24,9 +24,8 @@ void LoadOldLightmap(const std::string& path, vtkGIPass* pass, Reporter& reporte
     Fail("the lightmap '{}' cannot be used: {}", path, technique->GetBakeError());
   }
   technique->EnabledOn();
-  reporter.Note(fmt::format(
-    "'{0}' is a lightmap in OpenEXR, the former kind of file: penumbra bake convert {0} "
-    "-o NEW.vti makes one of today's kind of it",
+  reporter.Note(fmt::format("'{0}' is an OpenEXR file, the old form of lightmaps: convert it with "
+                            "penumbra bake convert {0} -o NEW.vti",
     path));
 }
 }

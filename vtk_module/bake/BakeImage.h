@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What images of baked light have in common: texts in their field data, and a checksum.
+ * What all images of baked light share: texts in their field data, and a checksum.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ void SetText(vtkFieldData* data, const char* name, const std::string& text);
 /// "" where there is none of that name.
 std::string GetText(vtkFieldData* data, const char* name);
 
-/// What a checksum covers, by name; what others added to the image is theirs.
+/// Names of the arrays that a checksum covers. Other arrays may be added to an image freely.
 struct BakeArrays
 {
   std::vector<const char*> Texts, Fields, Points;

@@ -16,7 +16,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <new>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkGIBakeFile);
 
@@ -64,7 +64,7 @@ bool ReadImage(const char* path, vtkImageData* image)
     image->ShallowCopy(reader->GetOutput());
     return reader->GetErrorCode() == 0 && image->GetNumberOfPoints() > 0;
   }
-  catch (const std::bad_alloc&) // of a damaged header's sizes
+  catch (const std::exception&) // a damaged header asks for too much memory
   {
     return false;
   }
@@ -90,19 +90,23 @@ bool vtkGIBakeFile::Read(const char* path, vtkImageData* bake)
   {
     return this->Refuse("the bake " + file + " does not exist: make one with penumbra bake");
   }
+  if (!std::ifstream(path))
+  {
+    return this->Refuse("the bake " + file + " cannot be opened: check that you may read it");
+  }
   const std::string head = Head(path);
   if (head.rfind("\x76\x2f\x31\x01", 0) == 0)
   {
     return this->Refuse(file +
-      " is an OpenEXR file, as lightmaps were before: penumbra bake convert " + path +
-      " -o NEW.vti makes a lightmap of today of it");
+      " is an OpenEXR file, the old form of lightmaps: convert it with penumbra bake convert " +
+      path + " -o NEW.vti");
   }
   if (head.find("type=\"ImageData\"") == std::string::npos)
   {
     return this->Refuse(file +
-      " holds no baked light, or is damaged beyond telling which: give a file that penumbra bake "
-      "lightmap or "
-      "penumbra bake probes wrote");
+      " holds no baked light, or is badly damaged: give a file written by penumbra bake lightmap "
+      "or penumbra bake "
+      "probes");
   }
   return ReadImage(path, bake) || this->Refuse("the bake " + file + " is damaged: bake it again");
 }
@@ -139,9 +143,8 @@ vtkGITechnique* vtkGIBakeFile::Load(const char* path, vtkGIPass* pass)
     }
   }
   this->Refuse(std::string("'") + path +
-    "' is a VTK image that holds no baked light: give a file that penumbra bake lightmap or "
-    "penumbra bake probes "
-    "wrote");
+    "' is a VTK image that holds no baked light: give a file written by penumbra bake lightmap or "
+    "penumbra bake probes");
   return nullptr;
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIBakeFile
- * @brief   baked light in VTK's files of images (.vti)
+ * @brief   reads and writes baked light in VTK's image files (.vti)
  *
- * A bake of any kind is one vtkImageData, whose text "format" in the field data tells which technique it is for.
- * vtkXMLImageDataReader and ParaView read the file, too. What goes wrong is said in one sentence by GetLastError(),
- * and not by messages of VTK.
+ * A bake of any kind is one vtkImageData. The text "format" in its field data tells which technique it is for.
+ * vtkXMLImageDataReader and ParaView read the file too. GetLastError() says in one sentence what went wrong; VTK
+ * prints nothing.
  *
  * @sa vtkGITechnique::SetBake()
  */
@@ -29,23 +29,24 @@ public:
   vtkTypeMacro(vtkGIBakeFile, vtkObject);
 
   /**
-   * Read a file's image. Returns false where the file is none of baked light, or is damaged.
+   * Read a file's image. Returns false where the file holds no image, or is damaged.
    */
   bool Read(const char* path, vtkImageData* bake);
 
   /**
-   * Give a file's light to a technique. Returns false where it holds none for it.
+   * Give a file's light to a technique. Returns false where the technique does not take it.
    */
   bool Load(const char* path, vtkGITechnique* technique);
 
   /**
-   * Give a file's light to the technique of a pass that it is for, and switch that on. Returns the technique, or
-   * nullptr where there is none.
+   * Give a file's light to the technique of the pass that takes its format, and switch that technique on. Returns
+   * the technique, or nullptr on failure.
    */
   vtkGITechnique* Load(const char* path, vtkGIPass* pass);
 
   /**
-   * Write an image, compressed, by another name first: whatever happens, there is the former file or the new one.
+   * Write an image, compressed. The file is complete or unchanged, whatever happens: it is written under another name
+   * first.
    */
   bool Write(const char* path, vtkImageData* bake);
 

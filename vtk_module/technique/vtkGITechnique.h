@@ -120,10 +120,10 @@ public:
 
   ///@{
   /**
-   * Light that was baked beforehand. SetBake() takes a copy of a bake, of a baker or read from its file, or none
-   * (nullptr). It returns false, with the reason in GetBakeError(), and keeps the former bake where the image is none
-   * for this technique. The text "format" in the field data of images that it takes begins with GetBakeFormat();
-   * nullptr for a technique that takes none.
+   * Light that was baked beforehand. SetBake() copies a bake, fresh or read from a file by vtkGIBakeFile; nullptr
+   * removes it. Where the image is no bake for this technique, SetBake() returns false, keeps the former bake, and
+   * GetBakeError() gives the reason. GetBakeFormat() is how the text "format" in the field data of its bakes begins,
+   * or nullptr for a technique without bakes.
    */
   virtual const char* GetBakeFormat() { return nullptr; }
   virtual bool SetBake(vtkImageData*) { return false; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The baked light of one render view, for one technique: read from a file, or probes baked from what the view shows.
+ * Baked light of one technique in one render view: read from a file, or probes baked from what the view shows.
  */
 #pragma once
 

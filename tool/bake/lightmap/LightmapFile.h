@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A baked lightmap and its file: an image of VTK (.vti) as vtkGILightmap takes it, with what the baker needs to bake
-/// it again.
+/// A baked lightmap and its file: a VTK image (.vti) as vtkGILightmap takes it, with what another bake needs.
 #ifndef penumbra_tool_lightmap_LightmapFile_h
 #define penumbra_tool_lightmap_LightmapFile_h
 
@@ -42,14 +41,13 @@ struct Lightmap
 void AddSurfaces(Lightmap& lightmap, const Surfaces& surfaces, const std::vector<Chart>& charts,
   const Atlas& atlas);
 
-/// For vtkGILightmap::SetBake(). Light is rounded to the digits of half floats, so that files are small.
+/// The image for vtkGILightmap::SetBake(). Light is rounded to half precision, so that files are small.
 vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap);
 
 /// Throws a Failure.
 void WriteLightmap(const std::string& path, const Lightmap& lightmap);
 
-/// What another bake compares with: neither surfaces nor the lamps' light. Throws a Failure that says what is wrong
-/// with the file.
+/// Reads what another bake compares with, which leaves out surfaces and the lamps' light. Throws a Failure.
 Lightmap ReadLightmap(const std::string& path);
 }
 

@@ -39,7 +39,7 @@ Names LightChannels(const OIIO::ImageSpec& spec)
   return names;
 }
 
-/// All values of a part of the file, pixel by pixel, with its channels in this order; none where it cannot be read.
+/// Values of a part of the file, pixel by pixel, channels in this order. Empty where it cannot be read.
 template <typename Value>
 std::vector<Value> ReadPart(
   OIIO::ImageInput& input, int number, OIIO::TypeDesc type, const Names& channels)
@@ -94,8 +94,8 @@ Lightmap ReadOldLightmap(const std::string& path)
   OIIO::geterror();
   if (!input || input->spec().get_string_attribute("penumbra:kind") != "lightmap 1")
   {
-    Fail("'{}' is OpenEXR that holds no baked light, or is damaged: give a file that penumbra bake "
-         "lightmap wrote",
+    Fail("'{}' is an OpenEXR file that holds no baked light, or is damaged: give a file written by "
+         "penumbra bake lightmap",
       path);
   }
   const OIIO::ImageSpec spec = input->spec();

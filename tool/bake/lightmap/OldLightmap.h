@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Lightmaps as they were written before version 0.1.0: in OpenEXR.
+/// The old form of lightmaps: OpenEXR with a picture of the light and parts that hold tables.
 #ifndef penumbra_tool_lightmap_OldLightmap_h
 #define penumbra_tool_lightmap_OldLightmap_h
 
@@ -11,7 +11,7 @@ namespace penumbra::lightmap
 /// Whether a file is OpenEXR, of whatever content.
 bool IsOpenExr(const std::string& path);
 
-/// Throws a Failure that says what is wrong with the file.
+/// Throws a Failure with the reason.
 Lightmap ReadOldLightmap(const std::string& path);
 }
 

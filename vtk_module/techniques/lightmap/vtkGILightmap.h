@@ -32,7 +32,7 @@ public:
 
   ///@{
   /**
-   * A baked map read from its file, or made by JoinBake().
+   * A baked map, read by vtkGIBakeFile or made by JoinBake().
    */
   const char* GetBakeFormat() override { return "penumbra lightmap"; }
   bool SetBake(vtkImageData* bake) override;
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * A map of two parts. surfaces: triangles in world coordinates, counter-clockwise from the
+   * A map in two parts. surfaces: triangles in world coordinates, counter-clockwise from the
    * side that the light is for, with normals and texture coordinates (0 to 1, rows of the picture from the first
    * on) at points, and a field array of strings "scene" with DescribeScene() of what was baked. light: a float
    * image of 3 components, irradiance divided by pi, or of 12, followed by first moments for normals that pictures
@@ -49,7 +49,7 @@ public:
    * green and blue. Along the surface's normal they may be less, by a quarter of the radiance near the horizon,
    * which a normal keeps as it turns: the baker's are. As many components may follow with the same of the light that
    * arrives straight from the lamps: matter there is not lit by these again, but by lamps that follow the camera.
-   * JoinBake() makes one image of both, for vtkGIBakeFile::Write().
+   * JoinBake() makes one image of both, which vtkGIBakeFile writes.
    */
   bool SetBake(vtkPolyData* surfaces, vtkImageData* light);
   bool JoinBake(vtkPolyData* surfaces, vtkImageData* light, vtkImageData* bake);
