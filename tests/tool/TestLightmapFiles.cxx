@@ -3,7 +3,6 @@
 // Files of lightmaps come back, and broken ones are refused.
 #include "LightmapScenes.h"
 
-#include "bake/lightmap/OldLightmap.h"
 #include "common/Failure.h"
 
 #include <OpenImageIO/imageio.h>

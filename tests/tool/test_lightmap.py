@@ -298,7 +298,7 @@ class Lightmap(command.LightmapTest):
         refused((self.folder / "picture.exr").read_bytes(), "no baked light")
         self.refused("bake", "convert", "picture.exr", "-o", "no.vti", says="no baked light", status=1)
         self.refused("bake", "convert", "map.vti", "-o", "no.vti", says="'map.vti' is not an OpenEXR file", status=1)
-        self.refused("bake", "convert", "nowhere.exr", "-o", "no.vti", says="does not exist", status=1)
+        self.refused("bake", "convert", "nowhere.exr", "-o", "no.vti", says="'nowhere.exr'", status=1)
         self.refused("bake", "convert", "picture.exr", "-o", "no.exr", says=".vti", status=2)
         old = OLD.read_bytes()
         refused(old[: len(old) // 2], "bad.vti")

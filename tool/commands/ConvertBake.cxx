@@ -3,12 +3,10 @@
 // penumbra bake convert: lightmaps in the old form, OpenEXR, to VTK images.
 #include "commands/BakeOptions.h"
 
-#include "bake/lightmap/OldLightmap.h"
+#include "bake/lightmap/LightmapFile.h"
 #include "common/Failure.h"
 
 #include <CLI/CLI.hpp>
-
-#include <filesystem>
 
 namespace penumbra::tool
 {
@@ -29,14 +27,9 @@ public:
   int Run(Console&) override
   {
     RequireBakeFile(this->Output, ".vti", "lightmaps are written as a VTK image");
-    if (!std::filesystem::is_regular_file(this->Input))
-    {
-      Fail("the lightmap '{}' does not exist", this->Input);
-    }
     if (!lightmap::IsOpenExr(this->Input))
     {
-      Fail("'{}' is not an OpenEXR file: only old lightmaps in OpenEXR need to be converted",
-        this->Input);
+      Fail("'{}' is not an OpenEXR file: give a lightmap in the old form", this->Input);
     }
     lightmap::WriteLightmap(this->Output, lightmap::ReadOldLightmap(this->Input));
     return 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/LoadBakes.h"
 
-#include "bake/lightmap/OldLightmap.h"
+#include "bake/lightmap/LightmapFile.h"
 #include "common/Failure.h"
 #include "common/Reporter.h"
 

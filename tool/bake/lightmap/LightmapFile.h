@@ -49,6 +49,11 @@ void WriteLightmap(const std::string& path, const Lightmap& lightmap);
 
 /// Reads what another bake compares with, which leaves out surfaces and the lamps' light. Throws a Failure.
 Lightmap ReadLightmap(const std::string& path);
+
+/// The old form of lightmaps: OpenEXR with a picture of the light and parts that hold tables. Throws a Failure.
+Lightmap ReadOldLightmap(const std::string& path);
+/// Whether a file is OpenEXR, of whatever content.
+bool IsOpenExr(const std::string& path);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bake/lightmap/OldLightmap.h"
+#include "bake/lightmap/LightmapFile.h"
 
 #include "common/Failure.h"
 

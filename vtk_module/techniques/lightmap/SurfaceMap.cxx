@@ -15,7 +15,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace penumbra
@@ -67,15 +66,13 @@ void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
   {
     Refuse("its surfaces are not triangles of its points");
   }
-  glm::dvec3 low(std::numeric_limits<double>::infinity());
-  glm::dvec3 high(-low);
-  std::vector<glm::dvec3> world(static_cast<std::size_t>(count));
-  for (vtkIdType i = 0; i < count; ++i)
+  glm::dvec3 low, high;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    glm::dvec3& at = world[static_cast<std::size_t>(i)];
-    points->GetTuple(i, &at[0]);
-    low = glm::min(low, at);
-    high = glm::max(high, at);
+    double range[2];
+    points->GetRange(range, axis);
+    low[axis] = range[0];
+    high[axis] = range[1];
   }
   this->Origin = 0.5 * (low + high);
   if (!std::isfinite(glm::length(high - low)))
@@ -84,10 +81,12 @@ void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
-    glm::dvec3 normal;
+    glm::dvec3 at, normal;
+    glm::dvec2 place;
+    points->GetTuple(i, &at[0]);
     normals->GetTuple(i, &normal[0]);
-    this->Points.push_back({ glm::vec3(world[static_cast<std::size_t>(i)] - this->Origin),
-      glm::vec3(normal), glm::vec2(places->GetComponent(i, 0), places->GetComponent(i, 1)) });
+    places->GetTuple(i, &place[0]);
+    this->Points.push_back({ glm::vec3(at - this->Origin), glm::vec3(normal), glm::vec2(place) });
   }
   for (vtkIdType i = 0; i < 3 * triangles->GetNumberOfTuples(); ++i)
   {
