@@ -227,7 +227,7 @@ TEST_F(LightmapFiles, BrokenOnesAreRefused)
   const std::string whole((std::istreambuf_iterator<char>(file)), {});
   const std::string broken = (this->Folder / "broken.vti").string();
   int accepted = 0;
-  constexpr int changed = 200;
+  constexpr int changed = 400;
   std::mt19937 random(11);
   for (int i = 0; i < 20 + changed; ++i)
   {

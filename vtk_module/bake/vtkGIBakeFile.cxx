@@ -11,12 +11,16 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLDataParser.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 vtkStandardNewMacro(vtkGIBakeFile);
 
@@ -39,12 +43,11 @@ private:
   int Before = vtkObject::GetGlobalWarningDisplay();
 };
 
-std::string Head(const char* path)
+bool IsOpenExr(std::istream& file)
 {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(512, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head;
+  std::array<char, 4> magic{};
+  file.read(magic.data(), magic.size());
+  return std::string_view(magic.data(), magic.size()) == "\x76\x2f\x31\x01";
 }
 
 bool IsFor(vtkGITechnique* technique, const std::string& format)
@@ -53,20 +56,55 @@ bool IsFor(vtkGITechnique* technique, const std::string& format)
   return own && format.rfind(own, 0) == 0;
 }
 
-bool ReadImage(const char* path, vtkImageData* image)
+// VTK 9.2 crashes on arrays of field data whose type it does not know.
+bool HasKnownTypes(const char* path)
+{
+  vtkNew<vtkXMLDataParser> parser;
+  parser->SetFileName(path);
+  vtkXMLDataElement* root = parser->Parse() ? parser->GetRootElement() : nullptr;
+  vtkXMLDataElement* image = root ? root->FindNestedElementWithName("ImageData") : nullptr;
+  vtkXMLDataElement* fields = image ? image->FindNestedElementWithName("FieldData") : nullptr;
+  for (int i = 0; fields && i < fields->GetNumberOfNestedElements(); ++i)
+  {
+    int type = 0;
+    if (!fields->GetNestedElement(i)->GetWordTypeAttribute("type", type))
+    {
+      return false;
+    }
+  }
+  return root != nullptr;
+}
+
+enum class Found
+{
+  Nothing,
+  Damage,
+  Image
+};
+
+Found ReadImage(const char* path, vtkImageData* image)
 {
   const Quiet quiet;
   try
   {
     vtkNew<vtkXMLImageDataReader> reader;
+    if (!reader->CanReadFile(path))
+    {
+      return Found::Nothing;
+    }
+    if (!HasKnownTypes(path))
+    {
+      return Found::Damage;
+    }
     reader->SetFileName(path);
     reader->Update();
     image->ShallowCopy(reader->GetOutput());
-    return reader->GetErrorCode() == 0 && image->GetNumberOfPoints() > 0;
+    return reader->GetErrorCode() == 0 && image->GetNumberOfPoints() > 0 ? Found::Image
+                                                                         : Found::Damage;
   }
   catch (const std::exception&) // a damaged header asks for too much memory
   {
-    return false;
+    return Found::Damage;
   }
 }
 }
@@ -90,25 +128,26 @@ bool vtkGIBakeFile::Read(const char* path, vtkImageData* bake)
   {
     return this->Refuse("the bake " + file + " does not exist: make one with penumbra bake");
   }
-  if (!std::ifstream(path))
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
   {
     return this->Refuse("the bake " + file + " cannot be opened: check that you may read it");
   }
-  const std::string head = Head(path);
-  if (head.rfind("\x76\x2f\x31\x01", 0) == 0)
+  if (IsOpenExr(stream))
   {
     return this->Refuse(file +
       " is an OpenEXR file, the old form of lightmaps: convert it with penumbra bake convert " +
       path + " -o NEW.vti");
   }
-  if (head.find("type=\"ImageData\"") == std::string::npos)
+  const Found found = ReadImage(path, bake);
+  if (found == Found::Nothing)
   {
     return this->Refuse(file +
       " holds no baked light, or is badly damaged: give a file written by penumbra bake lightmap "
       "or penumbra bake "
       "probes");
   }
-  return ReadImage(path, bake) || this->Refuse("the bake " + file + " is damaged: bake it again");
+  return found == Found::Image || this->Refuse("the bake " + file + " is damaged: bake it again");
 }
 
 bool vtkGIBakeFile::Give(const char* path, vtkImageData* bake, vtkGITechnique* technique)

@@ -14,7 +14,6 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkTypeUInt64Array.h>
 
 #include <glm/gtc/packing.hpp>
 
@@ -147,15 +146,13 @@ vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap)
   AddTable<vtkFloatArray>(image, parts::Normals, lightmap.Normals);
   AddTable<vtkFloatArray>(image, parts::Places, lightmap.Places);
   AddTable<vtkIntArray>(image, parts::Triangles, lightmap.Triangles);
-  std::vector<glm::ivec4> tiles;
-  std::vector<std::uint64_t> keys;
-  for (const Patch& patch : lightmap.Patches)
+  std::vector<std::array<int, 6>> tiles;
+  for (const Patch& p : lightmap.Patches)
   {
-    tiles.emplace_back(patch.At, patch.Texels);
-    keys.push_back(patch.Key);
+    tiles.push_back({ p.At.x, p.At.y, p.Texels.x, p.Texels.y, static_cast<int>(p.Key >> 32),
+      static_cast<int>(p.Key) });
   }
   AddTable<vtkIntArray>(image, parts::Tiles, tiles);
-  AddTable<vtkTypeUInt64Array>(image, parts::TileKeys, keys);
   vtkFieldData* fields = image->GetFieldData();
   SetText(fields, BakedSceneText, lightmap.Scene);
   SetText(fields, parts::Made, lightmap.Made);
@@ -197,12 +194,11 @@ Lightmap ReadLightmap(const std::string& path)
   map.Made = GetText(fields, lightmap_image::Made);
   map.Settings = GetText(fields, lightmap_image::Settings);
   auto* tiles = vtkIntArray::SafeDownCast(fields->GetAbstractArray(lightmap_image::Tiles));
-  auto* keys = vtkTypeUInt64Array::SafeDownCast(fields->GetAbstractArray(lightmap_image::TileKeys));
-  for (vtkIdType i = 0; tiles && keys && i < keys->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; tiles && i < tiles->GetNumberOfTuples(); ++i)
   {
-    const int* numbers = tiles->GetPointer(4 * i);
-    map.Patches.push_back(
-      { { numbers[0], numbers[1] }, { numbers[2], numbers[3] }, keys->GetValue(i) });
+    const int* n = tiles->GetPointer(6 * i);
+    const auto high = static_cast<std::uint32_t>(n[4]), low = static_cast<std::uint32_t>(n[5]);
+    map.Patches.push_back({ { n[0], n[1] }, { n[2], n[3] }, std::uint64_t(high) << 32 | low });
   }
   return map;
 }

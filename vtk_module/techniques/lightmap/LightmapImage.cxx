@@ -20,7 +20,7 @@ namespace penumbra::lightmap_image
 namespace
 {
 const BakeArrays Sealed = { { BakeFormat, BakedSceneText, Settings, Made },
-  { Points, Normals, Places, Triangles, Tiles, TileKeys },
+  { Points, Normals, Places, Triangles, Tiles },
   { Layers[0].Name, Layers[1].Name, Layers[2].Name, Layers[3].Name, First } };
 
 void AddCopy(vtkFieldData* to, const char* name, vtkDataArray* from)

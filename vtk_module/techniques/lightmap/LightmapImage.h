@@ -35,7 +35,6 @@ constexpr const char* Triangles = "triangles";
 /// For baking again: light of the first round of samples, tiles of the picture, settings.
 constexpr const char* First = "first";
 constexpr const char* Tiles = "tiles";
-constexpr const char* TileKeys = "tile keys";
 constexpr const char* Settings = "settings";
 constexpr const char* Made = "made";
 
