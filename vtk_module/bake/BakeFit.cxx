@@ -6,14 +6,14 @@
 
 namespace penumbra
 {
-void BakeFit::Check(FrameBuilder& frame, const BakedScene& baked, const std::string& mismatch)
+void BakeFit::Check(FrameBuilder& frame, const BakedScene& baked, const std::string& complaint)
 {
   const View& view = frame.GetView();
-  this->Difference = this->Scene.Difference(
-    baked, frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
+  this->Difference = this->Scene.Difference(baked, frame.GetRenderer(),
+    view.Changes.Props || view.Changes.Looks, view.FrameNumber);
   if (!this->Difference.empty())
   {
-    frame.AddNote(mismatch + ": " + this->Difference + " since the bake");
+    frame.AddNote(complaint + ": " + this->Difference + " since the bake");
   }
 }
 }

@@ -17,8 +17,8 @@ class BakeFit
 {
 public:
   /// Compare a frame's scene with the bake's. Where they differ, a note says so.
-  /// mismatch: how its sentence begins, as in "the lightmap no longer fits".
-  void Check(FrameBuilder& frame, const BakedScene& baked, const std::string& mismatch);
+  /// complaint: how that begins, as in "the lightmap no longer fits".
+  void Check(FrameBuilder& frame, const BakedScene& baked, const std::string& complaint);
 
   bool Fits() const { return this->Difference.empty(); }
   /// As in "light 1 moved"; "" where the bake fits.
