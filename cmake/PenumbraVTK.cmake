@@ -36,7 +36,7 @@ set(_vtk_components
   CommonCore CommonDataModel CommonMath CommonSystem CommonTransforms CommonExecutionModel
   RenderingCore RenderingOpenGL2 RenderingUI
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
-  ImagingCore IOImage)
+  ImagingCore IOImage IOXML IOXMLParser)
 if(PENUMBRA_WRAP_PYTHON)
   list(APPEND _vtk_components WrappingPythonCore Python)
   # VTK was built for the system's interpreter; another python3 may come first on the path.

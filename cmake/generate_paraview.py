@@ -19,7 +19,10 @@ from generate_parameters import NOTICE, arguments, kebab, number, quote, write
 
 START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
-PROBES = "SHProbes"  # the technique whose light a view bakes and keeps
+PROBES = "SHProbes"  # the technique whose light a view bakes
+BAKES = {PROBES: "File of baked probes, valid for the scene that they were baked in. Baking writes this file if one is named; "
+                 "otherwise the probes are lost with the view.",
+         "Lightmap": "A lightmap that penumbra bake lightmap wrote, baked from the data that the view shows."}
 BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/techniques/sh_probes/vtkGIProbeBaker.h"
 MOST_PROBES = int(re.search(r"MostProbes = (\d+)", BAKER.read_text()).group(1))
 LONGEST_UNIT = 12  # characters that leave the panel narrow; the tooltip tells every unit
@@ -102,15 +105,21 @@ def general_properties(presets):
                       "over frames need several. While the camera moves, one frame is drawn.", [SWITCH])
 
 
-def probe_properties():
-    """Properties to bake probes and to keep them."""
-    shown = [SWITCH, f"GI{PROBES}"]
-    yield (f'      <StringVectorProperty name="GI{PROBES}File" label="File" command="SetProbesFile" animateable="0" '
+def bake_properties(stem, what):
+    """The file that a technique's baked light is read from, and why it could not be read."""
+    yield (f'      <StringVectorProperty name="GI{stem}File" label="File" command="Set{stem}File" animateable="0" '
            'number_of_elements="1" default_values="" panel_visibility="default">\n        <FileListDomain name="files"/>\n'
-           '        <Documentation>File of baked probes, valid for the scene that they were baked in. Baking writes '
-           'this file if one is named; otherwise the probes are lost with the view.</Documentation>\n' +
-           visible_where(shown, "        ", '<FileChooser extensions="vti" file_description="Baked probes"/>'
+           f'        <Documentation>{what}</Documentation>\n' +
+           visible_where([SWITCH, f"GI{stem}"], "        ", '<FileChooser extensions="vti" file_description="Baked light"/>'
                          '<AcceptAnyFile/>') + "      </StringVectorProperty>\n")
+    yield (f'      <StringVectorProperty name="GI{stem}Problem" command="Get{stem}Problem" information_only="1" '
+           'panel_visibility="never">\n        <Documentation>Why light could not be baked, read or written; empty if all is well.'
+           '</Documentation>\n      </StringVectorProperty>\n')
+
+
+def probe_properties():
+    """What a view needs to bake probes."""
+    shown = [SWITCH, f"GI{PROBES}"]
     for name, title, command, bounds, default, doc in (
             ("Count", "Probes to bake", "SetProbesToBake", [27, MOST_PROBES], 1024,
              "Maximum number of probes in the bounds of the visible props."),
@@ -124,12 +133,6 @@ def probe_properties():
            '        <Documentation>Bake the indirect light of the scene as the view shows it now. This takes seconds to '
            'minutes. Lights that follow the camera are left out.</Documentation>\n' +
            visible_where(shown, "        ") + "      </Property>\n")
-    yield (f'      <StringVectorProperty name="GI{PROBES}Problem" command="GetProbesProblem" information_only="1" '
-           'panel_visibility="never">\n        <Documentation>Why probes could not be baked, read or written; empty if all '
-           'is well.</Documentation>\n      </StringVectorProperty>\n')
-
-
-PROBE_PROPERTIES = [f"GI{PROBES}{name}" for name in ("File", "Bake", "Count", "Samples", "Problem")]
 
 
 def settings_proxy(techniques):
@@ -147,6 +150,8 @@ def settings_proxy(techniques):
         else:
             out.append(sm_property(name, label(declaration), f"Set{name}", declaration["type"], default,
                                    domain(declaration), tooltip(declaration), [SWITCH, switch], advanced=True))
+    for stem, what in BAKES.items():
+        out += bake_properties(stem, what)
     out += probe_properties()
     out.append('      <ProxyProperty name="GIView" command="SetView" panel_visibility="never">\n'
                '        <ProxyGroupDomain name="groups"><Group name="views"/></ProxyGroupDomain>\n'
@@ -165,7 +170,8 @@ def extension(techniques):
     switches = [SWITCH, "GIPreset", "GIStillFrames"] + [name for name, _, parameter, _, _ in table if parameter is None]
     groups = group("Global illumination", switches)
     for stem, technique in techniques:
-        names = list(PROBE_PROPERTIES) if stem == PROBES else []
+        names = [f"GI{stem}{name}" for name in ("File", "Problem") if stem in BAKES]
+        names += [f"GI{stem}{name}" for name in ("Bake", "Count", "Samples") if stem == PROBES]
         names += [name for name, owner, parameter, _, _ in table if owner == technique["name"] and parameter]
         if names:
             groups += group(f"GI: {technique['title']}", names)

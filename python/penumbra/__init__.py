@@ -16,8 +16,7 @@ for _name in ("vtkRenderingOpenGL2", "vtkRenderingFreeType", "vtkRenderingVolume
 del _importlib, _name
 
 from .vtkRenderingGI import *  # noqa: F403,E402 the wrapped classes, vtkGIPass and its like
-from .bakes import load_bake, read_lightmap  # noqa: E402
 from .images import radiance, relative_error, render, save_png, window  # noqa: E402
-from .passes import disable, enable, presets, statistics, techniques  # noqa: E402
+from .passes import disable, enable, load_bake, presets, statistics, techniques  # noqa: E402
 
 __version__ = "0.1.0"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from .vtkRenderingGI import vtkGIPass
+from .vtkRenderingGI import vtkGIBakeFile, vtkGIPass
 
 
 @dataclass(frozen=True)
@@ -132,6 +132,19 @@ def disable(target):
             if renderer.GetRenderWindow() is not None:
                 gi.ReleaseGraphicsResources(renderer.GetRenderWindow())
             renderer.SetPass(None)
+
+
+def load_bake(gi, path):
+    """Give baked light to its technique of a pass, and switch that on. Returns the technique.
+
+    Raises ValueError, with a sentence, for a file that holds no baked light, is damaged, or was altered.
+    """
+    open(path, "rb").close()  # FileNotFoundError and the like
+    file = vtkGIBakeFile()
+    technique = file.Load(str(path), gi)
+    if technique is None:
+        raise ValueError(file.GetLastError())
+    return technique
 
 
 def presets():

@@ -86,7 +86,7 @@ def baked(args, folder):
     """The files of both bakes."""
     scene = scene_file(folder)
     files = []
-    for kind, suffix, more in (("lightmap", "exr", ["--texel-size", args.texel_size]), ("probes", "vti", ["--probes", args.probes])):
+    for kind, suffix, more in (("lightmap", "vti", ["--texel-size", args.texel_size]), ("probes", "vti", ["--probes", args.probes])):
         if kind == "lightmap" and args.direct:
             more.append("--direct")
         file = os.path.join(folder, f"{kind}_{'_'.join(map(str, more[1:]))}_{args.samples}.{suffix}")

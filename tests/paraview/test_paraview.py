@@ -179,11 +179,25 @@ class Baked(Base):
         text = self.run_script("pvpython", "baked.py", "load", self.folder)
         self.assertEqual(within(picture(self.folder / "bake.png"), picture(self.folder / "load.png"), 0), 1.0)
         self.assertIn("problem with it: none", text)
-        for sentence in ("do not exist", "holds no probes", "are damaged"):
-            self.assertRegex(text, f"problem: .*{sentence}")
-            self.assertEqual(self.messages.count(sentence), 2, self.messages)  # to the user, and in the property
+        self.check_sentences(text, "does not exist", "holds no baked light", "' is damaged")
         self.assertEqual([float(share) for share in re.findall(r"(?:unlit|again|state) ([\d.]+)", text)], [1.0] * 5)
         self.assertIn("light ", self.messages)  # what no longer fits the bake
+
+    def check_sentences(self, text, *sentences):
+        for sentence in sentences:
+            self.assertRegex(text, f"problem: .*{sentence}")
+            self.assertEqual(self.messages.count(sentence), 2, self.messages)  # to the user, and in the property
+
+    @unittest.skipUnless(os.environ.get("PENUMBRA_COMMAND"), "needs the command penumbra, which bakes lightmaps")
+    def test_a_lightmap_of_the_command_fits_the_same_files(self):
+        text = self.run_script("pvpython", "lightmap.py", self.folder, os.environ["PENUMBRA_COMMAND"])
+        self.assertIn("problem with it: none", text)
+        self.assertGreater(self.number("changed", text), 0.1)
+        self.assertGreaterEqual(within(picture(self.folder / "view.png"), picture(self.folder / "tool.png")), 0.995)
+        self.check_sentences(text, "does not exist", "holds no baked light", "' is damaged", "penumbra bake convert")
+        self.assertEqual([float(share) for share in re.findall(r"(?:unlit|again) ([\d.]+)", text)], [1.0] * 5)
+        self.assertIn("the lightmap no longer fits: 'floor' changed its look since the bake", self.messages)
+        self.assertIn("problem with other data: none", text)  # which the note tells
 
 
 class States(Base):

@@ -1,15 +1,18 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of baked probes: what Python writes it reads, and what was altered since it refuses."""
+"""Files of baked light: what Python writes it reads, and what was altered since it refuses."""
 import pathlib
 import re
 import tempfile
 import unittest
 
+import numpy
 import penumbra
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
@@ -111,9 +114,80 @@ class Probes(unittest.TestCase):
         image = vtkImageData()
         image.SetDimensions(2, 2, 2)
         write(image, other)
-        self.refused(other, "no field of probes")
+        self.refused(other, "holds no baked light")
         with self.assertRaises(FileNotFoundError):
             penumbra.load_bake(self.gi, self.folder / "none.vti")
+
+
+class Lightmaps(unittest.TestCase):
+    """A floor whose light is made up, in memory and by way of a file."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.renderer, plane, mapper, actor = vtkRenderer(), vtkPlaneSource(), vtkPolyDataMapper(), vtkActor()
+        cls.window = penumbra.window(cls.renderer, size=(32, 24), multisamples=0)
+        mapper.SetInputConnection(plane.GetOutputPort())
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(0.3, 0.3, 0.3)
+        cls.renderer.AddActor(actor)
+        cls.gi = penumbra.enable(cls.renderer, "off")
+        cls.technique = cls.gi.GetTechnique("lightmap")
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(plane.GetOutputPort())
+        triangles.Update()
+        cls.surfaces = triangles.GetOutput()
+        text = vtkStringArray()
+        text.SetName("scene")
+        text.InsertNextValue(penumbra.vtkGILightmap.DescribeScene(cls.renderer))
+        cls.surfaces.GetFieldData().AddArray(text)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.window.Finalize()
+        cls.scratch.cleanup()
+
+    def light(self, components):
+        values = numpy.random.default_rng(components).random((7 * 5, components), numpy.float32)
+        image = vtkImageData()
+        image.SetDimensions(7, 5, 1)
+        image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
+        return image, values
+
+    def write(self, light, name="map.vti"):
+        bake, file = vtkImageData(), penumbra.vtkGIBakeFile()
+        self.assertTrue(self.technique.JoinBake(self.surfaces, light, bake), self.technique.GetBakeError())
+        self.assertTrue(file.Write(str(self.folder / name), bake), file.GetLastError())
+        return self.folder / name
+
+    def test_what_was_written_is_read(self):
+        for components in (3, 6, 12, 24):
+            light, values = self.light(components)
+            self.assertTrue(self.technique.SetBake(self.surfaces, light))
+            self.technique.EnabledOn()
+            memory = penumbra.render(self.window)
+            path = self.write(light)
+            points = read(path).GetPointData()
+            layers = [points.GetArray(name) for name in ("light", "moments", "lamps", "lamp moments")]
+            stored = numpy.hstack([vtk_to_numpy(layer) for layer in layers if layer])
+            numpy.testing.assert_array_equal(stored, values)
+            self.technique.SetBake(None)
+            self.assertTrue((penumbra.render(self.window) != memory).any())
+            self.technique.EnabledOff()
+            self.assertIs(penumbra.load_bake(self.gi, path), self.technique)
+            self.assertTrue(self.technique.GetEnabled())
+            numpy.testing.assert_array_equal(penumbra.render(self.window), memory)
+
+    def test_damaged_and_foreign_files_are_refused(self):
+        whole, bad = self.write(self.light(3)[0]).read_bytes(), self.folder / "bad.vti"
+        for content, words in ((whole[:len(whole) // 3], "is damaged"), (b"", "holds no baked light"),
+                               (b"\x76\x2f\x31\x01" + whole, f"penumbra bake convert {bad} -o NEW.vti")):
+            bad.write_bytes(content)
+            with self.assertRaises(ValueError) as caught:
+                penumbra.load_bake(self.gi, bad)
+            self.assertIn(words, str(caught.exception))
+            self.assertIn(f"'{bad}'", str(caught.exception))
 
 
 if __name__ == "__main__":

@@ -5,14 +5,24 @@
 
 #include "common/Failure.h"
 
+#include <OpenImageIO/imageio.h>
+#include <vtkFieldData.h>
+#include <vtkGIBakeFile.h>
+#include <vtkGIPass.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkXMLImageDataReader.h>
 
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 
 #include <unistd.h>
@@ -40,10 +50,10 @@ protected:
     this->Map.First = this->Map.Baked;
     AddSurfaces(this->Map, surfaces, charts, atlas);
     this->Map.Patches = { { { 1, 2 }, { 3, 4 }, 0x123456789abcdef0u } };
-    this->Map.Scene = "a scene\nof two lines\n";
+    this->Map.Scene = "penumbra scene 1\n";
     this->Map.Made = "made in a test";
     this->Map.Settings = "settings";
-    this->Path = (this->Folder / "map.exr").string();
+    this->Path = (this->Folder / "map.vti").string();
     WriteLightmap(this->Path, this->Map);
   }
   void TearDown() override { std::filesystem::remove_all(this->Folder); }
@@ -51,58 +61,83 @@ protected:
   // Why it is refused; else it must hold what was written.
   std::string Refusal(const std::string& path)
   {
-    try
+    vtkNew<vtkGIBakeFile> file;
+    vtkNew<vtkGIPass> pass;
+    vtkNew<vtkImageData> read;
+    if (!file->Load(path.c_str(), pass))
     {
-      ExpectSame(ReadLightmap(path), ReadLightmap(this->Path));
+      return file->GetLastError();
     }
-    catch (const penumbra::tool::Failure& failure)
-    {
-      return failure.what();
-    }
+    EXPECT_TRUE(file->Read(path.c_str(), read));
+    ExpectSame(read, MakeImage(this->Map));
     return "";
   }
 
-  static void ExpectSame(const Lightmap& read, const Lightmap& written)
+  // Every array that there was, bit for bit.
+  static void ExpectSame(vtkImageData* read, vtkImageData* written)
   {
-    EXPECT_EQ(read.Scene, written.Scene);
-    EXPECT_EQ(read.Made, written.Made);
-    EXPECT_EQ(read.Settings, written.Settings);
-    EXPECT_EQ(read.Origin, written.Origin);
-    EXPECT_EQ(read.Points, written.Points);
-    EXPECT_EQ(read.Normals, written.Normals);
-    EXPECT_EQ(read.Places, written.Places);
-    EXPECT_EQ(read.Triangles, written.Triangles);
-    ASSERT_EQ(read.Patches.size(), written.Patches.size());
-    for (std::size_t i = 0; i < read.Patches.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      EXPECT_EQ(read.Patches[i].At, written.Patches[i].At);
-      EXPECT_EQ(read.Patches[i].Texels, written.Patches[i].Texels);
-      EXPECT_EQ(read.Patches[i].Key, written.Patches[i].Key);
+      EXPECT_EQ(read->GetDimensions()[axis], written->GetDimensions()[axis]);
     }
-    EXPECT_EQ(read.Baked.Values, written.Baked.Values);
-    EXPECT_EQ(read.Lamps.Values, written.Lamps.Values);
-    EXPECT_EQ(read.First.Values, written.First.Values);
+    vtkFieldData* pairs[][2] = { { read->GetPointData(), written->GetPointData() },
+      { read->GetFieldData(), written->GetFieldData() } };
+    for (auto& [ours, theirs] : pairs)
+    {
+      for (int i = 0; i < theirs->GetNumberOfArrays(); ++i)
+      {
+        vtkAbstractArray* wanted = theirs->GetAbstractArray(i);
+        vtkAbstractArray* array = ours->GetAbstractArray(wanted->GetName());
+        ASSERT_TRUE(array) << wanted->GetName();
+        ASSERT_EQ(array->GetDataType(), wanted->GetDataType()) << wanted->GetName();
+        ASSERT_EQ(array->GetNumberOfComponents(), wanted->GetNumberOfComponents());
+        ASSERT_EQ(array->GetNumberOfValues(), wanted->GetNumberOfValues()) << wanted->GetName();
+        if (auto* text = vtkStringArray::SafeDownCast(array))
+        {
+          EXPECT_EQ(text->GetValue(0), vtkStringArray::SafeDownCast(wanted)->GetValue(0));
+          continue;
+        }
+        EXPECT_EQ(
+          std::memcmp(array->GetVoidPointer(0), wanted->GetVoidPointer(0),
+            static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize()),
+          0)
+          << wanted->GetName();
+      }
+    }
   }
 
   std::filesystem::path Folder;
   std::string Path;
   Lightmap Map;
 };
+
+float AsHalf(float value)
+{
+  return glm::unpackHalf1x16(glm::packHalf1x16(value));
+}
 }
 
 TEST_F(LightmapFiles, ComeBack)
 {
-  EXPECT_TRUE(IsLightmap(this->Path));
+  vtkNew<vtkXMLImageDataReader> reader; // as anyone reads it
+  reader->SetFileName(this->Path.c_str());
+  reader->Update();
+  ExpectSame(reader->GetOutput(), MakeImage(this->Map));
+  EXPECT_STREQ(reader->GetOutput()->GetPointData()->GetScalars()->GetName(), "light");
   const Lightmap read = ReadLightmap(this->Path);
   for (Light* light : { &this->Map.Baked, &this->Map.First })
   {
-    for (float& value : light->Values)
-    {
-      value = glm::unpackHalf2x16(glm::packHalf2x16({ value, 0.0f })).x; // as files have it
-    }
+    std::transform(light->Values.begin(), light->Values.end(), light->Values.begin(), AsHalf);
   }
-  ExpectSame(read, this->Map);
-  EXPECT_EQ(read.Lamps.Channels, 0);
+  EXPECT_EQ(read.Baked.Values, this->Map.Baked.Values);
+  EXPECT_EQ(read.First.Values, this->Map.First.Values);
+  EXPECT_EQ(read.Scene, this->Map.Scene);
+  EXPECT_EQ(read.Made, this->Map.Made);
+  EXPECT_EQ(read.Settings, this->Map.Settings);
+  ASSERT_EQ(read.Patches.size(), 1u);
+  EXPECT_EQ(read.Patches[0].At, this->Map.Patches[0].At);
+  EXPECT_EQ(read.Patches[0].Texels, this->Map.Patches[0].Texels);
+  EXPECT_EQ(read.Patches[0].Key, this->Map.Patches[0].Key);
 }
 
 // Every kind of light that a file may hold, each with its own values.
@@ -125,19 +160,64 @@ TEST_F(LightmapFiles, KindsOfLightComeBack)
         }
       }
       WriteLightmap(this->Path, this->Map);
-      const Lightmap read = ReadLightmap(this->Path);
-      EXPECT_EQ(read.Baked.Values, this->Map.Baked.Values);
-      EXPECT_EQ(read.Lamps.Values, this->Map.Lamps.Values);
-      EXPECT_EQ(read.First.Values.size(), plain.Values.size());
-      const auto image = MakeImage(read);
-      ASSERT_EQ(image->GetNumberOfScalarComponents(), each + lamps);
-      const int last = each + lamps - 1;
-      const Light& of = lamps > 0 ? read.Lamps : read.Baked;
-      EXPECT_EQ(image->GetScalarComponentAsDouble(3, 2, 0, last),
-        of.At(2 * std::size_t(plain.Width) + 3)[(lamps > 0 ? lamps : each) - 1]);
-      EXPECT_EQ(image->GetScalarComponentAsDouble(3, 2, 0, 1),
-        read.Baked.At(2 * std::size_t(plain.Width) + 3)[1]);
+      EXPECT_EQ(this->Refusal(this->Path), "");
+      EXPECT_EQ(ReadLightmap(this->Path).Baked.Values, this->Map.Baked.Values);
+      const auto image = MakeImage(this->Map);
+      const std::size_t texel = 2 * std::size_t(plain.Width) + 3;
+      const auto expect = [&](const char* name, const Light& light, int first) {
+        vtkDataArray* array = image->GetPointData()->GetArray(name);
+        ASSERT_EQ(array != nullptr, light.Channels > first) << name;
+        for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
+        {
+          EXPECT_EQ(
+            array->GetComponent(static_cast<vtkIdType>(texel), c), light.At(texel)[first + c]);
+        }
+      };
+      expect("light", this->Map.Baked, 0);
+      expect("moments", this->Map.Baked, 3);
+      expect("lamps", this->Map.Lamps, 0);
+      expect("lamp moments", this->Map.Lamps, 3);
     }
+  }
+}
+
+// Files that the former version wrote: what OpenImageIO finds in them.
+TEST_F(LightmapFiles, OldOnesAreRead)
+{
+  for (const std::string name : { "old_lightmap.exr", "old_lightmap_plain.exr" })
+  {
+    const std::string path = PENUMBRA_OLD_LIGHTMAPS + name;
+    ASSERT_TRUE(IsOpenExr(path));
+    const Lightmap map = ReadOldLightmap(path);
+    auto input = OIIO::ImageInput::open(path);
+    const OIIO::ImageSpec spec = input->spec();
+    std::vector<float> pixels(spec.image_pixels() * spec.nchannels);
+    ASSERT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()));
+    const auto image = MakeImage(map);
+    ASSERT_EQ(image->GetNumberOfPoints(), static_cast<vtkIdType>(spec.image_pixels()));
+    const std::map<std::string, std::pair<std::string, int>> places = { { "R", { "light", 0 } },
+      { "B", { "light", 2 } }, { "moment-y.G", { "moments", 4 } }, { "lamps.G", { "lamps", 1 } },
+      { "lamps-moment-z.B", { "lamp moments", 8 } }, { "first.R", { "first", 0 } } };
+    std::size_t found = 0;
+    for (const auto& [channel, place] : places)
+    {
+      const int at = spec.channelindex(channel);
+      vtkDataArray* array = image->GetPointData()->GetArray(place.first.c_str());
+      ASSERT_EQ(array != nullptr, at >= 0) << channel;
+      for (std::size_t i = 0; array && i < spec.image_pixels(); ++i)
+      {
+        ASSERT_EQ(array->GetComponent(static_cast<vtkIdType>(i), place.second),
+          pixels[i * spec.nchannels + at]);
+      }
+      found += array ? 1 : 0;
+    }
+    EXPECT_EQ(found, name == "old_lightmap.exr" ? places.size() : 3u);
+    EXPECT_EQ(map.Triangles.size(), 6u);
+    EXPECT_EQ(map.Points.size(), 12u);
+    EXPECT_EQ(map.Patches.size(), 3u);
+    WriteLightmap(this->Path, map);
+    this->Map = map;
+    EXPECT_EQ(this->Refusal(this->Path), "");
   }
 }
 
@@ -145,9 +225,9 @@ TEST_F(LightmapFiles, BrokenOnesAreRefused)
 {
   std::ifstream file(this->Path, std::ios::binary);
   const std::string whole((std::istreambuf_iterator<char>(file)), {});
-  const std::string broken = (this->Folder / "broken.exr").string();
+  const std::string broken = (this->Folder / "broken.vti").string();
   int accepted = 0;
-  constexpr int changed = 200;
+  constexpr int changed = 400;
   std::mt19937 random(11);
   for (int i = 0; i < 20 + changed; ++i)
   {
@@ -164,11 +244,11 @@ TEST_F(LightmapFiles, BrokenOnesAreRefused)
     const std::string said = this->Refusal(broken);
     // Bytes that nothing depends on may change, such as a picture's size on the screen.
     accepted += said.empty() ? 1 : 0;
-    EXPECT_TRUE(said.empty() || said.find("broken.exr") != std::string::npos) << said;
+    EXPECT_TRUE(said.empty() || said.find("broken.vti") != std::string::npos) << said;
     EXPECT_TRUE(i >= 20 || !said.empty()) << "cut off at " << bytes.size();
   }
   std::printf("%d of %d files with a byte changed were accepted\n", accepted, changed);
   EXPECT_LT(accepted, changed / 8);
   EXPECT_NE(
-    this->Refusal((this->Folder / "none.exr").string()).find("does not exist"), std::string::npos);
+    this->Refusal((this->Folder / "none.vti").string()).find("does not exist"), std::string::npos);
 }

@@ -122,5 +122,20 @@ class CommandTest(unittest.TestCase):
 
 
 class LightmapTest(CommandTest):
-    def bake(self, scene, *arguments, notes=(), output="map.exr"):
+    def bake(self, scene, *arguments, notes=(), output="map.vti"):
         return self.report("bake", "lightmap", scene, "-o", output, "--stats", *arguments, notes=notes)
+
+    def compare_maps(self, one, other):
+        """As penumbra compare does, of the light that two lightmaps hold."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+        def light(name):
+            reader = vtkXMLImageDataReader()
+            reader.SetFileName(str(self.folder / name))
+            reader.Update()
+            return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+        ours, truth = light(one), light(other)
+        self.assertEqual(ours.shape, truth.shape)
+        return {"maximum": float(abs(ours - truth).max()),
+                "relmse": float(((ours - truth) ** 2 / (truth ** 2 + 0.01)).mean())}

@@ -24,7 +24,7 @@ class DirectLightmap(command.LightmapTest):
         """The whole picture, with no technique for shadows: they are the map's."""
         scene = self.scene(self.cornell)
         baked = self.bake(scene, "--direct", "--texel-size", 5, "--samples", 16, "--anew")
-        self.succeeds("render", scene, *SMALL, "--on", "anti-aliasing", "--bake", "map.exr", "-o", "lit.exr")
+        self.succeeds("render", scene, *SMALL, "--on", "anti-aliasing", "--bake", "map.vti", "-o", "lit.exr")
         self.succeeds("render", scene, "--preset", "reference", "--spp", 256, "--size", "64x64", "-o", "traced.exr")
         compared = self.compare("lit.exr", "traced.exr")
         self.succeeds("render", scene, *SMALL, "--on", "anti-aliasing", "-o", "unshadowed.exr")
@@ -40,12 +40,12 @@ class DirectLightmap(command.LightmapTest):
         scene["objects"].append(BALL)
         path = self.scene(scene)
         few = ("--texel-size", 24, "--samples", 16, "--anew", "--without", "ball")
-        self.bake(path, *few, "--direct", output="direct.exr")
+        self.bake(path, *few, "--direct", output="direct.vti")
         near = {**scene, "camera": {**scene["camera"], "focal": BALL["sphere"]["center"], "angle": 4}}
         differ = {}
         for view, described in (("room", scene), ("ball", near)):
             path = self.scene(described, f"{view}.json")
-            for name, more in (("none", ()), ("direct", ("--bake", "direct.exr"))):
+            for name, more in (("none", ()), ("direct", ("--bake", "direct.vti"))):
                 self.succeeds("render", path, *SMALL, "--on", "shadow-maps", *more, "-o", f"{name}_picture.exr")
             differ[view] = self.compare("direct_picture.exr", "none_picture.exr")["maximum"]
         print(f"\nby the map other light in the room by {differ['room']:.2f}, on the ball by {differ['ball']:.2g}")
@@ -59,7 +59,7 @@ class DirectLightmap(command.LightmapTest):
         other["lights"][0]["intensity"] = 0.7
         dimmed = self.scene(other, "dimmed.json")
         self.succeeds("render", dimmed, *SMALL, "-o", "without.exr")
-        self.succeeds("render", dimmed, "--bake", "map.exr", "--set", "lightmap.live-fallback=off", *SMALL, "-o", "with.exr",
+        self.succeeds("render", dimmed, "--bake", "map.vti", "--set", "lightmap.live-fallback=off", *SMALL, "-o", "with.exr",
                       notes=("no longer fits: light 1 changed its colour or strength since the bake",))
         self.assertEqual(self.compare("with.exr", "without.exr")["maximum"], 0)
 
@@ -70,10 +70,10 @@ class DirectLightmap(command.LightmapTest):
                  "lights": [{"type": "point", "position": [0.3, 0.2, 1], "intensity": 0.8}],
                  "camera": {"position": [0, -2, 2], "focal": [0, 0, 0], "up": [0, 0, 1]}}
         path = self.scene(scene)
-        self.refused("bake", "lightmap", path, "-o", "no.exr", says="no indirect light", status=1)
+        self.refused("bake", "lightmap", path, "-o", "no.vti", says="no indirect light", status=1)
         self.bake(path, "--direct", "--texel-size", 0.02, "--samples", 16, "--anew")
         self.succeeds("render", path, *SMALL, "-o", "without.exr")
-        self.succeeds("render", path, *SMALL, "--bake", "map.exr", "-o", "with.exr")
+        self.succeeds("render", path, *SMALL, "--bake", "map.vti", "-o", "with.exr")
         compared = self.compare("with.exr", "without.exr")
         print(f"\na floor: relMSE {compared['relmse']:.2g} of what VTK draws")
         self.assertLess(compared["relmse"], 1.5e-7)
@@ -82,17 +82,17 @@ class DirectLightmap(command.LightmapTest):
         """As without --direct; and what was gathered with it is not gone on with without, or the other way."""
         scene = self.scene(self.cornell)
         settings = ("--texel-size", 12, "--samples", 64)
-        self.bake(scene, *settings, "--direct", "--anew", output="whole.exr")
-        progress = self.folder / "broken.exr.baking"
-        self.killed_at_work("bake", "lightmap", scene, "-o", "broken.exr", "--direct", *settings, when=progress.exists,
-                            output="broken.exr")
+        self.bake(scene, *settings, "--direct", "--anew", output="whole.vti")
+        progress = self.folder / "broken.vti.baking"
+        self.killed_at_work("bake", "lightmap", scene, "-o", "broken.vti", "--direct", *settings, when=progress.exists,
+                            output="broken.vti")
         kept = progress.read_bytes()
-        other = self.bake(scene, *settings, notes=("of other settings",), output="broken.exr")
+        other = self.bake(scene, *settings, notes=("of other settings",), output="broken.vti")
         self.assertEqual(other["resumed"], 0)
-        (self.folder / "broken.exr").unlink()
+        (self.folder / "broken.vti").unlink()
         progress.write_bytes(kept)
-        resumed = self.bake(scene, *settings, "--direct", output="broken.exr")
-        compared = self.compare("broken.exr", "whole.exr")
+        resumed = self.bake(scene, *settings, "--direct", output="broken.vti")
+        compared = self.compare_maps("broken.vti", "whole.vti")
         print(f"\nkilled at {100 * resumed['resumed']:.0f} %, resumed: differs by {compared['maximum']:.2g} at most")
         self.assertGreater(resumed["resumed"], 0)
         self.assertLess(compared["maximum"], 1e-3, "rounding of half floats")
@@ -103,10 +103,10 @@ class DirectLightmap(command.LightmapTest):
         few = ("--texel-size", 24, "--samples", 16)
         tiles = self.bake(scene, *few, "--anew")["tiles"]
         self.assertEqual(self.bake(scene, *few, "--direct")["kept-tiles"], 0)
-        first = (self.folder / "map.exr").read_bytes()
+        first = (self.folder / "map.vti").read_bytes()
         self.assertEqual(self.bake(scene, *few, "--direct")["kept-tiles"], tiles)
-        (self.folder / "first.exr").write_bytes(first)
-        self.assertLess(self.compare("map.exr", "first.exr")["maximum"], 1e-3)
+        (self.folder / "first.vti").write_bytes(first)
+        self.assertLess(self.compare_maps("map.vti", "first.vti")["maximum"], 1e-3)
         self.assertEqual(self.bake(scene, *few)["kept-tiles"], 0)
 
 

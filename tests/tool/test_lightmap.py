@@ -11,6 +11,7 @@ import unittest
 import command
 
 CORNELL = pathlib.Path(__file__).resolve().parents[2] / "examples" / "cornell.json"
+OLD = pathlib.Path(__file__).with_name("old_lightmap.exr")  # of lamp_room() without the ball
 OFF = {"type": "directional", "position": [0, 0, -1], "intensity": 0}  # VTK lights nothing without any light
 SMALL = ("--size", "48x36", "--preset", "off", "--frames", "1")
 
@@ -79,7 +80,7 @@ class Lightmap(command.LightmapTest):
             emission = 0.2
             scene = self.scene(room(reflectance, emission))
             self.bake(scene, "--texel-size", 0.7, "--samples", 4096, "--anew")
-            self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "lit.exr")
+            self.succeeds("render", scene, "--bake", "map.vti", *SMALL, "-o", "lit.exr")
             expected = emission / (1 - reflectance)
             flat = {"objects": [{"box": {}}], "background": [expected] * 3, "camera": {"position": [0, 0, 9],
                                                                                        "focal": [0, 0, 90]}}
@@ -95,7 +96,7 @@ class Lightmap(command.LightmapTest):
         path = self.scene(scene, "cornell.json")
         size = ("--size", "64x64")
         baked = self.bake(path, "--texel-size", 16, "--samples", 64, "--anew")
-        self.succeeds("render", path, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.exr", *size, "-o",
+        self.succeeds("render", path, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.vti", *size, "-o",
                       "lit.exr")
         self.succeeds("render", path, "--preset", "reference", "--spp", 256, *size, "-o", "traced.exr")
         compared = self.compare("lit.exr", "traced.exr", "--mask-above", 3)
@@ -119,11 +120,11 @@ class Lightmap(command.LightmapTest):
         """Error against many samples, of few samples with and without."""
         scene = self.scene(lamp_room())
         few = ("--texel-size", 0.06, "--open-seams", "--anew")
-        self.bake(scene, *few, "--samples", 512, "--no-denoise", output="exact.exr")
-        self.bake(scene, *few, "--samples", 32, "--no-denoise", output="noisy.exr")
-        self.bake(scene, *few, "--samples", 32, output="denoised.exr")
-        noisy = self.compare("noisy.exr", "exact.exr")["relmse"]
-        denoised = self.compare("denoised.exr", "exact.exr")["relmse"]
+        self.bake(scene, *few, "--samples", 512, "--no-denoise", output="exact.vti")
+        self.bake(scene, *few, "--samples", 32, "--no-denoise", output="noisy.vti")
+        self.bake(scene, *few, "--samples", 32, output="denoised.vti")
+        noisy = self.compare_maps("noisy.vti", "exact.vti")["relmse"]
+        denoised = self.compare_maps("denoised.vti", "exact.vti")["relmse"]
         print(f"\nrelMSE of the map at 32 samples {noisy:.5f}, denoised {denoised:.5f}")
         self.assertLess(denoised, 0.6 * noisy)
 
@@ -137,7 +138,7 @@ class Lightmap(command.LightmapTest):
             path = self.scene(other, "other.json")
             self.succeeds("render", path, *SMALL, "-o", "without.exr")
             notes = (f"no longer fits: {says} since the bake",) if says else ()
-            self.succeeds("render", path, "--bake", "map.exr", "--set", "lightmap.live-fallback=off", *SMALL, "-o",
+            self.succeeds("render", path, "--bake", "map.vti", "--set", "lightmap.live-fallback=off", *SMALL, "-o",
                           "with.exr", notes=notes)
             same = self.compare("with.exr", "without.exr")["maximum"] == 0
             self.assertEqual(same, bool(says), f"stale light in '{says}'")
@@ -160,7 +161,7 @@ class Lightmap(command.LightmapTest):
         live = self.report("render", path, "--on", "ddgi", *few, "-o", "live.exr", "--stats")
         self.assertGreaterEqual(live["frames"], 8)
         self.succeeds("render", path, *SMALL, "-o", "without.exr")
-        stale = self.report("render", path, "--bake", "map.exr", *few, "-o", "fallen-back.exr", "--stats",
+        stale = self.report("render", path, "--bake", "map.vti", *few, "-o", "fallen-back.exr", "--stats",
                             notes=("no longer fits",))
         self.assertEqual(stale["frames"], live["frames"], "all updates are waited for")
         self.assertEqual(self.compare("fallen-back.exr", "live.exr")["maximum"], 0)
@@ -171,40 +172,40 @@ class Lightmap(command.LightmapTest):
         self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--anew", "--without", "ball")
         other = lamp_room()
         other["objects"][3]["transform"] = {"translate": [0.1, 0, 0]}
-        self.succeeds("render", self.scene(other, "other.json"), "--bake", "map.exr", *SMALL, "-o", "with.exr")
-        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--without", "bal", says="ball", status=2)
+        self.succeeds("render", self.scene(other, "other.json"), "--bake", "map.vti", *SMALL, "-o", "with.exr")
+        self.refused("bake", "lightmap", scene, "-o", "no.vti", "--without", "bal", says="ball", status=2)
 
     def test_killed_and_resumed(self):
         """A bake that is killed goes on where it was, to the light that one without a break has."""
         scene = self.scene(lamp_room())
         settings = ("--texel-size", 0.08, "--samples", 256)
         start = time.monotonic()
-        self.bake(scene, *settings, "--anew", output="whole.exr")
+        self.bake(scene, *settings, "--anew", output="whole.vti")
         seconds = time.monotonic() - start
-        bake = ("bake", "lightmap", scene, "-o", "broken.exr", *settings)
-        progress = self.folder / "broken.exr.baking"
-        self.killed_at_work(*bake, when=progress.exists, output="broken.exr")
+        bake = ("bake", "lightmap", scene, "-o", "broken.vti", *settings)
+        progress = self.folder / "broken.vti.baking"
+        self.killed_at_work(*bake, when=progress.exists, output="broken.vti")
         self.assertTrue(progress.exists())
-        self.assertFalse((self.folder / "broken.exr").exists())
+        self.assertFalse((self.folder / "broken.vti").exists())
         kept = progress.read_bytes()
         # Of another scene's, and one that is cut off, nothing is taken.
         progress.write_bytes(kept[:-100])
-        damaged = self.bake(scene, "--texel-size", 0.4, "--samples", 16, notes=("is damaged",), output="broken.exr")
+        damaged = self.bake(scene, "--texel-size", 0.4, "--samples", 16, notes=("is damaged",), output="broken.vti")
         self.assertEqual(damaged["resumed"], 0)
-        (self.folder / "broken.exr").unlink()
+        (self.folder / "broken.vti").unlink()
         progress.write_bytes(kept)
-        other = self.bake(scene, "--texel-size", 0.4, "--samples", 16, notes=("of another scene",), output="broken.exr")
+        other = self.bake(scene, "--texel-size", 0.4, "--samples", 16, notes=("of another scene",), output="broken.vti")
         self.assertEqual(other["resumed"], 0)
-        (self.folder / "broken.exr").unlink()
+        (self.folder / "broken.vti").unlink()
         progress.write_bytes(kept)
-        resumed = self.bake(scene, *settings, output="broken.exr")
-        compared = self.compare("broken.exr", "whole.exr")
+        resumed = self.bake(scene, *settings, output="broken.vti")
+        compared = self.compare_maps("broken.vti", "whole.vti")
         print(f"\nkilled at {100 * resumed['resumed']:.0f} %, resumed: differs by {compared['maximum']:.2g} at most")
         self.assertGreater(resumed["resumed"], 0)
         self.assertLess(compared["maximum"], 1e-3, "rounding of half floats")
         self.assertFalse(progress.exists())
-        self.killed_at_any_moment(*bake, seconds=seconds, output="broken.exr")
-        self.assertLess(self.compare("broken.exr", "whole.exr")["maximum"], 1e-3)
+        self.killed_at_any_moment(*bake, seconds=seconds, output="broken.vti")
+        self.assertLess(self.compare_maps("broken.vti", "whole.vti")["maximum"], 1e-3)
 
     def test_baked_again_what_changed(self):
         """Two closed rooms: a change in one leaves the other's light as it was baked."""
@@ -220,25 +221,25 @@ class Lightmap(command.LightmapTest):
         self.assertEqual((first["kept-tiles"], again["kept-tiles"]), (0, first["tiles"]))
         # With seams, of a ball's charts: closed once, they stay as they are.
         scene = self.scene(lamp_room(), "ball.json")
-        first = self.bake(scene, "--texel-size", 0.1, "--samples", 16, "--anew", output="ball.exr")
-        (self.folder / "once.exr").write_bytes((self.folder / "ball.exr").read_bytes())
-        again = self.bake(scene, "--texel-size", 0.1, "--samples", 16, output="ball.exr")
+        first = self.bake(scene, "--texel-size", 0.1, "--samples", 16, "--anew", output="ball.vti")
+        (self.folder / "once.vti").write_bytes((self.folder / "ball.vti").read_bytes())
+        again = self.bake(scene, "--texel-size", 0.1, "--samples", 16, output="ball.vti")
         self.assertEqual(again["kept-tiles"], first["tiles"])
-        self.assertLess(self.compare("ball.exr", "once.exr")["maximum"], 1e-3, "rounding of half floats")
-        before = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings, "--anew", output="whole.exr")
+        self.assertLess(self.compare_maps("ball.vti", "once.vti")["maximum"], 1e-3, "rounding of half floats")
+        before = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings, "--anew", output="whole.vti")
         changed = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings)
         print(f"\n{changed['kept-tiles']} of {changed['tiles']} tiles kept")
         self.assertGreaterEqual(changed["kept-tiles"], 6)
         self.assertLess(changed["kept-tiles"], changed["tiles"])
         self.assertEqual(before["tiles"], changed["tiles"])
-        self.assertLess(self.compare("map.exr", "whole.exr")["maximum"], 2e-3)
+        self.assertLess(self.compare_maps("map.vti", "whole.vti")["maximum"], 2e-3)
 
     def test_directional(self):
         scene = self.scene(room(0.5, 0.2))
         self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--directional", "--anew")
-        self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "with.exr")
+        self.succeeds("render", scene, "--bake", "map.vti", *SMALL, "-o", "with.exr")
         self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--anew")
-        self.succeeds("render", scene, "--bake", "map.exr", *SMALL, "-o", "plain.exr")
+        self.succeeds("render", scene, "--bake", "map.vti", *SMALL, "-o", "plain.exr")
         difference = self.compare("with.exr", "plain.exr")["maximum"]
         self.assertLess(difference, 0.01 * 0.4, "normals are as baked, other directions are sampled")
 
@@ -251,7 +252,7 @@ class Lightmap(command.LightmapTest):
         errors = []
         for options in ((), ("--directional",)):
             self.bake(scene, "--texel-size", texel, "--samples", 256, *options, "--anew")
-            self.succeeds("render", scene, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.exr", *size, "-o",
+            self.succeeds("render", scene, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.vti", *size, "-o",
                           "lit.exr")
             compared = self.compare("lit.exr", "traced.exr", "--mask-above", 0.85)
             errors.append(compared["relmse"])
@@ -268,30 +269,51 @@ class Lightmap(command.LightmapTest):
         self.assertGreater(plain, 0.03)
         self.assertLess(directional, 0.001)
 
+    def test_old_files(self):
+        """A lightmap in the old form shows the same light before and after it is converted."""
+        described = lamp_room()
+        described["objects"].pop()
+        scene = self.scene(described, "walls.json")
+        self.succeeds("render", scene, *SMALL, "-o", "without.exr")
+        for old in (OLD, OLD.with_name("old_lightmap_plain.exr")):
+            self.succeeds("render", scene, "--bake", old, *SMALL, "-o", "old.exr",
+                          notes=(f"penumbra bake convert {old} -o NEW.vti",))
+            self.succeeds("bake", "convert", old, "-o", "new.vti")
+            self.succeeds("render", scene, "--bake", "new.vti", *SMALL, "-o", "new.exr")
+            self.assertEqual(self.compare("new.exr", "old.exr")["maximum"], 0)
+            self.assertGreater(self.compare("new.exr", "without.exr")["maximum"], 0.01)
+
     def test_what_is_refused(self):
         scene = self.scene(lamp_room())
         self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--anew")
-        whole = (self.folder / "map.exr").read_bytes()
+        whole = (self.folder / "map.vti").read_bytes()
 
-        def refused(content, says, name="bad.exr"):
+        def refused(content, says, name="bad.vti"):
             (self.folder / name).write_bytes(content)
             self.refused("render", scene, "--bake", name, "-o", "no.png", says=says, status=1)
         refused(whole[: len(whole) // 2], "damaged")
-        refused(b"no picture", "bad.exr")
-        refused(whole[:2000] + b"\x55" * 64 + whole[2064:], "bad.exr")
+        refused(b"no picture", "bad.vti")
+        refused(whole[:2000] + b"\x55" * 64 + whole[2064:], "bad.vti")
         self.succeeds("render", scene, *SMALL, "-o", "picture.exr")
         refused((self.folder / "picture.exr").read_bytes(), "no baked light")
-        self.refused("render", scene, "--bake", "nowhere.exr", "-o", "no.png", says="nowhere.exr", status=1)
-        (self.folder / "map.exr").write_bytes(b"no picture")
-        self.refused("bake", "lightmap", scene, "-o", "map.exr", says="--anew", status=1)
-        self.refused("bake", "lightmap", scene, "-o", "map.png", says=".exr", status=2)
-        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--samples", 40, says="multiple of 16", status=2)
-        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--texel-size", -1, says="--texel-size", status=2)
-        self.refused("bake", "lightmap", scene, "-o", "no.exr", "--max-size", 16, says="--max-size", status=1)
+        self.refused("bake", "convert", "picture.exr", "-o", "no.vti", says="no baked light", status=1)
+        self.refused("bake", "convert", "map.vti", "-o", "no.vti", says="'map.vti' is not an OpenEXR file", status=1)
+        self.refused("bake", "convert", "nowhere.exr", "-o", "no.vti", says="'nowhere.exr'", status=1)
+        self.refused("bake", "convert", "picture.exr", "-o", "no.exr", says=".vti", status=2)
+        old = OLD.read_bytes()
+        refused(old[: len(old) // 2], "bad.vti")
+        refused(old.replace(b"'floor'", b"'flour'"), "checksum")
+        self.refused("render", scene, "--bake", "nowhere.vti", "-o", "no.png", says="nowhere.vti", status=1)
+        (self.folder / "map.vti").write_bytes(b"no picture")
+        self.refused("bake", "lightmap", scene, "-o", "map.vti", says="--anew", status=1)
+        self.refused("bake", "lightmap", scene, "-o", "map.png", says=".vti", status=2)
+        self.refused("bake", "lightmap", scene, "-o", "no.vti", "--samples", 40, says="multiple of 16", status=2)
+        self.refused("bake", "lightmap", scene, "-o", "no.vti", "--texel-size", -1, says="--texel-size", status=2)
+        self.refused("bake", "lightmap", scene, "-o", "no.vti", "--max-size", 16, says="--max-size", status=1)
         dark = {**lamp_room(), "lights": [OFF]}
-        self.refused("bake", "lightmap", self.scene(dark, "dark.json"), "-o", "no.exr", says="no indirect light",
+        self.refused("bake", "lightmap", self.scene(dark, "dark.json"), "-o", "no.vti", says="no indirect light",
                      status=1)
-        self.assertFalse((self.folder / "no.exr").exists())
+        self.assertFalse((self.folder / "no.vti").exists())
 
 
 if __name__ == "__main__":

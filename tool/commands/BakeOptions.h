@@ -16,7 +16,7 @@
 
 namespace penumbra::tool
 {
-/// Fails where the file has another ending, for what it is (".exr", "the lightmap is an OpenEXR picture"), or
+/// Fails where the file has another ending, for what it is (".vti", "the lightmap is written as a VTK image"), or
 /// cannot be written.
 void RequireBakeFile(const std::string& path, const char* ending, const char* what);
 

@@ -34,6 +34,7 @@ std::unique_ptr<Command> MakeBakeCommand();
 std::unique_ptr<Command> MakeProbeBake();
 std::unique_ptr<Command> MakeLightmapBake();
 std::unique_ptr<Command> MakeRadiosityBake();
+std::unique_ptr<Command> MakeConvertBake();
 }
 
 #endif

@@ -62,10 +62,10 @@ std::unique_ptr<Command> MakeBakeCommand()
 {
   return std::make_unique<CommandGroup>("bake", "light worked out beforehand, kept in a file",
     "Examples:\n"
-    "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
-    "  penumbra bake probes examples/cornell_lamp.json -o room.vti\n"
+    "  penumbra bake lightmap examples/cornell_lamp.json -o room.vti\n"
+    "  penumbra bake probes examples/cornell_lamp.json -o probes.vti\n"
     "  penumbra bake radiosity examples/cornell.json -o cornell.vtp\n"
     "  penumbra bake radiosity --help",
-    std::vector<Maker>{ MakeLightmapBake, MakeProbeBake, MakeRadiosityBake });
+    std::vector<Maker>{ MakeLightmapBake, MakeProbeBake, MakeRadiosityBake, MakeConvertBake });
 }
 }

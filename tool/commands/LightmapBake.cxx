@@ -26,7 +26,7 @@ public:
   {
     CLI::App* command = app.add_subcommand(
       "lightmap", "indirect (and direct) light on still surfaces, in a picture laid over them");
-    command->add_option("-o,--output", this->Options.Output, "the lightmap (.exr)")->required();
+    command->add_option("-o,--output", this->Options.Output, "the lightmap (.vti)")->required();
     DeclareSceneOptions(*command, this->Options);
     OptionGroup group(*command, "Lightmap");
     lightmap::BakeSettings& s = this->Settings;
@@ -50,10 +50,10 @@ public:
     DeclareBackend(*command, this->Options.Backend);
     command->footer(
       "Examples:\n"
-      "  penumbra bake lightmap examples/cornell_lamp.json -o room.exr\n"
-      "  penumbra bake lightmap room.json --direct --texel-size 0.01 -o room.exr\n"
-      "  penumbra bake lightmap room.json --without robot --samples 1024 -o room.exr\n"
-      "  penumbra render room.json --bake room.exr -o room.png");
+      "  penumbra bake lightmap examples/cornell_lamp.json -o room.vti\n"
+      "  penumbra bake lightmap room.json --direct --texel-size 0.01 -o room.vti\n"
+      "  penumbra bake lightmap room.json --without robot --samples 1024 -o room.vti\n"
+      "  penumbra render room.json --bake room.vti -o room.png");
     return command;
   }
 
@@ -82,7 +82,7 @@ private:
   void Check()
   {
     lightmap::BakeSettings& s = this->Settings;
-    RequireBakeFile(this->Options.Output, ".exr", "the lightmap is an OpenEXR picture");
+    RequireBakeFile(this->Options.Output, ".vti", "the lightmap is written as a VTK image");
     if (s.Samples % lightmap::BakeSettings::Rounds != 0)
     {
       FailUsage(

@@ -4,76 +4,44 @@
 
 #include "bake/lightmap/LightmapFile.h"
 #include "common/Failure.h"
-#include "common/VtkMessages.h"
-#include "scene/readers/ProbeFile.h"
+#include "common/Reporter.h"
 
-#include <vtkGILightmap.h>
+#include <vtkGIBakeFile.h>
 #include <vtkGIPass.h>
-#include <vtkGISHProbes.h>
+#include <vtkGITechnique.h>
 #include <vtkImageData.h>
-#include <vtkPolyData.h>
-
-#include <filesystem>
+#include <vtkNew.h>
 
 namespace penumbra::tool
 {
 namespace
 {
-void LoadLightmap(const std::string& path, vtkGIPass* pass)
+void LoadOldLightmap(const std::string& path, vtkGIPass* pass, Reporter& reporter)
 {
-  const lightmap::Lightmap map = lightmap::ReadLightmap(path);
-  auto* technique = vtkGILightmap::SafeDownCast(pass->GetTechnique("lightmap"));
-  if (!technique->SetBake(lightmap::MakeSurfaces(map), lightmap::MakeImage(map)))
+  vtkGITechnique* technique = pass->GetTechnique("lightmap");
+  if (!technique->SetBake(lightmap::MakeImage(lightmap::ReadOldLightmap(path))))
   {
-    TakeVtkMessages(); // said below
-    Fail("the lightmap '{}' cannot be used: bake it again with this version", path);
+    Fail("the lightmap '{}' cannot be used: {}", path, technique->GetBakeError());
   }
   technique->EnabledOn();
+  reporter.Note(fmt::format("'{0}' is an OpenEXR file, the old form of lightmaps: convert it with "
+                            "penumbra bake convert {0} -o NEW.vti",
+    path));
+}
 }
 
-void LoadProbes(const std::string& path, vtkGIPass* pass)
-{
-  const vtkSmartPointer<vtkImageData> field = ReadProbes(path);
-  auto* technique = vtkGISHProbes::SafeDownCast(pass->GetTechnique("sh-probes"));
-  if (!technique->SetBake(field))
-  {
-    Fail("the probes '{}' cannot be used: {}", path, technique->GetBakeError());
-  }
-  technique->EnabledOn();
-}
-
-struct BakeKind
-{
-  bool (*Is)(const std::string& path);
-  void (*Load)(const std::string& path, vtkGIPass* pass);
-};
-constexpr BakeKind Kinds[] = { { lightmap::IsLightmap, LoadLightmap }, { IsProbes, LoadProbes } };
-}
-
-void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass)
+void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass, Reporter& reporter)
 {
   for (const std::string& path : files)
   {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
+    vtkNew<vtkGIBakeFile> file;
+    if (lightmap::IsOpenExr(path))
     {
-      Fail("the bake '{}' does not exist: make one with penumbra bake", path);
+      LoadOldLightmap(path, pass, reporter);
     }
-    bool found = false;
-    for (const BakeKind& kind : Kinds)
+    else if (!file->Load(path.c_str(), pass))
     {
-      if (kind.Is(path))
-      {
-        kind.Load(path, pass);
-        found = true;
-        break;
-      }
-    }
-    if (!found)
-    {
-      Fail("'{}' holds no baked light, or is damaged beyond telling which: give a file that "
-           "penumbra bake lightmap or penumbra bake probes wrote",
-        path);
+      Fail("{}", file->GetLastError());
     }
   }
 }

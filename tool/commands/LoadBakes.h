@@ -11,9 +11,11 @@ class vtkGIPass;
 
 namespace penumbra::tool
 {
+class Reporter;
+
 /// Tells each file's kind by what is in it, and switches its technique on. Throws a Failure for one that is none,
 /// or is damaged.
-void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass);
+void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass, Reporter& reporter);
 }
 
 #endif

@@ -5,13 +5,15 @@
 #include "commands/OptionGroup.h"
 #include "commands/RenderOptions.h"
 
+#include "bake/BakeImage.h"
 #include "common/Failure.h"
 #include "common/Windows.h"
 #include "scene/build/SceneBuilder.h"
-#include "scene/readers/ProbeFile.h"
 
 #include <nlohmann/json.hpp>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
+#include <vtkGIBakeFile.h>
 #include <vtkGIProbeBaker.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -94,7 +96,7 @@ public:
     this->Comment(baker, console);
     vtkNew<vtkImageData> compact;
     Require(baker->Compact(field, compact), baker);
-    WriteProbes(this->Options.Output, compact);
+    Write(this->Options.Output, compact);
     std::error_code ignored;
     fs::remove(this->Partial(), ignored);
     this->Report(baker, field, resumed, SecondsSince(start));
@@ -109,6 +111,15 @@ private:
     if (!done)
     {
       Fail("the probes cannot be baked: {}", baker->GetLastError());
+    }
+  }
+
+  static void Write(const std::string& path, vtkImageData* field)
+  {
+    vtkNew<vtkGIBakeFile> file;
+    if (!file->Write(path.c_str(), field))
+    {
+      Fail("{}", file->GetLastError());
     }
   }
 
@@ -132,7 +143,7 @@ private:
     Step step(console, "placing probes");
     const ProgressWatch watch(baker, [&step](double share) { step.Advance(share); });
     Require(baker->Place(renderer, field), baker);
-    SetProbeText(field, "settings", this->Settings());
+    SetText(field->GetFieldData(), "settings", this->Settings());
     return 0;
   }
 
@@ -144,21 +155,18 @@ private:
     {
       return 0;
     }
-    try
+    vtkNew<vtkGIBakeFile> file;
+    vtkNew<vtkImageData> partial;
+    if (file->Read(this->Partial().c_str(), partial))
     {
-      const vtkSmartPointer<vtkImageData> partial = ReadProbes(this->Partial());
       const int samples = baker->CountSamples(partial);
-      const bool same = ProbeText(partial, "settings") == this->Settings() &&
+      const bool same = GetText(partial->GetFieldData(), "settings") == this->Settings() &&
         samples <= this->Samples && baker->Fits(renderer, partial);
       if (same && samples > 0)
       {
         field->ShallowCopy(partial);
         return samples;
       }
-    }
-    catch (const Failure&)
-    {
-      // Said below: whatever is wrong with it, it is of no use.
     }
     console.Note(
       fmt::format("'{}' is of another scene or of other settings, or damaged: the bake begins anew",
@@ -183,12 +191,12 @@ private:
         Require(baker->AddSamples(renderer, field, now), baker);
       }
       done += now;
-      SetProbeText(field, "settings", this->Settings());
+      SetText(field->GetFieldData(), "settings", this->Settings());
       const double factor = interval / std::max(SecondsSince(start), 1e-3);
       part = std::max(16, static_cast<int>(now * std::clamp(factor, 0.25, 4.0)) / 16 * 16);
       if (done < this->Samples)
       {
-        WriteProbes(this->Partial(), field);
+        Write(this->Partial(), field);
       }
     }
   }

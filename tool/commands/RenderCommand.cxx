@@ -121,7 +121,7 @@ public:
     if (!this->Options.Stock)
     {
       ApplyTechniques(scene.Techniques, pass);
-      LoadBakes(scene.Bakes, pass);
+      LoadBakes(scene.Bakes, pass, console);
     }
     this->CheckTracing(pass);
     const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);

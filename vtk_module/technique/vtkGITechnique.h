@@ -30,6 +30,7 @@ class ViewDirectory;
 struct ParameterInfo;
 struct PresetValue;
 }
+class vtkImageData;
 class vtkRenderer;
 class vtkWindow;
 
@@ -115,6 +116,18 @@ public:
    */
   virtual const char* GetOfferedResource() { return nullptr; }
   virtual int GetRank() { return 0; }
+  ///@}
+
+  ///@{
+  /**
+   * Light that was baked beforehand. SetBake() copies a bake, fresh or read from a file by vtkGIBakeFile; nullptr
+   * removes it. Where the image is no bake for this technique, SetBake() returns false, keeps the former bake, and
+   * GetBakeError() gives the reason. GetBakeFormat() is how the text "format" in the field data of its bakes begins,
+   * or nullptr for a technique without bakes.
+   */
+  virtual const char* GetBakeFormat() { return nullptr; }
+  virtual bool SetBake(vtkImageData*) { return false; }
+  virtual const char* GetBakeError() { return "the technique takes no baked light"; }
   ///@}
 
   /**

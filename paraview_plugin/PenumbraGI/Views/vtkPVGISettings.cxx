@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVGISettings.h"
 
-#include "BakedProbes.h"
+#include "BakedLight.h"
 #include "StillFramesPass.h"
 #include "ViewAccess.h"
 
@@ -30,15 +30,11 @@ class vtkPVGISettings::Internals
 public:
   vtkNew<vtkGIPass> Pass;
   vtkNew<penumbra::StillFramesPass> Frames;
-  penumbra::BakedProbes Probes;
+  penumbra::BakedLight Lightmap;
+  penumbra::BakedLight Probes;
   vtkWeakPointer<vtkPVRenderView> View;
   unsigned long StartOfFrame = 0;
   bool Enabled = false;
-
-  vtkGISHProbes* ProbeTechnique() const
-  {
-    return vtkGISHProbes::SafeDownCast(this->Pass->GetTechnique("sh-probes"));
-  }
 };
 
 namespace
@@ -102,19 +98,14 @@ void vtkPVGISettings::SetStillFrames(int frames)
   this->Impl->Frames->SetFrames(frames);
 }
 
-void vtkPVGISettings::SetProbesFile(const char* path)
+void vtkPVGISettings::SetLightmapFile(const char* path)
+{
+  this->Impl->Lightmap.SetFile(path ? path : "");
+}
+
+void vtkPVGISettings::SetSHProbesFile(const char* path)
 {
   this->Impl->Probes.SetFile(path ? path : "");
-}
-
-void vtkPVGISettings::SetProbesToBake(int probes)
-{
-  this->Impl->Probes.SetProbes(probes);
-}
-
-void vtkPVGISettings::SetSamplesToBake(int samples)
-{
-  this->Impl->Probes.SetSamples(samples);
 }
 
 void vtkPVGISettings::BakeProbes()
@@ -126,7 +117,9 @@ void vtkPVGISettings::BakeProbes()
   }
   if (penumbra::IsAlone() && !penumbra::IsConnected(view))
   {
-    this->Impl->Probes.Bake(this->Impl->ProbeTechnique(), view->GetRenderer());
+    this->Impl->Probes.Bake(
+      vtkGISHProbes::SafeDownCast(this->Impl->Pass->GetTechnique("sh-probes")), view->GetRenderer(),
+      this->ProbesToBake, this->SamplesToBake);
   }
   // Every process is asked, and would bake what it draws itself.
   else if (penumbra::IsClient(view))
@@ -136,7 +129,12 @@ void vtkPVGISettings::BakeProbes()
   }
 }
 
-const char* vtkPVGISettings::GetProbesProblem()
+const char* vtkPVGISettings::GetLightmapProblem()
+{
+  return this->Impl->Lightmap.GetProblem().c_str();
+}
+
+const char* vtkPVGISettings::GetSHProbesProblem()
 {
   return this->Impl->Probes.GetProblem().c_str();
 }
@@ -180,10 +178,10 @@ void vtkPVGISettings::Place()
   }
   vtkPVSynchronizedRenderer* passes = penumbra::PassesOf(view);
   vtkRenderPass* present = passes->GetRenderPass();
-  vtkGISHProbes* probes = this->Impl->ProbeTechnique();
-  if (this->Impl->Enabled && probes->GetEnabled())
+  if (this->Impl->Enabled)
   {
-    this->Impl->Probes.Update(probes);
+    this->Impl->Lightmap.Update(this->Impl->Pass->GetTechnique("lightmap"));
+    this->Impl->Probes.Update(this->Impl->Pass->GetTechnique("sh-probes"));
   }
   if (this->Impl->Enabled && !present)
   {

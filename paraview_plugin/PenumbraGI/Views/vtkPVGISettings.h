@@ -45,19 +45,22 @@ public:
    */
   void SetStillFrames(int frames);
 
+  ///@{
   /**
-   * The file of the baked probes; "" where they are kept in memory alone. It is read at the next frame that they
-   * light, and written by BakeProbes().
+   * Files of baked light, read at the next frame that they light. That of probes is written by BakeProbes(); "" where
+   * these are kept in memory alone.
    */
-  void SetProbesFile(const char* path);
+  void SetLightmapFile(const char* path);
+  void SetSHProbesFile(const char* path);
+  ///@}
 
   ///@{
   /**
    * What BakeProbes() takes: probes at most (27 to vtkGIProbeBaker's MostProbes, by default 1024), and paths from
    * each (1 to 16777216, by default 256).
    */
-  void SetProbesToBake(int probes);
-  void SetSamplesToBake(int samples);
+  vtkSetMacro(ProbesToBake, int);
+  vtkSetMacro(SamplesToBake, int);
   ///@}
 
   /**
@@ -65,10 +68,13 @@ public:
    */
   void BakeProbes();
 
+  ///@{
   /**
-   * Why probes could not be baked, read or written, in one sentence, or "".
+   * Why light could not be baked, read or written, in one sentence, or "".
    */
-  const char* GetProbesProblem();
+  const char* GetLightmapProblem();
+  const char* GetSHProbesProblem();
+  ///@}
 
   /**
    * The view to light; nullptr to leave the one it had.
@@ -95,6 +101,8 @@ private:
 
   class Internals;
   std::unique_ptr<Internals> Impl;
+  int ProbesToBake = 1024;
+  int SamplesToBake = 256;
 };
 
 #endif

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A baked lightmap and its file: OpenEXR with the light as its picture, and the surfaces, what was baked and a
-/// checksum of all beside it.
+/// A baked lightmap and its file: a VTK image (.vti) as vtkGILightmap takes it, with what another bake needs.
 #ifndef penumbra_tool_lightmap_LightmapFile_h
 #define penumbra_tool_lightmap_LightmapFile_h
 
@@ -12,7 +11,6 @@
 #include <cstdint>
 
 class vtkImageData;
-class vtkPolyData;
 
 namespace penumbra::lightmap
 {
@@ -29,11 +27,10 @@ struct Lightmap
   Light Baked;
   Light Lamps; ///< what arrives straight from lamps; without channels where that is not baked
   Light First; ///< what the first round of samples gave, unfiltered: a later bake compares with it
-  Vec3 Origin{ 0.0 }; ///< what points are relative to
-  std::vector<glm::vec3> Points;
+  std::vector<Vec3> Points;          ///< world
   std::vector<glm::vec3> Normals;    ///< for shading, to the side that the triangle is of
   std::vector<glm::vec2> Places;     ///< in the picture, 0 to 1, rows counted as stored
-  std::vector<glm::uvec3> Triangles; ///< counter-clockwise where the side is seen that they are of
+  std::vector<glm::ivec3> Triangles; ///< counter-clockwise where the side is seen that they are of
   std::vector<Patch> Patches;
   std::string Scene;    ///< BakedScene::ToText()
   std::string Made;     ///< how: settings, in words
@@ -44,16 +41,19 @@ struct Lightmap
 void AddSurfaces(Lightmap& lightmap, const Surfaces& surfaces, const std::vector<Chart>& charts,
   const Atlas& atlas);
 
-/// Writes under another name first, so that there is never half a file. Throws a Failure.
+/// The image for vtkGILightmap::SetBake(). Light is rounded to half precision, so that files are small.
+vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap);
+
+/// Throws a Failure.
 void WriteLightmap(const std::string& path, const Lightmap& lightmap);
 
-/// Throws a Failure that says what is wrong with the file.
+/// Reads what another bake compares with, which leaves out surfaces and the lamps' light. Throws a Failure.
 Lightmap ReadLightmap(const std::string& path);
-bool IsLightmap(const std::string& path);
 
-/// As vtkGILightmap::SetBake() takes them.
-vtkSmartPointer<vtkPolyData> MakeSurfaces(const Lightmap& lightmap);
-vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap);
+/// The old form of lightmaps: OpenEXR with a picture of the light and parts that hold tables. Throws a Failure.
+Lightmap ReadOldLightmap(const std::string& path);
+/// Whether a file is OpenEXR, of whatever content.
+bool IsOpenExr(const std::string& path);
 }
 
 #endif

@@ -4,17 +4,16 @@
 
 #include "gpu/ScopedState.h"
 #include "technique/FrameBuilder.h"
+#include "techniques/lightmap/LightmapImage.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -30,91 +29,115 @@ constexpr int LargestSide = 16384; // of a texture that every OpenGL 4.3 has
 constexpr GLfloat Pixels = 0.03f;
 constexpr GLfloat Digits = 4.0f;
 
+bool Has(vtkDataArray* array, int components, vtkIdType tuples)
+{
+  return array && array->GetNumberOfComponents() == components &&
+    array->GetNumberOfTuples() == tuples;
+}
+
 [[noreturn]] void Refuse(const char* reason)
 {
   throw std::invalid_argument(reason);
 }
 }
 
-SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
+SurfaceMap::SurfaceMap(vtkImageData* bake)
 {
-  if (!surfaces || !light)
-  {
-    Refuse("it needs both surfaces and light");
-  }
-  vtkDataArray* places = surfaces->GetPointData()->GetTCoords();
-  vtkDataArray* normals = surfaces->GetPointData()->GetNormals();
-  if (!places || !normals || places->GetNumberOfComponents() != 2 ||
-    normals->GetNumberOfComponents() != 3)
-  {
-    Refuse("its surfaces lack texture coordinates or normals");
-  }
-  double bounds[6];
-  surfaces->GetBounds(bounds);
-  const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
-  const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
-  this->Origin = 0.5 * (low + high);
-  if (!std::isfinite(glm::length(high - low)) || surfaces->GetNumberOfPolys() == 0)
+  this->TakeSurfaces(bake->GetFieldData());
+  this->TakePicture(bake);
+}
+
+void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
+{
+  vtkDataArray* points = fields->GetArray(lightmap_image::Points);
+  vtkDataArray* normals = fields->GetArray(lightmap_image::Normals);
+  vtkDataArray* places = fields->GetArray(lightmap_image::Places);
+  vtkDataArray* triangles = fields->GetArray(lightmap_image::Triangles);
+  const vtkIdType count = points ? points->GetNumberOfTuples() : 0;
+  if (count == 0 || !triangles || triangles->GetNumberOfTuples() == 0)
   {
     Refuse("it has no surfaces");
   }
-  const vtkIdType count = surfaces->GetNumberOfPoints();
-  this->Points.resize(static_cast<std::size_t>(count));
+  if (!Has(normals, 3, count) || !Has(places, 2, count))
+  {
+    Refuse("its surfaces lack texture coordinates or normals");
+  }
+  if (!Has(points, 3, count) || !Has(triangles, 3, triangles->GetNumberOfTuples()))
+  {
+    Refuse("its surfaces are not triangles of its points");
+  }
+  glm::dvec3 low, high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double range[2];
+    points->GetRange(range, axis);
+    low[axis] = range[0];
+    high[axis] = range[1];
+  }
+  this->Origin = 0.5 * (low + high);
+  if (!std::isfinite(glm::length(high - low)))
+  {
+    Refuse("it has no surfaces");
+  }
   for (vtkIdType i = 0; i < count; ++i)
   {
     glm::dvec3 at, normal;
-    surfaces->GetPoint(i, &at[0]);
+    glm::dvec2 place;
+    points->GetTuple(i, &at[0]);
     normals->GetTuple(i, &normal[0]);
-    this->Points[static_cast<std::size_t>(i)] = { glm::vec3(at - this->Origin), glm::vec3(normal),
-      glm::vec2(places->GetComponent(i, 0), places->GetComponent(i, 1)) };
+    places->GetTuple(i, &place[0]);
+    this->Points.push_back({ glm::vec3(at - this->Origin), glm::vec3(normal), glm::vec2(place) });
   }
-  auto cells = vtk::TakeSmartPointer(surfaces->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  for (vtkIdType i = 0; i < 3 * triangles->GetNumberOfTuples(); ++i)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(size, ids);
-    for (vtkIdType i = 0; i < size; ++i)
+    const double corner = triangles->GetComponent(i / 3, static_cast<int>(i % 3));
+    if (!(corner >= 0.0 && corner < static_cast<double>(count)))
     {
-      if (size != 3 || ids[i] < 0 || ids[i] >= count)
-      {
-        Refuse("its surfaces are not triangles of its points");
-      }
-      this->Corners.push_back(static_cast<std::uint32_t>(ids[i]));
+      Refuse("its surfaces are not triangles of its points");
     }
+    this->Corners.push_back(static_cast<std::uint32_t>(corner));
   }
-  this->TakePicture(light);
 }
 
-void SurfaceMap::TakePicture(vtkImageData* light)
+void SurfaceMap::TakePicture(vtkImageData* bake)
 {
-  constexpr int plain = 3, directional = 12; // twice as many with the lamps' light
-  const int channels = light->GetNumberOfScalarComponents();
-  vtkDataArray* scalars = light->GetPointData()->GetScalars();
-  const int* size = light->GetDimensions();
-  this->Directional = channels % directional == 0;
-  const int each = this->Directional ? directional : plain;
-  this->Lamps = channels == 2 * each;
-  if (!scalars || (channels != each && !this->Lamps) || size[2] != 1)
-  {
-    Refuse("its light is no picture of 3 or 12 components, or of twice as many");
-  }
+  const int* size = bake->GetDimensions();
   if (size[0] > LargestSide || size[1] > LargestSide)
   {
     Refuse("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
   }
+  std::array<vtkDataArray*, lightmap_image::Layers.size()> layers{};
+  for (std::size_t i = 0; i < layers.size(); ++i)
+  {
+    const auto& [name, components] = lightmap_image::Layers[i];
+    layers[i] = bake->GetPointData()->GetArray(name);
+    if (layers[i] && !Has(layers[i], components, bake->GetNumberOfPoints()))
+    {
+      Refuse("its light is not as long as its picture");
+    }
+  }
+  this->Directional = layers[1] != nullptr;
+  this->Lamps = layers[2] != nullptr;
+  if (!layers[0] || size[2] != 1 || (layers[3] != nullptr) != (this->Directional && this->Lamps))
+  {
+    Refuse("its light is no picture, or has moments in part");
+  }
   this->Width = size[0];
   this->Height = size[1];
-  this->Layers = channels / 3;
   const std::size_t pixels = static_cast<std::size_t>(this->Width) * this->Height;
-  this->Values.resize(4 * pixels * this->Layers);
-  for (std::size_t i = 0; i < pixels; ++i)
+  for (vtkDataArray* layer : layers)
   {
-    for (int c = 0; c < channels; ++c)
+    for (int first = 0; layer && first < layer->GetNumberOfComponents(); first += 3)
     {
-      const double value = scalars->GetComponent(static_cast<vtkIdType>(i), c);
-      this->Values[4 * (pixels * (c / 3) + i) + c % 3] =
-        std::isfinite(value) ? static_cast<float>(value) : 0.0f;
+      const std::size_t begin = 4 * pixels * this->Layers++;
+      this->Values.resize(begin + 4 * pixels);
+      for (std::size_t i = 0; i < 3 * pixels; ++i)
+      {
+        const double value =
+          layer->GetComponent(static_cast<vtkIdType>(i / 3), first + static_cast<int>(i % 3));
+        this->Values[begin + 4 * (i / 3) + i % 3] =
+          std::isfinite(value) ? static_cast<float>(value) : 0.0f;
+      }
     }
   }
 }

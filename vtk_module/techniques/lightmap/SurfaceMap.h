@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
+class vtkFieldData;
 class vtkImageData;
-class vtkPolyData;
 
 namespace penumbra
 {
@@ -24,8 +24,8 @@ class SurfaceMap
 {
 public:
   SurfaceMap() = default;
-  /// As vtkGILightmap::SetBake() takes them. Throws std::invalid_argument with a reason.
-  SurfaceMap(vtkPolyData* surfaces, vtkImageData* light);
+  /// Of an image as LightmapImage.h describes it. Throws std::invalid_argument with a reason.
+  explicit SurfaceMap(vtkImageData* bake);
 
   bool IsEmpty() const { return this->Corners.empty(); }
   /// Whether it holds what arrives straight from lamps.
@@ -54,7 +54,8 @@ private:
     std::unique_ptr<Texture>
       Light; ///< layers: irradiance, its moments; of the lamps' light the same
   };
-  void TakePicture(vtkImageData* light);
+  void TakeSurfaces(vtkFieldData* fields);
+  void TakePicture(vtkImageData* bake);
   void Upload();
 
   glm::dvec3 Origin{ 0.0 };

@@ -4,13 +4,14 @@
 
 #include "bake/BakeFit.h"
 #include "technique/FrameBuilder.h"
+#include "techniques/lightmap/LightmapImage.h"
 #include "techniques/lightmap/SurfaceMap.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <stdexcept>
 
@@ -31,18 +32,17 @@ vtkGILightmap::vtkGILightmap()
 
 vtkGILightmap::~vtkGILightmap() = default;
 
-bool vtkGILightmap::SetBake(vtkPolyData* surfaces, vtkImageData* light)
+bool vtkGILightmap::SetBake(vtkImageData* bake)
 {
+  this->Error.clear();
   try
   {
     auto next = std::make_unique<Internals>();
-    if (surfaces || light)
+    if (bake)
     {
-      next->Map = SurfaceMap(surfaces, light);
-      auto* scene =
-        vtkStringArray::SafeDownCast(surfaces->GetFieldData()->GetAbstractArray("scene"));
-      next->Scene = BakedScene::FromText(
-        scene && scene->GetNumberOfValues() == 1 ? std::string(scene->GetValue(0)) : "");
+      lightmap_image::RequireWhole(bake);
+      next->Map = SurfaceMap(bake);
+      next->Scene = BakedScene::FromText(GetText(bake->GetFieldData(), BakedSceneText));
     }
     // What is on the graphics card is freed when its context is current.
     next->Map.TakeOld(this->Impl->Map);
@@ -50,11 +50,37 @@ bool vtkGILightmap::SetBake(vtkPolyData* surfaces, vtkImageData* light)
   }
   catch (const std::invalid_argument& error)
   {
-    vtkErrorMacro(<< "The lightmap cannot be used: " << error.what() << ".");
+    this->Error = error.what();
     return false;
   }
   this->Modified();
   return true;
+}
+
+bool vtkGILightmap::SetBake(vtkPolyData* surfaces, vtkImageData* light)
+{
+  vtkNew<vtkImageData> bake;
+  return surfaces || light ? this->JoinBake(surfaces, light, bake) && this->SetBake(bake)
+                           : this->SetBake(nullptr);
+}
+
+bool vtkGILightmap::JoinBake(vtkPolyData* surfaces, vtkImageData* light, vtkImageData* bake)
+{
+  this->Error.clear();
+  try
+  {
+    lightmap_image::Join(surfaces, light, bake);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    this->Error = error.what();
+  }
+  return this->Error.empty();
+}
+
+const char* vtkGILightmap::GetBakeError()
+{
+  return this->Error.c_str();
 }
 
 bool vtkGILightmap::HasBake()

@@ -4,7 +4,7 @@
  * @class   vtkGILightmap
  * @brief   diffuse indirect light from a picture that was baked for the surfaces
  *
- * `penumbra bake lightmap` writes the picture; penumbra.load_bake() and `penumbra render --bake` bring it here.
+ * `penumbra bake lightmap` writes the picture; vtkGIBakeFile brings it here.
  * The baked triangles are drawn over the pixels that show them, with one fetch each. Props that the bake does not
  * know, moving ones for instance, get no light from it: another technique lights them. A map may hold the lamps' own
  * light too, shadows included, of which highlights alone are then left to each frame.
@@ -30,18 +30,30 @@ public:
   static vtkGILightmap* New();
   vtkTypeMacro(vtkGILightmap, vtkGILightmapParameters);
 
+  ///@{
   /**
-   * Take a baked map, or none (nullptr). surfaces: triangles in world coordinates, counter-clockwise from the
+   * A baked map, read by vtkGIBakeFile or made by JoinBake().
+   */
+  const char* GetBakeFormat() override { return "penumbra lightmap"; }
+  bool SetBake(vtkImageData* bake) override;
+  const char* GetBakeError() override;
+  ///@}
+
+  ///@{
+  /**
+   * A map in two parts. surfaces: triangles in world coordinates, counter-clockwise from the
    * side that the light is for, with normals and texture coordinates (0 to 1, rows of the picture from the first
    * on) at points, and a field array of strings "scene" with DescribeScene() of what was baked. light: a float
    * image of 3 components, irradiance divided by pi, or of 12, followed by first moments for normals that pictures
    * bend: the means over the hemisphere of radiance times x, y and z of its direction in the world, each in red,
    * green and blue. Along the surface's normal they may be less, by a quarter of the radiance near the horizon,
-   * which a normal keeps as it turns: the baker's are. As many components may follow with the same of the light that arrives straight from the lamps: matter there is not lit by these again,
-   * but by lamps that follow the camera. Both are copied. Returns false, with an error that says why, and keeps the
-   * former map where they are not so.
+   * which a normal keeps as it turns: the baker's are. As many components may follow with the same of the light that
+   * arrives straight from the lamps: matter there is not lit by these again, but by lamps that follow the camera.
+   * JoinBake() makes one image of both, which vtkGIBakeFile writes.
    */
   bool SetBake(vtkPolyData* surfaces, vtkImageData* light);
+  bool JoinBake(vtkPolyData* surfaces, vtkImageData* light, vtkImageData* bake);
+  ///@}
 
   /**
    * Whether there is a map, and whether it holds the light of lamps too.
@@ -74,6 +86,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
+  std::string Error;
 };
 
 #endif

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "techniques/sh_probes/ProbeField.h"
 
-#include "base/Hasher.h"
+#include "bake/BakeImage.h"
 
 #include "vtkGIProbeBaker.h"
 
@@ -14,17 +14,13 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkShortArray.h"
-#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
 #include <glm/gtc/packing.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cinttypes>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace penumbra
@@ -33,9 +29,10 @@ namespace
 {
 constexpr const char* Format = "penumbra probes 1";
 constexpr const char* FormatOfSeveral = "penumbra probes 2"; // grids
-constexpr const char* ChecksumArray = "checksum";
-constexpr int GridNumbers = 9; // first place, spacing, counts
+constexpr int GridNumbers = 9;                               // first place, spacing, counts
 constexpr int MostProbes = vtkGIProbeBaker::MostProbes;
+const BakeArrays Sealed = { { BakeFormat, BakedSceneText }, { "samples", "light scale", "grids" },
+  { "light", "distance", "offset", "sight", "backs" } };
 
 // Halves of numbers over their largest, so that no unit of light overflows them.
 double LargestOf(const std::vector<float>& values)
@@ -118,55 +115,6 @@ void ReadNumbers(
         std::string("its array '") + name + "' has values that are not finite");
     }
   }
-}
-
-void AddText(vtkFieldData* data, const char* name, const std::string& text)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  array->InsertNextValue(text);
-  data->AddArray(array);
-}
-
-std::string ReadText(vtkFieldData* data, const char* name)
-{
-  auto* array = Find<vtkStringArray>(data, name, 1, 1);
-  return array ? std::string(array->GetValue(0)) : std::string();
-}
-
-/// Of the grid and of all that a field consists of; what others added to the image is theirs.
-std::string Checksum(vtkImageData* image)
-{
-  Hasher hash;
-  std::array<int, 3> counts{};
-  image->GetDimensions(counts.data());
-  hash.AddValue(counts);
-  hash.AddValue(glm::make_vec3(image->GetOrigin()));
-  hash.AddValue(glm::make_vec3(image->GetSpacing()));
-  const auto addText = [&](const char* name) {
-    const std::string text = ReadText(image->GetFieldData(), name);
-    hash.Add(std::vector<char>(text.begin(), text.end()));
-  };
-  const auto addNumbers = [&](vtkFieldData* data, const char* name) {
-    if (auto* array = vtkDataArray::SafeDownCast(data->GetAbstractArray(name)))
-    {
-      hash.Add(array->GetVoidPointer(0),
-        static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
-    }
-  };
-  addText("format");
-  addText("scene");
-  for (const char* name : { "samples", "light scale", "grids" })
-  {
-    addNumbers(image->GetFieldData(), name);
-  }
-  for (const char* name : { "light", "distance", "offset", "sight", "backs" })
-  {
-    addNumbers(image->GetPointData(), name);
-  }
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016" PRIx64, hash.Get());
-  return digits.data();
 }
 
 void RequireValid(const ProbeGrid& grid)
@@ -328,12 +276,12 @@ void ProbeField::ToImage(vtkImageData* image, bool compact) const
   image->GetPointData()->AddArray(sight);
   image->GetPointData()->AddArray(backs);
   vtkFieldData* fields = image->GetFieldData();
-  AddText(fields, "format", several ? FormatOfSeveral : Format);
+  SetText(fields, BakeFormat, several ? FormatOfSeveral : Format);
   if (several)
   {
     AddGrids(fields, this->Grids);
   }
-  AddText(fields, "scene", this->Scene);
+  SetText(fields, BakedSceneText, this->Scene);
   vtkNew<vtkIntArray> samples;
   samples->SetName("samples");
   samples->InsertNextValue(this->Samples);
@@ -342,12 +290,12 @@ void ProbeField::ToImage(vtkImageData* image, bool compact) const
   scales->SetName("light scale");
   scales->InsertNextValue(scale);
   fields->AddArray(scales);
-  AddText(fields, ChecksumArray, Checksum(image));
+  SealBake(image, Sealed);
 }
 
 ProbeField ProbeField::FromImage(vtkImageData* image)
 {
-  const std::string format = image ? ReadText(image->GetFieldData(), "format") : "";
+  const std::string format = image ? GetText(image->GetFieldData(), BakeFormat) : "";
   if (format != Format && format != FormatOfSeveral)
   {
     throw std::invalid_argument(format.empty()
@@ -368,7 +316,7 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
   {
     throw std::invalid_argument("its array 'samples' must not be negative");
   }
-  field.Scene = ReadText(fields, "scene");
+  field.Scene = GetText(fields, BakedSceneText);
   ReadNumbers(image, "light", Harmonics, scale->GetValue(0), field.Light);
   ReadNumbers(image, "distance", Distances, 1.0, field.Distance);
   std::vector<float> offsets;
@@ -388,13 +336,7 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
     field.Sight[at] = sight->GetValue(i);
     field.Backs[at] = static_cast<float>(backs->GetValue(i)) / 255.0f;
   }
-  // Earlier versions wrote none.
-  const std::string checksum = ReadText(fields, ChecksumArray);
-  if (!checksum.empty() && checksum != Checksum(image))
-  {
-    throw std::invalid_argument(
-      "its checksum does not fit what it holds: it was altered, or is damaged");
-  }
+  RequireSealed(image, Sealed);
   return field;
 }
 }

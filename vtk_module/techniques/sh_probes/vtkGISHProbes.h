@@ -26,17 +26,15 @@ public:
   static vtkGISHProbes* New();
   vtkTypeMacro(vtkGISHProbes, vtkGISHProbesParameters);
 
+  ///@{
   /**
-   * Take a copy of a baked field, of vtkGIProbeBaker or read from its file, or none (nullptr). Returns false, with
-   * the reason in GetBakeError(), and keeps the former field where it is none.
+   * A baked field, of vtkGIProbeBaker or read from its file.
    */
-  bool SetBake(vtkImageData* field);
+  const char* GetBakeFormat() override { return "penumbra probes"; }
+  bool SetBake(vtkImageData* field) override;
+  const char* GetBakeError() override;
   bool HasBake();
-
-  /**
-   * Why the last SetBake() returned false, or "".
-   */
-  const char* GetBakeError();
+  ///@}
 
   /**
    * What differs from the baked scene in the renderer's last frame, as in "light 1 moved"; "" where it fits.
