@@ -57,7 +57,7 @@ std::vector<Case> ReflectionCases()
 {
   std::vector<Case> cases;
   const std::string phong =
-    "The expected values are the same formulas, written anew in C++ and integrated by the midpoint "
+    "The expected values are the same formulas, reimplemented in C++ and integrated by the midpoint "
     "rule. VTK's highlight has no factor of normalization, so that its share fades as its power "
     "grows.";
   const std::string physical =

@@ -208,7 +208,7 @@ Film Studio::Trace(int samples)
 {
   using Clock = std::chrono::steady_clock;
   this->Tracer->SetSamples(samples);
-  this->Tracer->Modified(); // begins anew though nothing changed
+  this->Tracer->Modified(); // starts from scratch though nothing changed
   this->Window->Render();
   const auto begin = Clock::now();
   while (!this->Tracer->IsFinished(this->Renderer))

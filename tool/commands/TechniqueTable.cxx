@@ -85,8 +85,8 @@ ordered_json DescribeTechniques()
 std::string PlainTable(const ordered_json& techniques, bool parameters)
 {
   const std::array<const char*, 4> keys = { "name", "term", "verb", "dynamic" };
-  const std::array<const char*, 4> heads = { "technique", "term it buys", "verb",
-    "follows a moving scene?" };
+  const std::array<const char*, 4> heads = { "technique", "computes", "method",
+    "dynamic scenes" };
   std::array<std::size_t, 4> widths{};
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
@@ -131,7 +131,7 @@ std::string PlainTable(const ordered_json& techniques, bool parameters)
 std::string MarkdownTable(const ordered_json& techniques, bool parameters)
 {
   std::string table =
-    "| technique | term it buys | verb | follows a moving scene? |\n|---|---|---|---|\n";
+    "| technique | computes | method | dynamic scenes |\n|---|---|---|---|\n";
   for (const auto& row : techniques)
   {
     table += fmt::format("| {} | {} | {} | {} |\n", Text(row, "name"), Text(row, "term"),
