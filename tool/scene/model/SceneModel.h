@@ -91,7 +91,7 @@ enum class MoleculeStyle
 /// A simple shape; each kind uses the fields that make sense for it.
 struct Primitive
 {
-  std::string Kind; ///< sphere, box, plane, disk, cylinder, cone, torus
+  std::string Kind; ///< see Makers() in scene/build/Shapes.cxx
   Vec3 Center = { 0, 0, 0 };
   Vec3 Size = { 1, 1, 1 };   ///< box; plane uses the first two
   Vec3 Normal = { 0, 0, 1 }; ///< plane and disk; axis of cylinder, cone and torus
