@@ -34,10 +34,10 @@ namespace
 constexpr const char* Format = "penumbra probes 1";
 constexpr const char* FormatOfSeveral = "penumbra probes 2"; // grids
 constexpr const char* ChecksumArray = "checksum";
-constexpr int GridNumbers = 9; // first place, spacing, counts
+constexpr int GridNumbers = 9; // position of the first probe, spacing, counts
 constexpr int MostProbes = vtkGIProbeBaker::MostProbes;
 
-// Halves of numbers over their largest, so that no unit of light overflows them.
+// Largest magnitude. Half floats store values relative to it, so that no unit of light overflows them.
 double LargestOf(const std::vector<float>& values)
 {
   double most = 0.0;
@@ -83,7 +83,7 @@ Array* Find(vtkFieldData* data, const char* name, int components, vtkIdType tupl
     : nullptr;
 }
 
-[[noreturn]] void Lacks(const char* name)
+[[noreturn]] void ThrowMissing(const char* name)
 {
   throw std::invalid_argument(std::string("it lacks a valid array '") + name + "'");
 }
@@ -108,7 +108,7 @@ void ReadNumbers(
   }
   else
   {
-    Lacks(name);
+    ThrowMissing(name);
   }
   for (const float value : values)
   {
@@ -134,7 +134,7 @@ std::string ReadText(vtkFieldData* data, const char* name)
   return array ? std::string(array->GetValue(0)) : std::string();
 }
 
-/// Of the grid and of all that a field consists of; what others added to the image is theirs.
+/// Checksum of the grid and of all arrays of a field. Arrays that users added to the image do not count.
 std::string Checksum(vtkImageData* image)
 {
   Hasher hash;
@@ -219,7 +219,7 @@ ProbeGrids ReadGrids(vtkImageData* image)
   if (!array || array->GetNumberOfComponents() != GridNumbers || count < 1 ||
     count > ProbeGrids::Most)
   {
-    Lacks("grids");
+    ThrowMissing("grids");
   }
   std::vector<ProbeGrid> grids;
   double points = 0.0;
@@ -361,7 +361,7 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
   auto* samples = Find<vtkIntArray>(fields, "samples", 1, 1);
   if (!scale || !samples)
   {
-    Lacks(scale ? "samples" : "light scale");
+    ThrowMissing(scale ? "samples" : "light scale");
   }
   field.Samples = samples->GetValue(0);
   if (field.Samples < 0)
@@ -378,17 +378,17 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
   auto* backs = Find<vtkUnsignedCharArray>(image->GetPointData(), "backs", 1, count);
   if (!sight || !backs)
   {
-    Lacks(sight ? "backs" : "sight");
+    ThrowMissing(sight ? "backs" : "sight");
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto at = static_cast<std::size_t>(i);
-    field.Offsets[at] =
-      glm::clamp(glm::vec3(offsets[3 * at], offsets[3 * at + 1], offsets[3 * at + 2]), -0.5f, 0.5f);
-    field.Sight[at] = sight->GetValue(i);
-    field.Backs[at] = static_cast<float>(backs->GetValue(i)) / 255.0f;
+    const auto probe = static_cast<std::size_t>(i);
+    field.Offsets[probe] = glm::clamp(
+      glm::vec3(offsets[3 * probe], offsets[3 * probe + 1], offsets[3 * probe + 2]), -0.5f, 0.5f);
+    field.Sight[probe] = sight->GetValue(i);
+    field.Backs[probe] = static_cast<float>(backs->GetValue(i)) / 255.0f;
   }
-  // Earlier versions wrote none.
+  // Files of earlier versions have no checksum.
   const std::string checksum = ReadText(fields, ChecksumArray);
   if (!checksum.empty() && checksum != Checksum(image))
   {
