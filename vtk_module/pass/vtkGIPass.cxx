@@ -199,7 +199,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   std::string problem;
   this->Impl->CapturedProps = 0;
   this->Impl->DrawnByRays = nullptr;
-  this->Impl->Forward->SetNothing();
+  this->Impl->Forward->ClearLights();
   if (stages.NeedsStockOpaque())
   {
     stages.RenderOpaque();

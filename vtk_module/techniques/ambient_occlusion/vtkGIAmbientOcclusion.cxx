@@ -115,8 +115,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     thickness = 0.0; // treated as infinite, which looks the same and is cheaper
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const bool bent =
-    this->BentNormals && this->Method == Horizon && frame.Plan().KnowsLightAround();
+  const bool bent = this->BentNormals && this->Method == Horizon && frame.Plan().HasLightInSpace();
   Defines variant = { { "GI_STRIDE", std::to_string(stride) } };
   if (bent)
   {

@@ -65,7 +65,7 @@ void vtkGIDDGI::Plan(LightingPlan& plan, FrameBuilder& frame)
   {
     LiveField& field = frame.ViewState<LiveField>(this);
     field.BeginFrame(view, SettingsOf(*this), this->GetMTime());
-    plan.KnowIndirectLight(IndirectKind::LiveProbes, field.Grids().Detail());
+    plan.AnnounceIndirectLight(IndirectKind::LiveProbes, field.Grids().Detail());
   }
 }
 

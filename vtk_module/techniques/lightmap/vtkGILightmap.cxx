@@ -96,7 +96,7 @@ void vtkGILightmap::Plan(LightingPlan& plan, FrameBuilder& frame)
   fit.Check(frame, this->Impl->Scene, "the lightmap no longer fits");
   if (fit.Fits())
   {
-    plan.KnowIndirectLight(IndirectKind::BakedOnSurfaces, 0.0);
+    plan.AnnounceIndirectLight(IndirectKind::BakedOnSurfaces, 0.0);
   }
   else if (this->LiveFallback)
   {
@@ -119,6 +119,6 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   light.Draw = [this, solid = fit.IsSolid()](FrameContext& context) {
     this->Impl->Map.Draw(context, this->Intensity, solid);
   };
-  light.KnowsLamps = this->Impl->Map.HasLamps();
+  light.IncludesDirectLight = this->Impl->Map.HasLamps();
   frame.AddIndirectLight(std::move(light));
 }

@@ -123,7 +123,7 @@ void vtkGISHProbes::Plan(LightingPlan& plan, FrameBuilder& frame)
   fit.Check(frame, this->Impl->Scene, "the probes no longer fit");
   if (fit.Fits())
   {
-    plan.KnowIndirectLight(IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail());
+    plan.AnnounceIndirectLight(IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail());
   }
   else if (this->LiveFallback)
   {
