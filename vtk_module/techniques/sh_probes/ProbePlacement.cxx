@@ -74,7 +74,7 @@ bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int ra
     {
       maps[first * MapTexels + i] = { found[3 * i], found[3 * i + 1], found[3 * i + 2] };
     }
-    work.Took(count, std::chrono::duration<double>(Clock::now() - start).count());
+    work.Adapt(count, std::chrono::duration<double>(Clock::now() - start).count());
     first += count;
     if (!progress(static_cast<double>(first) / static_cast<double>(points.size())))
     {
