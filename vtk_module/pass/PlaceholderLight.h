@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A lamp that gives no light, for renderers without any lamp that is on: there VTK shows colours as they are, and what
- * surfaces and environments give off could light nothing.
+ * A light of intensity 0 for renderers in which no light is on. Without any light VTK draws unlit colours, and emission
+ * and environments could not light anything.
  */
 #pragma once
 
@@ -13,23 +13,23 @@ class vtkOpenGLRenderer;
 
 namespace penumbra
 {
-class DarkLamp
+class PlaceholderLight
 {
 public:
-  DarkLamp();
-  ~DarkLamp();
-  DarkLamp(const DarkLamp&) = delete;
-  DarkLamp& operator=(const DarkLamp&) = delete;
+  PlaceholderLight();
+  ~PlaceholderLight();
+  PlaceholderLight(const PlaceholderLight&) = delete;
+  PlaceholderLight& operator=(const PlaceholderLight&) = delete;
 
-  /// What is drawn from now on is lit, if by nothing.
+  /// Add the light to a renderer, unless another one is on.
   void Add(vtkOpenGLRenderer* renderer);
-  /// Leave the renderer as it was.
+  /// Remove the light from the renderer.
   void Remove();
-  /// Whether this is the lamp, which is none of the scene's.
-  bool Is(const vtkLight* lamp) const { return lamp == this->Lamp.Get(); }
+  /// Whether a light is this one, which is not part of the scene.
+  bool Is(const vtkLight* light) const { return light == this->Light.Get(); }
 
 private:
-  vtkNew<vtkLight> Lamp;
-  vtkOpenGLRenderer* Renderer = nullptr; ///< that has it
+  vtkNew<vtkLight> Light;
+  vtkOpenGLRenderer* Renderer = nullptr; ///< that has the light
 };
 }
