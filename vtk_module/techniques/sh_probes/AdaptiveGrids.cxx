@@ -386,7 +386,7 @@ std::vector<ProbeGrid> GridsOf(const BoxSearch& search, const std::vector<double
   for (std::size_t i = 1; i < shares.size(); ++i)
   {
     const auto count = static_cast<int>(remaining * shares[i]);
-    const ProbeGrid grid = count < ProbeGrid::LeastPart
+    const ProbeGrid grid = count < ProbeGrid::MinimumPart
       ? ProbeGrid()
       : around.Part(table.Low(search.Boxes[i]), table.High(search.Boxes[i]), count);
     grids.push_back(grid.Detail() < FinerCell * around.Detail() ? grid : ProbeGrid());

@@ -26,7 +26,7 @@ ProbeGrids AdaptiveGrids(
   const std::array<double, 6>& bounds, int probes, const std::vector<PointError>& errors);
 
 /// Number of probes below which AdaptiveGrids() returns a single grid.
-constexpr int MinimumForSeveralGrids = ProbeGrid::LeastAround + ProbeGrid::LeastPart;
+constexpr int MinimumForSeveralGrids = ProbeGrid::MinimumAround + ProbeGrid::MinimumPart;
 
 /// Whether others are less than errors by at least a tenth, and by more than a standard deviation. Both are for the
 /// same points in the same order.
