@@ -24,28 +24,28 @@ namespace penumbra
 {
 namespace
 {
-// No messages of VTK meanwhile: what went wrong is told in one sentence.
-class Quiet
+// Suppresses VTK's messages while it lives. Problems are reported in one sentence instead.
+class MessageSilencer
 {
 public:
-  Quiet() { vtkObject::GlobalWarningDisplayOff(); }
-  ~Quiet() { vtkObject::SetGlobalWarningDisplay(this->Before); }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
+  MessageSilencer() { vtkObject::GlobalWarningDisplayOff(); }
+  ~MessageSilencer() { vtkObject::SetGlobalWarningDisplay(this->PreviousSetting); }
+  MessageSilencer(const MessageSilencer&) = delete;
+  MessageSilencer& operator=(const MessageSilencer&) = delete;
 
 private:
-  int Before = vtkObject::GetGlobalWarningDisplay();
+  int PreviousSetting = vtkObject::GetGlobalWarningDisplay();
 };
 
-// The reason where they cannot be used, else "".
+// Load probes from a file into the technique. Returns the reason if that failed, else "".
 std::string Load(const std::string& path, vtkGISHProbes* technique)
 {
-  const std::string named = "the probes '" + path + "' ";
+  const std::string subject = "the probes '" + path + "' ";
   if (!vtksys::SystemTools::FileExists(path, true))
   {
-    return named + "do not exist: bake them, or choose another file";
+    return subject + "do not exist: bake them, or choose another file";
   }
-  const Quiet quiet;
+  const MessageSilencer silencer;
   vtkNew<vtkXMLImageDataReader> reader;
   if (!reader->CanReadFile(path.c_str()))
   {
@@ -55,43 +55,43 @@ std::string Load(const std::string& path, vtkGISHProbes* technique)
   reader->Update();
   if (reader->GetErrorCode() || reader->GetOutput()->GetNumberOfPoints() == 0)
   {
-    return named + "are damaged: bake them again";
+    return subject + "are damaged: bake them again";
   }
   if (!technique->SetBake(reader->GetOutput()))
   {
-    return named + "cannot be used: " + technique->GetBakeError();
+    return subject + "cannot be used: " + technique->GetBakeError();
   }
   return "";
 }
 
-// By another name first, so that an earlier file is there until the new one is complete; not by that of the bakes that
-// the command line tool resumes.
+// Write a field to a temporary file first, so that an earlier file is kept until the new one is complete. The command
+// line tool resumes bakes from files with another suffix.
 bool Write(const std::string& path, vtkImageData* field)
 {
-  const Quiet quiet;
+  const MessageSilencer silencer;
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(field);
   writer->WriteToOutputStringOn();
-  // VTK before 9.3.1 stumbles over appended data with newer versions of Expat.
+  // VTK before 9.3.1 cannot read appended data with newer versions of Expat.
   writer->SetDataModeToBinary();
   if (!writer->Write())
   {
     return false;
   }
-  const std::string half = path + ".half";
-  vtksys::ofstream file(half.c_str(), std::ios::binary);
+  const std::string temporary = path + ".half";
+  vtksys::ofstream file(temporary.c_str(), std::ios::binary);
   file << writer->GetOutputString();
   file.close();
-  const bool written = file && std::rename(half.c_str(), path.c_str()) == 0;
+  const bool written = file && std::rename(temporary.c_str(), path.c_str()) == 0;
   if (!written)
   {
-    vtksys::SystemTools::RemoveFile(half);
+    vtksys::SystemTools::RemoveFile(temporary);
   }
   return written;
 }
 }
 
-void BakedProbes::Tell(const std::string& problem)
+void BakedProbes::Report(const std::string& problem)
 {
   this->Problem = problem;
   if (!problem.empty())
@@ -103,19 +103,19 @@ void BakedProbes::Tell(const std::string& problem)
 
 void BakedProbes::SetFile(const std::string& path)
 {
-  this->FileIsNew = this->FileIsNew || path != this->File;
+  this->FileChanged = this->FileChanged || path != this->File;
   this->File = path;
 }
 
 void BakedProbes::Update(vtkGISHProbes* technique)
 {
-  if (!this->FileIsNew)
+  if (!this->FileChanged)
   {
     return;
   }
-  this->FileIsNew = false;
+  this->FileChanged = false;
   technique->SetBake(nullptr);
-  this->Tell(this->File.empty() ? "" : Load(this->File, technique));
+  this->Report(this->File.empty() ? "" : Load(this->File, technique));
 }
 
 void BakedProbes::Bake(vtkGISHProbes* technique, vtkRenderer* renderer)
@@ -128,18 +128,18 @@ void BakedProbes::Bake(vtkGISHProbes* technique, vtkRenderer* renderer)
   baker->ReleaseGraphicsResources(renderer->GetRenderWindow());
   if (!baked)
   {
-    this->Tell(std::string("the probes cannot be baked: ") + baker->GetLastError());
+    this->Report(std::string("the probes cannot be baked: ") + baker->GetLastError());
     return;
   }
   if (!technique->SetBake(field))
   {
-    this->Tell(std::string("the probes cannot be used: ") + technique->GetBakeError());
+    this->Report(std::string("the probes cannot be used: ") + technique->GetBakeError());
     return;
   }
-  this->FileIsNew = false;
-  const bool kept = this->File.empty() || Write(this->File, field);
-  this->Tell(kept ? ""
-                  : "the probes are baked, but '" + this->File +
+  this->FileChanged = false;
+  const bool saved = this->File.empty() || Write(this->File, field);
+  this->Report(saved ? ""
+                     : "the probes are baked, but '" + this->File +
         "' cannot be written: make room on the disk, or choose another file");
 }
 }

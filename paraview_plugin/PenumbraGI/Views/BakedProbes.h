@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The baked probes of one render view: read from a file, or baked from what the view shows.
+ * The baked probes of one render view, which are read from a file or baked from the view's scene.
  */
 #pragma once
 
@@ -15,29 +15,30 @@ namespace penumbra
 class BakedProbes
 {
 public:
-  /// Where the probes are, or are written to once they are baked; "" keeps what is baked in memory alone.
+  /// Set the file from which probes are read, and to which baked probes are written. "" keeps baked probes in memory
+  /// only.
   void SetFile(const std::string& path);
 
-  /// What a bake takes: probes at most, and paths from each.
+  /// Parameters of a bake: maximum number of probes, and number of paths from each.
   void SetProbes(int probes) { this->Probes = probes; }
   void SetSamples(int samples) { this->Samples = samples; }
 
-  /// Gives the technique what the file holds, unless it has it. A file that cannot be used is told to the user.
+  /// Give the file's probes to the technique if the file changed. Reports a file that cannot be used.
   void Update(vtkGISHProbes* technique);
 
-  /// Bakes what a renderer shows, and writes the file if one is named.
+  /// Bake a renderer's scene, and write the file if one is set.
   void Bake(vtkGISHProbes* technique, vtkRenderer* renderer);
 
-  /// Tells the user why they cannot be had, in a sentence; "" where all is well.
-  void Tell(const std::string& problem);
+  /// Show the user a problem in one sentence; "" if there is none.
+  void Report(const std::string& problem);
 
-  /// What was told last.
+  /// The last problem, or "".
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
   std::string File;
   std::string Problem;
-  bool FileIsNew = false;
+  bool FileChanged = false;
   int Probes = 1024;
   int Samples = 256;
 };

@@ -32,7 +32,7 @@ public:
   vtkNew<penumbra::StillFramesPass> Frames;
   penumbra::BakedProbes Probes;
   vtkWeakPointer<vtkPVRenderView> View;
-  unsigned long StartOfFrame = 0;
+  unsigned long StartObserver = 0;
   bool Enabled = false;
 
   vtkGISHProbes* ProbeTechnique() const
@@ -43,21 +43,20 @@ public:
 
 namespace
 {
-// Each process of several draws its own part of the data and knows nothing of the others'.
-void SayWhatRanksDoNotShare()
+// With several processes, each draws its own part of the data and does not see the others'.
+void WarnAboutDistributedData()
 {
-  static bool said = false;
-  if (said || penumbra::IsAlone())
+  static bool warned = false;
+  if (warned || penumbra::IsSingleProcess())
   {
     return;
   }
-  said = true;
+  warned = true;
   if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
   {
     vtkOutputWindow::GetInstance()->DisplayText(
       "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect "
-      "light stop at "
-      "the boundaries between them for now.\n");
+      "light stop at the boundaries between them for now.\n");
   }
 }
 }
@@ -94,7 +93,7 @@ bool vtkPVGISettings::GetEnabled() const
 void vtkPVGISettings::SetEnabled(bool enabled)
 {
   this->Impl->Enabled = enabled;
-  this->Place();
+  this->UpdateRenderPass();
 }
 
 void vtkPVGISettings::SetStillFrames(int frames)
@@ -124,15 +123,15 @@ void vtkPVGISettings::BakeProbes()
   {
     return;
   }
-  if (penumbra::IsAlone() && !penumbra::IsConnected(view))
+  if (penumbra::IsSingleProcess() && !penumbra::IsConnected(view))
   {
     this->Impl->Probes.Bake(this->Impl->ProbeTechnique(), view->GetRenderer());
   }
-  // Every process is asked, and would bake what it draws itself.
+  // Every process gets this call, and would bake only what it draws itself. Report it once.
   else if (penumbra::IsClient(view))
   {
-    this->Impl->Probes.Tell("the probes cannot be baked by several processes: bake them in "
-                            "pvpython without a server, and choose their file here");
+    this->Impl->Probes.Report("the probes cannot be baked by several processes: bake them in "
+                              "pvpython without a server, and choose their file here");
   }
 }
 
@@ -144,7 +143,7 @@ const char* vtkPVGISettings::GetProbesProblem()
 bool vtkPVGISettings::AddToView(vtkView* view)
 {
   this->SetView(vtkPVRenderView::SafeDownCast(view));
-  return false; // known to the view no longer than this call
+  return false; // the view does not keep it as a representation
 }
 
 void vtkPVGISettings::SetView(vtkPVRenderView* view)
@@ -155,7 +154,7 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   }
   if (this->Impl->View)
   {
-    this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->StartOfFrame);
+    this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->StartObserver);
     const bool enabled = this->Impl->Enabled;
     this->SetEnabled(false);
     this->Impl->Enabled = enabled;
@@ -165,34 +164,34 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   if (view)
   {
     penumbra::PrepareWindow(view->GetRenderWindow());
-    this->Impl->StartOfFrame =
-      view->GetRenderer()->AddObserver(vtkCommand::StartEvent, this, &vtkPVGISettings::Place);
-    this->Place();
+    this->Impl->StartObserver = view->GetRenderer()->AddObserver(
+      vtkCommand::StartEvent, this, &vtkPVGISettings::UpdateRenderPass);
+    this->UpdateRenderPass();
   }
 }
 
-void vtkPVGISettings::Place()
+void vtkPVGISettings::UpdateRenderPass()
 {
   vtkPVRenderView* view = this->Impl->View;
   if (!view)
   {
     return;
   }
-  vtkPVSynchronizedRenderer* passes = penumbra::PassesOf(view);
-  vtkRenderPass* present = passes->GetRenderPass();
+  vtkPVSynchronizedRenderer* synchronizedRenderer = penumbra::SynchronizedRendererOf(view);
+  vtkRenderPass* current = synchronizedRenderer->GetRenderPass();
   vtkGISHProbes* probes = this->Impl->ProbeTechnique();
   if (this->Impl->Enabled && probes->GetEnabled())
   {
     this->Impl->Probes.Update(probes);
   }
-  if (this->Impl->Enabled && !present)
+  if (this->Impl->Enabled && !current)
   {
-    SayWhatRanksDoNotShare();
-    passes->SetRenderPass(this->Impl->Frames);
+    WarnAboutDistributedData();
+    synchronizedRenderer->SetRenderPass(this->Impl->Frames);
   }
-  else if (!this->Impl->Enabled && present == this->Impl->Frames)
+  else if (!this->Impl->Enabled && current == this->Impl->Frames)
   {
-    passes->SetRenderPass(nullptr);
+    synchronizedRenderer->SetRenderPass(nullptr);
     this->Impl->Pass->ReleaseGraphicsResources(view->GetRenderWindow());
   }
 }
