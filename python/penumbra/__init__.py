@@ -5,17 +5,17 @@
     import penumbra
     penumbra.enable(renderer, "balanced")
 
-Importing it also makes vtkRenderWindow() work where there is no display.
+Importing it also makes vtkRenderWindow() work without a display.
 """
 import importlib as _importlib
 
-# VTK draws with what is imported: its OpenGL classes, text, volumes and 2-D charts.
+# Importing these modules registers VTK's OpenGL classes, text, volumes and 2-D charts.
 for _name in ("vtkRenderingOpenGL2", "vtkRenderingFreeType", "vtkRenderingVolumeOpenGL2",
               "vtkRenderingContextOpenGL2", "vtkInteractionStyle", "vtkRenderingUI"):
     _importlib.import_module("vtkmodules." + _name)
 del _importlib, _name
 
-from .vtkRenderingGI import *  # noqa: F403,E402 the wrapped classes, vtkGIPass and its like
+from .vtkRenderingGI import *  # noqa: F403,E402 the wrapped classes, such as vtkGIPass
 from .bakes import load_bake, read_lightmap  # noqa: E402
 from .images import radiance, relative_error, render, save_png, window  # noqa: E402
 from .passes import disable, enable, presets, statistics, techniques  # noqa: E402

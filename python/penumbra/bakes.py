@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Baked light from files of penumbra bake and vtkGIProbeBaker."""
+"""Loads baked light from files that penumbra bake or vtkGIProbeBaker wrote."""
 import hashlib
 
 import numpy
@@ -12,7 +12,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from . import exr
 from .passes import _quiet
 
-_AGAIN = "bake it again with penumbra bake lightmap"
+_BAKE_AGAIN = "bake it again with penumbra bake lightmap"
 _LIGHT = ["R", "G", "B"]
 _MOMENTS = [f"moment-{axis}.{color}" for axis in "xyz" for color in "RGB"]
 _LAMPS = [f"lamps.{color}" for color in "RGB"]
@@ -26,16 +26,16 @@ def _table(part, names):
 
 
 def read_lightmap(path):
-    """A lightmap's surfaces (vtkPolyData) and light (vtkImageData), as vtkGILightmap.SetBake() takes them.
+    """Read a lightmap's surfaces (vtkPolyData) and light (vtkImageData), the arguments of vtkGILightmap.SetBake().
 
-    Raises ValueError, with a sentence, for a file that is damaged or no lightmap.
+    Raises ValueError, with a sentence, if the file is damaged or not a lightmap.
     """
     parts = exr.read(path)
     kind = parts[0].attributes.get("penumbra:kind", "")
     if not kind.startswith("lightmap"):
         raise ValueError(f"'{path}' is a picture but not a lightmap: give a file that penumbra bake lightmap wrote")
     if kind != "lightmap 1":
-        raise ValueError(f"'{path}' is of another version of Penumbra: {_AGAIN}")
+        raise ValueError(f"'{path}' is of another version of Penumbra: {_BAKE_AGAIN}")
     try:
         channels = [name for group in (_LIGHT, _MOMENTS, _LAMPS, _LAMP_MOMENTS) if group[0] in parts[0].channels
                     for name in group]
@@ -46,21 +46,21 @@ def read_lightmap(path):
         scene = head.split("\n", 3)[3]
         expected = parts[0].attributes["penumbra:checksum"]
     except (KeyError, IndexError) as error:
-        raise ValueError(f"the lightmap '{path}' is damaged: {_AGAIN}") from error
-    summed = hashlib.sha1(head.encode())
+        raise ValueError(f"the lightmap '{path}' is damaged: {_BAKE_AGAIN}") from error
+    digest = hashlib.sha1(head.encode())
     for table in tables:
-        summed.update(table.tobytes())
-    if summed.hexdigest().lower() != expected.lower():
-        raise ValueError(f"the lightmap '{path}' is damaged, its checksum does not fit: {_AGAIN}")
+        digest.update(table.tobytes())
+    if digest.hexdigest().lower() != expected.lower():
+        raise ValueError(f"the lightmap '{path}' is damaged, its checksum does not fit: {_BAKE_AGAIN}")
     origin, points, triangles = numpy.array(numbers[:3], float), int(numbers[3]), int(numbers[4])
     return (_surfaces(tables[1][:points], tables[2][:triangles], origin, scene),
             _image(tables[0][:, :len(channels)], parts[0].channels["R"].shape))
 
 
 def _surfaces(points, triangles, origin, scene):
-    surfaces, places, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    places.SetData(numpy_to_vtk(origin + points[:, :3].astype(float), deep=True))
-    surfaces.SetPoints(places)
+    surfaces, positions, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    positions.SetData(numpy_to_vtk(origin + points[:, :3].astype(float), deep=True))
+    surfaces.SetPoints(positions)
     surfaces.GetPointData().SetTCoords(numpy_to_vtk(numpy.ascontiguousarray(points[:, 3:5]), deep=True))
     surfaces.GetPointData().SetNormals(numpy_to_vtk(numpy.ascontiguousarray(points[:, 5:8]), deep=True))
     corners = numpy.insert(triangles.astype(numpy.int64), 0, 3, axis=1).ravel()
@@ -97,9 +97,9 @@ def _load_probes(gi, path):
 
 
 def load_bake(gi, path):
-    """Give baked light to its technique of a pass, and switch that on. Returns the technique.
+    """Load baked light into the technique of a pass that uses it, and switch the technique on. Returns the technique.
 
-    Raises ValueError, with a sentence, for a file that holds no baked light, is damaged, or was altered.
+    Raises ValueError, with a sentence, if the file holds no baked light, is damaged, or was altered.
     """
     with open(path, "rb") as file:
         if b"<VTKFile" in file.read(256):
@@ -107,6 +107,6 @@ def load_bake(gi, path):
     surfaces, light = read_lightmap(path)
     technique = gi.GetTechnique("lightmap")
     if not technique.SetBake(surfaces, light):
-        raise ValueError(f"the lightmap '{path}' cannot be used: {_AGAIN}")
+        raise ValueError(f"the lightmap '{path}' cannot be used: {_BAKE_AGAIN}")
     technique.EnabledOn()
     return technique

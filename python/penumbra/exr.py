@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads the OpenEXR files that penumbra bake writes: parts of scan lines, uncompressed or by ZIP.
+"""Reads the OpenEXR files that penumbra bake writes: scan-line parts, uncompressed or with ZIP compression.
 
-After the file's description (openexr.com, "OpenEXR File Layout"); pictures of other programs are read as
-far as they are like that.
+Follows the description of the format (openexr.com, "OpenEXR File Layout"). Files of other programs are read if they
+use the same features.
 """
 import struct
 import zlib
@@ -11,7 +11,7 @@ import zlib
 import numpy
 
 _TYPES = (numpy.dtype("<u4"), numpy.dtype("<f2"), numpy.dtype("<f4"))
-_LINES = {0: 1, 2: 1, 3: 16}  # of a chunk, by compression: none, ZIPS, ZIP
+_LINES = {0: 1, 2: 1, 3: 16}  # lines per chunk, by compression: none, ZIPS, ZIP
 
 
 class Part:
@@ -62,7 +62,7 @@ def _channels(data):
 
 
 def _unzip(data, size):
-    """What ZIP compression makes of differences of bytes, even ones first."""
+    """Decompress a chunk: the bytes at even positions come first, and all but the first are stored as differences."""
     if len(data) == size:
         return data
     raw = numpy.frombuffer(zlib.decompress(data), numpy.uint8).astype(numpy.int64)
@@ -76,13 +76,13 @@ def _unzip(data, size):
 
 
 def read(path):
-    """The parts of a file. Raises ValueError where it is none that is read here, or damaged."""
+    """Read the parts of a file. Raises ValueError if it is damaged or of an unsupported kind."""
     with open(path, "rb") as file:
         data = file.read()
     try:
         return _read(data)
     except (ValueError, IndexError, KeyError, struct.error, zlib.error) as error:
-        raise ValueError(f"'{path}' is no OpenEXR picture of a kind that is read here, or damaged ({error})") from error
+        raise ValueError(f"'{path}' is damaged or not an OpenEXR picture of a supported kind ({error})") from error
 
 
 def _read(data):
