@@ -1,5 +1,5 @@
 // Shadow bias by hand: bias_laboratory SCENE.json [--headless OUT.png]
-// Sliders set each bias of the shadow maps, in texels; the numbers are measured against rays.
+// Sliders set the biases of the shadow maps, in texels. The errors are measured against ray-traced shadows.
 #include "lab/BiasReport.h"
 #include "lab/BiasStudy.h"
 #include "lab/ShadowBench.h"
@@ -28,7 +28,8 @@ using namespace penumbra::tool;
 
 namespace
 {
-constexpr double Most = 5; // texels: beyond it shadows leave what casts them in every scene
+constexpr double MaximumBias =
+  5; // texels; larger biases detach shadows from their casters in every scene
 
 class Laboratory
 {
@@ -39,28 +40,29 @@ public:
     , Interactor(interactor)
     , Bench(window, renderer, settings)
   {
-    this->Words->GetTextProperty()->SetFontSize(18);
-    this->Words->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
-    this->Words->GetTextProperty()->SetBackgroundColor(1, 1, 1);
-    this->Words->GetTextProperty()->SetBackgroundOpacity(0.75);
-    this->Words->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-    this->Words->SetPosition(0.02, 0.84);
-    renderer->AddViewProp(this->Words);
+    this->Label->GetTextProperty()->SetFontSize(18);
+    this->Label->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
+    this->Label->GetTextProperty()->SetBackgroundColor(1, 1, 1);
+    this->Label->GetTextProperty()->SetBackgroundOpacity(0.75);
+    this->Label->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    this->Label->SetPosition(0.02, 0.84);
+    renderer->AddViewProp(this->Label);
     const std::vector<std::string> kinds = BiasKinds(this->Bench.Maps());
     for (std::size_t i = 0; i < kinds.size(); ++i)
     {
       this->AddSlider(kinds[i] + "-bias", double(i) / kinds.size(), double(i + 1) / kinds.size());
     }
-    this->Moved->SetClientData(this);
-    this->Moved->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
-      static_cast<Laboratory*>(self)->LookAgain();
+    this->CameraMoved->SetClientData(this);
+    this->CameraMoved->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+      static_cast<Laboratory*>(self)->MeasureView();
     });
-    interactor->GetInteractorStyle()->AddObserver(vtkCommand::EndInteractionEvent, this->Moved);
-    this->LookAgain();
+    interactor->GetInteractorStyle()->AddObserver(
+      vtkCommand::EndInteractionEvent, this->CameraMoved);
+    this->MeasureView();
   }
 
-  /// From where the camera is now: true shadows first, then the map's errors.
-  void LookAgain()
+  /// Measure from the current camera position: the true shadows first, then the map's errors.
+  void MeasureView()
   {
     try
     {
@@ -76,7 +78,7 @@ public:
     catch (const Failure& failure)
     {
       this->Judge.reset();
-      this->Say(failure.what());
+      this->ShowText(failure.what());
     }
   }
 
@@ -90,27 +92,28 @@ private:
 
   void AddSlider(const std::string& parameter, double left, double right)
   {
-    vtkNew<vtkSliderRepresentation2D> look;
-    look->SetMinimumValue(0);
-    look->SetMaximumValue(Most);
-    look->SetValue(this->Bench.Maps()->GetParameter(parameter.c_str()));
-    look->SetTitleText((parameter + ", texels").c_str());
-    look->SetLabelFormat("%.2f");
-    look->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-    look->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
-    look->GetPoint1Coordinate()->SetValue(left + 0.03, 0.1);
-    look->GetPoint2Coordinate()->SetValue(right - 0.03, 0.1);
-    for (vtkTextProperty* text : { look->GetTitleProperty(), look->GetLabelProperty() })
+    vtkNew<vtkSliderRepresentation2D> representation;
+    representation->SetMinimumValue(0);
+    representation->SetMaximumValue(MaximumBias);
+    representation->SetValue(this->Bench.Maps()->GetParameter(parameter.c_str()));
+    representation->SetTitleText((parameter + ", texels").c_str());
+    representation->SetLabelFormat("%.2f");
+    representation->GetPoint1Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+    representation->GetPoint2Coordinate()->SetCoordinateSystemToNormalizedDisplay();
+    representation->GetPoint1Coordinate()->SetValue(left + 0.03, 0.1);
+    representation->GetPoint2Coordinate()->SetValue(right - 0.03, 0.1);
+    for (vtkTextProperty* text :
+      { representation->GetTitleProperty(), representation->GetLabelProperty() })
     {
       text->SetColor(0.1, 0.1, 0.1);
       text->ShadowOff();
       text->BoldOff();
     }
-    look->GetTubeProperty()->SetColor(0.5, 0.5, 0.5);
+    representation->GetTubeProperty()->SetColor(0.5, 0.5, 0.5);
     Slider slider{ vtkSmartPointer<vtkSliderWidget>::New(),
       vtkSmartPointer<vtkCallbackCommand>::New(), parameter };
     slider.Widget->SetInteractor(this->Interactor);
-    slider.Widget->SetRepresentation(look);
+    slider.Widget->SetRepresentation(representation);
     slider.Widget->EnabledOn();
     slider.Changed->SetClientData(this);
     slider.Changed->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
@@ -134,24 +137,24 @@ private:
     this->Hide(true);
     const BiasErrors errors = this->Judge->Measure(this->Bench.DrawMask());
     const BiasLimits limits;
-    this->Say(fmt::format("acne {}{}\ngap {:.2f} texels{}\nmap of {:g} texels a side",
+    this->ShowText(fmt::format("acne {}{}\ngap {:.2f} texels{}\nmap of {:g} texels a side",
       FormatPercent(errors.Acne), errors.Acne > limits.Acne ? ": too much" : "", errors.Gap(),
       errors.Gap() > limits.Gap ? ": too wide" : "",
       this->Bench.Maps()->GetParameter("resolution")));
   }
 
-  void Say(const std::string& words)
+  void ShowText(const std::string& text)
   {
-    this->Words->SetInput(words.c_str());
+    this->Label->SetInput(text.c_str());
     this->Hide(false);
     this->Window->Render();
   }
 
-  /// Sliders and words would stand in the depth that places are read from.
+  /// Hide sliders and text, which would write to the depth that positions are read from.
   void Hide(bool hidden)
   {
     hidden ? this->Window->SwapBuffersOff() : this->Window->SwapBuffersOn();
-    this->Words->SetVisibility(!hidden);
+    this->Label->SetVisibility(!hidden);
     for (const Slider& slider : this->Sliders)
     {
       slider.Widget->GetRepresentation()->SetVisibility(!hidden);
@@ -161,11 +164,11 @@ private:
   vtkRenderWindow* Window;
   vtkRenderWindowInteractor* Interactor;
   ShadowBench Bench;
-  std::optional<BiasJudge> Judge; ///< none where the light shines on nothing in view
-  bool Fitted = false;            ///< the map's resolution, to the first view
+  std::optional<BiasJudge> Judge; ///< none if the light reaches nothing in view
+  bool Fitted = false;            ///< the map's resolution was fitted to the first view
   std::vector<Slider> Sliders;
-  vtkNew<vtkTextActor> Words;
-  vtkNew<vtkCallbackCommand> Moved;
+  vtkNew<vtkTextActor> Label;
+  vtkNew<vtkCallbackCommand> CameraMoved;
 };
 
 int Run(const char* sceneFile, const char* picture)
@@ -175,7 +178,7 @@ int Run(const char* sceneFile, const char* picture)
   const BuiltScene built = BuildScene(scene, {}, silent);
   vtkNew<vtkRenderWindow> window;
   ConfigureWindow(scene, built, window);
-  window->SetMultiSamples(0); // a mask has one value for each pixel
+  window->SetMultiSamples(0); // a mask has one value per pixel
   window->SetWindowName("Bias laboratory");
   vtkSmartPointer<vtkRenderWindowInteractor> interactor;
   if (picture)
