@@ -45,7 +45,7 @@ ProbeGrid NestedGrids::Get(int number) const
   ProbeGrid grid = this->First;
   if (number > 0)
   {
-    // Like in the first grid, the bounds, where walls are likely, lie midway between probes.
+    // As in the first grid, the bounds, where walls are likely, lie midway between probes.
     grid.First += 0.5 * grid.Spacing;
     grid.Counts = this->Counts;
     grid.Spacing /= std::pow(this->Ratio, number);

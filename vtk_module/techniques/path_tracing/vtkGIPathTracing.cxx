@@ -68,8 +68,8 @@ struct PathTracer
   /// Add one path per pixel. sampleIndex: number of samples in the sums so far.
   void Trace(FrameContext& context, int sampleIndex) const
   {
-    // Without lights VTK draws surfaces as flat colours, which the capture cannot tell from lines. Rays see the
-    // surfaces, so what is drawn must not hide them.
+    // Without lights VTK draws surfaces as flat colours, which the capture cannot tell from lines. Rays then have to
+    // reach slightly beyond the drawn depth, so that they find these surfaces.
     constexpr double margin = 1e-3;
     context.Dispatch("path_tracing/trace.comp", this->Rays->ShaderDefines(),
       Arguments()
