@@ -22,15 +22,15 @@ namespace penumbra
 {
 namespace
 {
-constexpr int LargestSide = 16384; // of a texture that every OpenGL 4.3 has
+constexpr int LargestSide = 16384; // texture size that every OpenGL 4.3 implementation supports
 
-// How far behind the depth that VTK left a surface may be, which another program rounds otherwise: fractions of a pixel
-// on a slope, steps of the depth buffer. About as far as lightmap/surface.frag allows, which goes by the sum of the slopes
-// along both axes: this is of the steeper one alone.
+// Offset by which a surface may lie behind VTK's depth, because another shader program rounds differently: a fraction
+// of a pixel on slopes, and steps of the depth buffer. It is about the same as in lightmap/surface.frag, which uses
+// the sum of the slopes along both axes, while this applies to the steeper one only.
 constexpr GLfloat Pixels = 0.03f;
 constexpr GLfloat Digits = 4.0f;
 
-[[noreturn]] void Refuse(const char* reason)
+[[noreturn]] void Fail(const char* reason)
 {
   throw std::invalid_argument(reason);
 }
@@ -40,14 +40,14 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
 {
   if (!surfaces || !light)
   {
-    Refuse("it needs both surfaces and light");
+    Fail("it needs both surfaces and light");
   }
-  vtkDataArray* places = surfaces->GetPointData()->GetTCoords();
+  vtkDataArray* coordinates = surfaces->GetPointData()->GetTCoords();
   vtkDataArray* normals = surfaces->GetPointData()->GetNormals();
-  if (!places || !normals || places->GetNumberOfComponents() != 2 ||
+  if (!coordinates || !normals || coordinates->GetNumberOfComponents() != 2 ||
     normals->GetNumberOfComponents() != 3)
   {
-    Refuse("its surfaces lack texture coordinates or normals");
+    Fail("its surfaces lack texture coordinates or normals");
   }
   double bounds[6];
   surfaces->GetBounds(bounds);
@@ -56,7 +56,7 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
   this->Origin = 0.5 * (low + high);
   if (!std::isfinite(glm::length(high - low)) || surfaces->GetNumberOfPolys() == 0)
   {
-    Refuse("it has no surfaces");
+    Fail("it has no surfaces");
   }
   const vtkIdType count = surfaces->GetNumberOfPoints();
   this->Points.resize(static_cast<std::size_t>(count));
@@ -66,7 +66,7 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
     surfaces->GetPoint(i, &at[0]);
     normals->GetTuple(i, &normal[0]);
     this->Points[static_cast<std::size_t>(i)] = { glm::vec3(at - this->Origin), glm::vec3(normal),
-      glm::vec2(places->GetComponent(i, 0), places->GetComponent(i, 1)) };
+      glm::vec2(coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1)) };
   }
   auto cells = vtk::TakeSmartPointer(surfaces->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
@@ -78,7 +78,7 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
     {
       if (size != 3 || ids[i] < 0 || ids[i] >= count)
       {
-        Refuse("its surfaces are not triangles of its points");
+        Fail("its surfaces are not triangles of its points");
       }
       this->Corners.push_back(static_cast<std::uint32_t>(ids[i]));
     }
@@ -88,20 +88,20 @@ SurfaceMap::SurfaceMap(vtkPolyData* surfaces, vtkImageData* light)
 
 void SurfaceMap::TakePicture(vtkImageData* light)
 {
-  constexpr int plain = 3, directional = 12; // twice as many with the lamps' light
+  constexpr int plain = 3, directional = 12; // twice as many with direct light
   const int channels = light->GetNumberOfScalarComponents();
   vtkDataArray* scalars = light->GetPointData()->GetScalars();
   const int* size = light->GetDimensions();
   this->Directional = channels % directional == 0;
-  const int each = this->Directional ? directional : plain;
-  this->Lamps = channels == 2 * each;
-  if (!scalars || (channels != each && !this->Lamps) || size[2] != 1)
+  const int componentsPerPart = this->Directional ? directional : plain;
+  this->Lamps = channels == 2 * componentsPerPart;
+  if (!scalars || (channels != componentsPerPart && !this->Lamps) || size[2] != 1)
   {
-    Refuse("its light is no picture of 3 or 12 components, or of twice as many");
+    Fail("its light is no picture of 3 or 12 components, or of twice as many");
   }
   if (size[0] > LargestSide || size[1] > LargestSide)
   {
-    Refuse("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
+    Fail("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
   }
   this->Width = size[0];
   this->Height = size[1];
@@ -142,7 +142,7 @@ void SurfaceMap::Upload()
   }
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  // Light alone is never negative, as its moments are.
+  // RGB9_E5 has no sign, so it suits light, but not its moments.
   const GLenum format = this->Layers == 1 ? GL_RGB9_E5 : GL_RGBA16F;
   card.Light =
     std::make_unique<Texture>(TextureDesc{ format, this->Width, this->Height, this->Layers });
@@ -182,7 +182,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
       .Set("mapToClip", glm::mat4(view.ViewToClip * toView))
       .Set("viewToWorld", glm::mat3(glm::dmat3(view.ViewToWorld)))
       .Set("intensity", intensity));
-  // A side's triangles are seen from that side only.
+  // Triangles are visible only from the side that they were baked for.
   ScopedState scope(context.State());
   scope.Set(GL_CULL_FACE, true);
   context.State()->vtkglCullFace(GL_BACK);
@@ -190,7 +190,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
   {
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_LEQUAL);
-    glEnable(GL_POLYGON_OFFSET_FILL); // which VTK's cache does not know
+    glEnable(GL_POLYGON_OFFSET_FILL); // VTK's state cache does not track it
     glPolygonOffset(-Pixels, -Digits);
   }
   glBindVertexArray(this->OnCard->Layout.Get());

@@ -21,7 +21,7 @@ using namespace penumbra;
 struct vtkGILightmap::Internals
 {
   SurfaceMap Map;
-  BakedScene Scene; ///< of the bake
+  BakedScene Scene; ///< that was baked
 };
 
 vtkGILightmap::vtkGILightmap()
@@ -44,7 +44,7 @@ bool vtkGILightmap::SetBake(vtkPolyData* surfaces, vtkImageData* light)
       next->Scene = BakedScene::FromText(
         scene && scene->GetNumberOfValues() == 1 ? std::string(scene->GetValue(0)) : "");
     }
-    // What is on the graphics card is freed when its context is current.
+    // GPU resources are freed when their context is current.
     next->Map.TakeOld(this->Impl->Map);
     this->Impl = std::move(next);
   }

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGILightmap
- * @brief   diffuse indirect light from a picture that was baked for the surfaces
+ * @brief   diffuse indirect light from a texture that was baked for the surfaces
  *
- * `penumbra bake lightmap` writes the picture; penumbra.load_bake() and `penumbra render --bake` bring it here.
- * The baked triangles are drawn over the pixels that show them, with one fetch each. Props that the bake does not
- * know, moving ones for instance, get no light from it: another technique lights them. A map may hold the lamps' own
- * light too, shadows included, of which highlights alone are then left to each frame.
+ * `penumbra bake lightmap` writes a lightmap; penumbra.load_bake() and `penumbra render --bake` load it. The baked
+ * triangles are drawn over the pixels that show them, with one texture fetch each. Props that were not baked, such as
+ * moving ones, get no light from the map; another technique can light them. A map may also include direct light with
+ * its shadows; then only highlights are computed in each frame.
  *
- * The bake holds while the props that it knows, the lamps and the environment are what they were. In the
- * first frame where one is not, vtkGIPass::GetNotes() says which, and the map lights nothing.
+ * The bake is valid as long as the baked props, the lights and the environment do not change. From the first frame in
+ * which one did, vtkGIPass::GetNotes() names it, and the map lights nothing.
  */
 #ifndef vtkGILightmap_h
 #define vtkGILightmap_h
@@ -31,32 +31,38 @@ public:
   vtkTypeMacro(vtkGILightmap, vtkGILightmapParameters);
 
   /**
-   * Take a baked map, or none (nullptr). surfaces: triangles in world coordinates, counter-clockwise from the
-   * side that the light is for, with normals and texture coordinates (0 to 1, rows of the picture from the first
-   * on) at points, and a field array of strings "scene" with DescribeScene() of what was baked. light: a float
-   * image of 3 components, irradiance divided by pi, or of 12, followed by first moments for normals that pictures
-   * bend: the means over the hemisphere of radiance times x, y and z of its direction in the world, each in red,
-   * green and blue. Along the surface's normal they may be less, by a quarter of the radiance near the horizon,
-   * which a normal keeps as it turns: the baker's are. As many components may follow with the same of the light that arrives straight from the lamps: matter there is not lit by these again,
-   * but by lamps that follow the camera. Both are copied. Returns false, with an error that says why, and keeps the
-   * former map where they are not so.
+   * Use a baked map, or none (nullptr). Both arguments are copied.
+   *
+   * surfaces: triangles in world coordinates, counter-clockwise seen from the lit side, with normals and texture
+   * coordinates at points (0 to 1, from the first row of the image on), and a string field array "scene" with the
+   * DescribeScene() of the baked scene.
+   *
+   * light: a float image with 3 components, irradiance divided by pi. It may have 12: first moments follow, which are
+   * used with normal maps. They are the means over the hemisphere of radiance times x, y and z of its direction in
+   * the world, each in red, green and blue. The moment along the surface's normal may be reduced by a quarter of the
+   * radiance near the horizon, because a normal keeps that light when it tilts; the baker does so. The image may then
+   * have the same number of components again, for the direct light of all lights that do not follow the camera. These
+   * do not light the surfaces again.
+   *
+   * Returns false, with an error that gives the reason, and keeps the previous map if the arguments are not of this
+   * form.
    */
   bool SetBake(vtkPolyData* surfaces, vtkImageData* light);
 
   /**
-   * Whether there is a map, and whether it holds the light of lamps too.
+   * Whether there is a map, and whether it includes direct light.
    */
   bool HasBake();
   bool HasLampLight();
 
   /**
-   * What a map baked of the renderer's scene would depend on, as text: the visible props that rays see, with
-   * places, shapes and looks, lamps that do not follow the camera, and the environment.
+   * Describe everything that a bake of the renderer's scene depends on as text: the positions, shapes and appearance of
+   * the visible props that rays see, the lights that do not follow the camera, and the environment.
    */
   static std::string DescribeScene(vtkRenderer* renderer);
 
   /**
-   * What differs from the baked scene in the renderer's last frame, as in "light 1 moved"; "" where the map fits.
+   * The difference between the baked scene and the renderer's last frame, such as "light 1 moved"; "" if the map fits.
    */
   std::string GetMismatch(vtkRenderer* renderer);
 
