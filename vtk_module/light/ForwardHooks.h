@@ -71,12 +71,12 @@ private:
   void SetParts(vtkShaderProgram* program, bool volume);
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
-  penumbra::ForwardLight Light;          ///< of the last frame that had any
-  bool HasLight = false;                 ///< this frame has any
+  penumbra::ForwardLight Light;          ///< the last light that was not empty
+  bool HasLight = false;                 ///< whether this frame has light
   bool ShadersOutdated = true;           ///< the mappers' shaders may be outdated
   std::vector<int> ShadowChannels;       ///< mask channel of each light, or -1
   std::vector<int> SortedShadowChannels; ///< the same, positional lights first
-  std::vector<vtkProp*> Props;           ///< that the hooks are attached to
+  std::vector<vtkProp*> Props;           ///< props that the hooks are attached to
   vtkRenderer* Renderer = nullptr;
   std::vector<int> Units; ///< for the parts' textures
   std::map<vtkShaderProgram*, ProgramParts> Programs;

@@ -21,7 +21,7 @@ namespace penumbra
 struct Light
 {
   glm::dvec3 Color{ 0.0 };     ///< intensity times diffuse colour
-  glm::dvec3 Direction{ 0.0 }; ///< in which light travels, view coordinates, unit length
+  glm::dvec3 Direction{ 0.0 }; ///< direction of travel, view coordinates, unit length
   glm::dvec3 Position{ 0.0 };  ///< view coordinates
   glm::dvec3 WorldDirection{ 0.0 };
   glm::dvec3 WorldPosition{ 0.0 };

@@ -56,7 +56,7 @@ public:
   struct ViewRecord
   {
     vtkWeakPointer<vtkRenderer> Renderer;
-    std::string Name; ///< that its textures have in the pool
+    std::string Name; ///< name of its textures in the pool
     penumbra::SceneSignature Signature;
     penumbra::MotionTable Motion;
     penumbra::ViewState States;
@@ -64,7 +64,7 @@ public:
     int Restarts = 0; ///< the pass's Restarts at its last frame
     int FrameNumber = 0;
     int FirstFrame = 0;                     ///< since the last Restart()
-    vtkSmartPointer<vtkImageData> Radiance; ///< of the last frame, if it was kept
+    vtkSmartPointer<vtkImageData> Radiance; ///< radiance of the last frame, if it was kept
     penumbra::WholePicture Whole;           ///< larger than the window, while tiles are shown
   };
   const ViewRecord* FindRecord(vtkRenderer* renderer) const;
@@ -100,7 +100,7 @@ private:
   penumbra::SceneCapture Capture{ Shaders };
   penumbra::LightTable Lights;
   std::map<ViewKey, ViewRecord> Views;
-  std::map<vtkRenderer*, penumbra::RayProps> RayScenes; ///< of the renderers in Views
+  std::map<vtkRenderer*, penumbra::RayProps> RayScenes; ///< one per renderer in Views
   penumbra::Buffer ViewBlock;
   int ViewCount = 0;
   bool ShadersInvalid = false; ///< those of the last folder did not compile

@@ -30,6 +30,6 @@ public:
 
 private:
   vtkNew<vtkLight> Light;
-  vtkOpenGLRenderer* Renderer = nullptr; ///< that has the light
+  vtkOpenGLRenderer* Renderer = nullptr; ///< the renderer that has the light, or nullptr
 };
 }

@@ -13,7 +13,7 @@ namespace penumbra
 struct ProbeUniforms
 {
   ProbeGrids Grids;
-  glm::dvec3 Origin{ 0.0 }; ///< of the shaders' coordinates, in the world
+  glm::dvec3 Origin{ 0.0 }; ///< origin of the shaders' coordinates, in the world
   double Bias = 0.0;        ///< in cells
 
   Arguments ShaderArguments() const;

@@ -28,7 +28,7 @@ public:
     double Refinement = 0.0; ///< 0: derived from what the camera shows
     int Rays = 0;            ///< per probe and update
     int RaysBudget = 0;      ///< per frame; 0: no limit
-    int Updates = 0;         ///< of a still scene, after which the probes rest
+    int Updates = 0;         ///< number of updates of a still scene after which the probes rest
     double Hysteresis = 0.0;
     double Bias = 0.0;
     bool Relocate = false;
@@ -71,7 +71,7 @@ private:
     0; ///< number from NextProbe on whose visibility of each other may have changed
   int TotalUpdates = 0; ///< since the grids were created
   int UpdatesSinceSceneChange = 0;
-  int UpdatesSinceChange = 0;       ///< of the scene or of a grid's position
+  int UpdatesSinceChange = 0;       ///< a change of the scene or of a grid's position
   int DistanceUpdates = 0;          ///< since geometry changed
   int DistanceUpdatesSinceMove = 0; ///< since geometry changed or a grid moved
 };

@@ -18,8 +18,9 @@ struct History;
 /// The textures of the probes, which are histories of a view.
 struct LiveProbeMaps
 {
-  History* Directions = nullptr; ///< of the rays, before an update's rotation
-  History* RayResults = nullptr; ///< of the last update: radiance and distance, a row per probe
+  History* Directions = nullptr; ///< directions of the rays, before an update's rotation
+  History* RayResults =
+    nullptr; ///< radiance and distance found by the last update, a row per probe
   History* Light = nullptr;
   History* Distance = nullptr;
   History* Probes = nullptr; ///< offset from the grid point, and which neighbours are visible

@@ -42,7 +42,7 @@ public:
 
 private:
   ProbeGrid First;
-  glm::ivec3 Counts{ 0 }; ///< of the finer grids
+  glm::ivec3 Counts{ 0 }; ///< counts of the finer grids
   int GridCount = 1;
   double Ratio = LeastRefinement;
   /// Position of each grid's first probe in its own cells; zero is half a cell inside the bounds of the scene.

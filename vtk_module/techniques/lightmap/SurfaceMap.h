@@ -44,7 +44,7 @@ private:
   {
     glm::vec3 Position; ///< relative to Origin
     glm::vec3 Normal;
-    glm::vec2 Place; ///< in the picture
+    glm::vec2 Place; ///< texture coordinates
   };
   struct Uploaded
   {

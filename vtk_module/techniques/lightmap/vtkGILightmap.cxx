@@ -21,7 +21,7 @@ using namespace penumbra;
 struct vtkGILightmap::Internals
 {
   SurfaceMap Map;
-  BakedScene Scene; ///< that was baked
+  BakedScene Scene; ///< the scene that was baked
 };
 
 vtkGILightmap::vtkGILightmap()

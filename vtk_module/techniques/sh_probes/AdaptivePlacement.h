@@ -26,7 +26,7 @@ struct AdaptivePlacement
 {
   GatherStage& Stage;
   LightTrial::Gather Gather;
-  ProbeProgress Progress; ///< of the whole work
+  ProbeProgress Progress; ///< progress of the whole work
   bool Relocate;          ///< see PlaceProbes()
 
   std::optional<ProbeField> Place(const ProbeGrids& grids) const;

@@ -44,7 +44,7 @@ private:
 
   std::vector<glm::dvec3> Points;
   std::vector<glm::dvec3> Normals;
-  std::vector<double> Weights; ///< of the points' errors; their sum is 1
+  std::vector<double> Weights; ///< weights of the points' errors; their sum is 1
   std::vector<float> Light[2]; ///< from independent paths
   double MeanSquare = 0.0;     ///< square of the mean of Light
 };

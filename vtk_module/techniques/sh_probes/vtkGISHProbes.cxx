@@ -18,10 +18,10 @@ using namespace penumbra;
 struct vtkGISHProbes::Internals
 {
   ProbeField Field;
-  BakedScene Scene; ///< that was baked
+  BakedScene Scene; ///< the scene that was baked
   std::string Error;
   std::unique_ptr<ProbeTextures> Textures;
-  int Window = -1;   ///< parameter that Textures were made with
+  int Window = -1;   ///< value of the parameter in Textures
   bool Stale = true; ///< Textures belong to an earlier field
 
   const ProbeTextures& UpToDateTextures(int window)

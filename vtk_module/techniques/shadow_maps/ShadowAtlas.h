@@ -21,7 +21,7 @@ struct ShadowAtlas
 {
   int Width = 0;
   int Height = 0;
-  std::vector<AtlasTile> Tiles; ///< in the order of the maps
+  std::vector<AtlasTile> Tiles; ///< tiles in the order of the maps
 };
 
 /// Place maps. largest: width of the largest map. halvings: number of times each map's width is halved. The result
@@ -31,7 +31,7 @@ ShadowAtlas PackShadowAtlas(int largest, const std::vector<int>& halvings);
 struct AtlasRequest
 {
   int Maps = 1;
-  int Halvings = 0; ///< that give the largest useful width
+  int Halvings = 0; ///< minimum: a larger width is not useful
   double Importance = 1.0;
 };
 

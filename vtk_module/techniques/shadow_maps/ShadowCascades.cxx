@@ -29,7 +29,7 @@ struct ViewCone
 {
   glm::dvec3 Eye{ 0.0 };
   glm::dvec3 Axis{ 0.0 };
-  double Cosine = 1.0; ///< of the angle between the axis and the frustum's corners
+  double Cosine = 1.0; ///< cosine of the angle between the axis and the frustum's corners
   double Pixel = 0.0;  ///< width of a pixel at distance 1
   double Nearest = 0.0;
   double Farthest = 0.0;

@@ -22,7 +22,7 @@ struct ShadowCascades
 
 struct CascadeOptions
 {
-  int MaximumCount = 4;   ///< of cascades
+  int MaximumCount = 4;   ///< maximum number of cascades
   int Resolution = 2048;  ///< width of a single map in texels; a cascade has half of it
   double Margin = 0.0;    ///< texels that a filter reads beyond a map's edge
   double Logarithmic = 0; ///< weight of logarithmic splits, 0 to 1; the rest is even splits

@@ -19,13 +19,13 @@ struct View;
 
 struct ShadowOptions
 {
-  int Resolution = 2048;   ///< of the largest maps, in texels
+  int Resolution = 2048;   ///< width of the largest maps in texels
   double Margin = 0.0;     ///< texels that a filter reads beyond a map's edge
   double Squares = 1.0;    ///< number of maps of the largest size that fit into the atlas
   int Cascades = 1;        ///< maximum number for a directional light
   double Logarithmic = 0;  ///< see CascadeOptions
   double LightTangent = 0; ///< tangent of half the angular diameter of directional lights
-  double LightRadius = 0;  ///< of positional lights, in world units
+  double LightRadius = 0;  ///< radius of positional lights in world units
 };
 
 struct ShadowMap
@@ -39,7 +39,7 @@ struct ShadowMap
 
 struct ShadowPlan
 {
-  int Width = 0; ///< of the atlas
+  int Width = 0; ///< width of the atlas
   int Height = 0;
   std::vector<ShadowMap> Maps;
   std::vector<shared::ShadowMapData> MapData;

@@ -142,10 +142,10 @@ struct vtkGIShadowMaps::Resources
   Buffer MapBlock;
   Buffer LightBlock;
   std::shared_ptr<ShadowPlan> Plan;
-  double Radius = 0.0; ///< of the filter, in texels
-  int Samples = 1;     ///< of the filter
+  double Radius = 0.0;            ///< radius of the filter in texels
+  int Samples = 1;                ///< number of samples of the filter
   bool PartialCoverage = false;   ///< some casters are partly transparent
-  const History* Atlas = nullptr; ///< of the last view that was drawn
+  const History* Atlas = nullptr; ///< atlas of the last view that was drawn
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()

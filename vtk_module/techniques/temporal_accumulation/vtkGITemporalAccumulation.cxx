@@ -41,7 +41,7 @@ struct Ages
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
   std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
-  std::vector<LightGeometry> Geometries; ///< of the lights in these channels
+  std::vector<LightGeometry> Geometries; ///< geometry of the lights in these channels
 
   void Advance(const View& view, const LightTable& lights, bool continued)
   {
