@@ -28,8 +28,8 @@ using namespace penumbra::tool;
 
 namespace
 {
-constexpr double MaximumBias =
-  5; // texels; larger biases detach shadows from their casters in every scene
+// Limit of the sliders in texels. Larger biases detach shadows from their casters in every scene.
+constexpr double MaximumBias = 5;
 
 class Laboratory
 {

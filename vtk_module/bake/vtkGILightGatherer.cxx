@@ -23,8 +23,8 @@ using namespace penumbra;
 
 namespace
 {
-constexpr std::size_t FirstPaths =
-  4096; // number traced in the first batch; later ones adapt to the time taken
+// Number of paths in the first batch. Later ones adapt to the time taken.
+constexpr std::size_t FirstPaths = 4096;
 
 /// Samples that are traced at once.
 struct Batch

@@ -59,19 +59,19 @@ private:
 
   Settings Current;
   NestedGrids Nested;
-  std::array<int, 2>
-    RequestedLayout{};         ///< numbers of probes and grids that the grids were created for
+  /// Numbers of probes and grids that the grids were created for.
+  std::array<int, 2> RequestedLayout{};
   vtkMTimeType Parameters = 0; ///< modification time of the parameters in use
   LiveProbeMaps ProbeMaps;
   LiveProbeUpdate Update;
   bool Uninitialized = true;  ///< the probes hold no light yet
   bool GeometryMoved = false; ///< since the last relocation
-  int NextProbe = 0;          ///< to be updated
-  int UnconnectedProbes =
-    0; ///< number from NextProbe on whose visibility of each other may have changed
+  int NextProbe = 0;          ///< next probe to update
+  /// Number of probes from NextProbe on whose visibility of each other may have changed.
+  int UnconnectedProbes = 0;
   int TotalUpdates = 0; ///< since the grids were created
   int UpdatesSinceSceneChange = 0;
-  int UpdatesSinceChange = 0;       ///< a change of the scene or of a grid's position
+  int UpdatesSinceChange = 0;       ///< since the scene changed or a grid moved
   int DistanceUpdates = 0;          ///< since geometry changed
   int DistanceUpdatesSinceMove = 0; ///< since geometry changed or a grid moved
 };

@@ -19,13 +19,13 @@ struct History;
 struct LiveProbeMaps
 {
   History* Directions = nullptr; ///< directions of the rays, before an update's rotation
-  History* RayResults =
-    nullptr; ///< radiance and distance found by the last update, a row per probe
+  /// Radiance and distance found by the last update, a row per probe.
+  History* RayResults = nullptr;
   History* Light = nullptr;
   History* Distance = nullptr;
   History* Probes = nullptr; ///< offset from the grid point, and which neighbours are visible
-  History* NextOffsets =
-    nullptr; ///< offsets that relocation chose, before Connect() moves the probes
+  /// Offsets that relocation chose, before Connect() moves the probes.
+  History* NextOffsets = nullptr;
   History* States = nullptr;
 
   static LiveProbeMaps Keep(Frame& frame, int probes, int rays);

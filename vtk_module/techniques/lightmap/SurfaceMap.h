@@ -51,8 +51,8 @@ private:
     Buffer Points;
     Buffer Corners;
     VertexArrayHandle Layout;
-    std::unique_ptr<Texture>
-      Light; ///< layers: irradiance and its moments, then those of direct light
+    /// Layers: irradiance and its moments, then those of direct light.
+    std::unique_ptr<Texture> Light;
   };
   void TakePicture(vtkImageData* light);
   void Upload();

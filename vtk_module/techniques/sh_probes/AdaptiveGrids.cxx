@@ -170,8 +170,8 @@ private:
   const glm::dvec2& At(const glm::ivec3& at) const { return this->Sums[this->Index(at)]; }
 
   std::vector<double> Planes[3];
-  std::vector<glm::dvec2>
-    Sums; ///< sums of errors and of their squares over everything below a corner
+  /// Sums of errors and of their squares over everything below a corner.
+  std::vector<glm::dvec2> Sums;
 };
 
 /// Chooses boxes for finer grids, and distributes the probes among them. A grid of n probes in a volume V is predicted

@@ -16,8 +16,8 @@ struct View;
 struct ShadowCascades
 {
   std::vector<double> Ends;          ///< distances from the eye
-  std::vector<ShadowSphere>
-    Spheres; ///< bounds of what is visible up to there; empty: one map for everything
+  /// Bounds of what is visible up to there; empty: one map for everything.
+  std::vector<ShadowSphere> Spheres;
 };
 
 struct CascadeOptions

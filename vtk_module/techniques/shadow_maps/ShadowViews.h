@@ -22,10 +22,10 @@ struct ShadowView
   glm::dmat4 WorldToView{ 1.0 };
   glm::dmat4 ViewToClip{ 1.0 };
   bool Parallel = true;
-  double Texel =
-    0.0; ///< width of a map texel in world units, at distance 1 if the light is positional
-  double Near =
-    0.0; ///< depth range of the map: distances from the light, or from the view's origin if directional
+  /// Width of a map texel in world units, at distance 1 if the light is positional.
+  double Texel = 0.0;
+  /// Depth range of the map: distances from the light, or from the view's origin if directional.
+  double Near = 0.0;
   double Far = 1.0;
 };
 
