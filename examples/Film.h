@@ -1,4 +1,4 @@
-// What the examples in C++ share that draw films: things to look at, and frames as PNG files in a folder.
+// Shared by the C++ examples that draw films: helpers to build scenes, and frames as PNG files in a folder.
 #pragma once
 
 #include <vtkActor.h>
@@ -35,7 +35,7 @@ inline vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithm* source, const Color& co
   return actor;
 }
 
-// Shines all around, from a place in the scene.
+// Add an omnidirectional light at a position in the scene.
 inline vtkSmartPointer<vtkLight> AddLamp(vtkRenderer* renderer, double x, double y, double z)
 {
   vtkNew<vtkLight> lamp;
@@ -47,7 +47,7 @@ inline vtkSmartPointer<vtkLight> AddLamp(vtkRenderer* renderer, double x, double
   return lamp;
 }
 
-// A square picture of the renderer, from a point on the negative y axis towards the positive, z upwards.
+// Create a square window for the renderer, seen from a point along the positive y axis, with z upwards.
 inline vtkSmartPointer<vtkRenderWindow> Aim(
   vtkRenderer* renderer, const double (&from)[3], double angle, int width)
 {
@@ -63,13 +63,13 @@ inline vtkSmartPointer<vtkRenderWindow> Aim(
   return window;
 }
 
-// FOLDER [FRAMES] [WIDTH] of a command line, and the frames in that folder. One sentence and an end of the program where
-// something is wrong. ffmpeg -i FOLDER/%04d.png movie.mp4 makes a film of them.
+// The command line FOLDER [FRAMES] [WIDTH], and the frames in that folder. Errors print one sentence and end the
+// program. ffmpeg -i FOLDER/%04d.png movie.mp4 makes a film of the frames.
 struct Film
 {
   std::filesystem::path Folder;
   int Frames = 60;
-  int Width = 512; // and height, pixels
+  int Width = 512; // and height, in pixels
 
   Film(int argc, char* argv[])
   {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A room with baked probes, and a ball that moves through their light: baked_probes.py OUT.png [WIDTH] [SAMPLES]
 
-The bake is kept beside OUT.png as a .vti file, and taken from there the next time. OUT.png shows three places of
-the ball, and the probes.
+The bake is saved as a .vti file next to OUT.png, and loaded from there the next time. OUT.png shows the ball at three
+positions, and the probes.
 """
 import pathlib
 import sys
@@ -61,11 +61,11 @@ renderer.ResetCameraClippingRange()
 window = penumbra.window(renderer, size=(width, width * 9 // 16))
 gi = penumbra.enable(renderer, "balanced", on=["sh-probes"])
 
-# Bake what stands, before the ball comes.
-field, kept = vtkImageData(), out.with_suffix(".vti")
-if kept.exists():
+# Bake the static scene, before the ball is added.
+field, saved = vtkImageData(), out.with_suffix(".vti")
+if saved.exists():
     reader = vtkXMLImageDataReader()
-    reader.SetFileName(str(kept))
+    reader.SetFileName(str(saved))
     reader.Update()
     field = reader.GetOutput()
 else:
@@ -75,7 +75,7 @@ else:
     if not baker.Bake(renderer, field):
         sys.exit(baker.GetLastError())
     writer = vtkXMLImageDataWriter()
-    writer.SetFileName(str(kept))
+    writer.SetFileName(str(saved))
     writer.SetInputData(field)
     writer.SetDataModeToBinary()
     writer.Write()

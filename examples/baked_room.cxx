@@ -1,6 +1,6 @@
-// A room that stays as it is, its indirect light baked, and a ball that bounces through it in the light of baked probes:
-// baked_room FOLDER [FRAMES] [WIDTH]. The walls are rectangles, whose texels are easy to place; `penumbra bake lightmap`
-// unwraps any surface.
+// A static room with baked indirect light, and a ball that bounces through it, lit by baked probes:
+// baked_room FOLDER [FRAMES] [WIDTH]
+// The walls are rectangles, whose texels are easy to place; `penumbra bake lightmap` unwraps any surface.
 #include "Film.h"
 
 #include <vtkCellArray.h>
@@ -28,7 +28,7 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-// A corner, what leads to the two next to it (so that their cross product points into the room), and a colour.
+// A corner, the vectors to the two neighbouring corners (whose cross product points into the room), and a colour.
 struct Wall
 {
   Vector Corner, U, V;
@@ -43,7 +43,7 @@ struct Wall
     }
     return point;
   }
-  Vector Facing() const
+  Vector Normal() const
   {
     Vector normal;
     vtkMath::Cross(this->U.data(), this->V.data(), normal.data());
@@ -58,21 +58,21 @@ const std::vector<Wall> Walls = {
   { { -1, -1, -1 }, { 0, 2, 0 }, { 0, 0, 2 }, { 0.8, 0.15, 0.1 } },
   { { 1, -1, -1 }, { 0, 0, 2 }, { 0, 2, 0 }, { 0.15, 0.6, 0.2 } },
 };
-constexpr int Texels = 32;     // along a wall
+constexpr int Texels = 32;     // along each side of a wall
 constexpr double Radius = 0.3; // of the ball
 constexpr double Pi = 3.14159265358979323846;
 
-// The walls as the map knows them: triangles, their normals, their places in the map, where walls stand above one
-// another, and what the light was baked for.
+// The walls for the lightmap: triangles with normals, texture coordinates in the map, in which the walls are stacked,
+// and a description of the baked scene.
 vtkSmartPointer<vtkPolyData> MakeSurfaces(vtkRenderer* renderer)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
-  vtkNew<vtkFloatArray> places;
-  places->SetNumberOfComponents(2);
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(2);
   vtkNew<vtkCellArray> triangles;
-  const auto middle = [](double share) { return (0.5 + share * (Texels - 1)) / Texels; };
+  const auto center = [](double share) { return (0.5 + share * (Texels - 1)) / Texels; };
   for (std::size_t number = 0; number < Walls.size(); ++number)
   {
     const vtkIdType first = points->GetNumberOfPoints();
@@ -80,8 +80,8 @@ vtkSmartPointer<vtkPolyData> MakeSurfaces(vtkRenderer* renderer)
       { std::array<int, 2>{ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } })
     {
       points->InsertNextPoint(Walls[number].At(corner[0], corner[1]).data());
-      normals->InsertNextTuple(Walls[number].Facing().data());
-      places->InsertNextTuple2(middle(corner[0]), (number + middle(corner[1])) / Walls.size());
+      normals->InsertNextTuple(Walls[number].Normal().data());
+      coordinates->InsertNextTuple2(center(corner[0]), (number + center(corner[1])) / Walls.size());
     }
     triangles->InsertNextCell({ first, first + 1, first + 2 });
     triangles->InsertNextCell({ first, first + 2, first + 3 });
@@ -93,19 +93,20 @@ vtkSmartPointer<vtkPolyData> MakeSurfaces(vtkRenderer* renderer)
   surfaces->SetPoints(points);
   surfaces->SetPolys(triangles);
   surfaces->GetPointData()->SetNormals(normals);
-  surfaces->GetPointData()->SetTCoords(places);
+  surfaces->GetPointData()->SetTCoords(coordinates);
   surfaces->GetFieldData()->AddArray(scene);
   return surfaces;
 }
 
-// What arrives at the texels' middles, which run from edge to edge of each wall.
+// Gathers the light at the centres of the texels, which run from edge to edge of each wall.
 vtkSmartPointer<vtkImageData> GatherLight(vtkRenderer* renderer)
 {
   vtkNew<vtkFloatArray> points;
   points->SetNumberOfComponents(3);
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
-  const auto step = [](int texel) { return 0.002 + 0.996 * texel / (Texels - 1); }; // off the edges
+  // Slightly inside, because other walls begin at the edges.
+  const auto step = [](int texel) { return 0.002 + 0.996 * texel / (Texels - 1); };
   for (const Wall& wall : Walls)
   {
     for (int t = 0; t < Texels; ++t)
@@ -113,7 +114,7 @@ vtkSmartPointer<vtkImageData> GatherLight(vtkRenderer* renderer)
       for (int s = 0; s < Texels; ++s)
       {
         points->InsertNextTuple(wall.At(step(s), step(t)).data());
-        normals->InsertNextTuple(wall.Facing().data());
+        normals->InsertNextTuple(wall.Normal().data());
       }
     }
   }
@@ -146,7 +147,7 @@ int main(int argc, char* argv[])
   AddLamp(renderer, 0.3, -0.3, 0.7)->SetIntensity(0.5);
   vtkSmartPointer<vtkRenderWindow> window = Aim(renderer, { 0, -4.2, 0 }, 32, film.Width);
 
-  // The walls' light in a map; around them, for what moves, in probes. The ball comes afterwards.
+  // Bake a lightmap for the walls, and probes for moving objects. The ball is added afterwards.
   vtkNew<vtkGIPass> gi;
   gi->SetPreset("fast");
   renderer->SetPass(gi);
@@ -173,14 +174,14 @@ int main(int argc, char* argv[])
   renderer->AddActor(ball);
   for (int frame = 0; frame < film.Frames; ++frame)
   {
-    const double turn = 2 * Pi * frame / film.Frames;
+    const double angle = 2 * Pi * frame / film.Frames;
     ball->SetPosition(
-      -0.65 * std::cos(turn), -0.2, Radius - 1 + 0.9 * std::abs(std::sin(2 * turn)));
+      -0.65 * std::cos(angle), -0.2, Radius - 1 + 0.9 * std::abs(std::sin(2 * angle)));
     window->Render();
     const std::string notes = gi->GetNotes();
     if (!notes.empty())
     {
-      Film::Fail(notes); // the light would not be that of the bakes
+      Film::Fail(notes); // the scene would not be lit by the bakes
     }
     film.Save(window, frame);
   }

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A room whose indirect light is baked, and a ball that moves through it in the light of probes.
+"""A room with baked indirect light, and a ball that moves through it, lit by probes.
 
     baked_room.py FOLDER [WIDTHxHEIGHT] [SAMPLES]
 
-Writes a picture with and without indirect light, two of the ball on its way, and one of the room with another lamp:
-the map no longer fits then, says so, and DDGI takes over. Walls here are rectangles, whose texels are easy to
+Writes pictures with and without indirect light, two of the moving ball, and one of the room with another lamp: the
+lightmap then no longer fits, a note says so, and DDGI takes over. The walls are rectangles, whose texels are easy to
 place; `penumbra bake lightmap` unwraps any surface.
 """
 import pathlib
@@ -20,8 +20,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
-TEXELS = 32  # along a wall
-# A corner, what leads to the two next to it (so that their cross product points into the room), and a colour.
+TEXELS = 32  # along each side of a wall
+# A corner, the vectors to the two neighbouring corners (whose cross product points into the room), and a colour.
 WALLS = [((-1, -1, -1), (2, 0, 0), (0, 2, 0), (0.75, 0.75, 0.75)),
          ((-1, -1, 1), (0, 2, 0), (2, 0, 0), (0.75, 0.75, 0.75)),
          ((-1, 1, -1), (2, 0, 0), (0, 0, 2), (0.75, 0.75, 0.75)),
@@ -66,18 +66,19 @@ def vtk_array(values):
 
 
 def bake(renderer, samples):
-    """Texels' middles run from edge to edge of each wall; the walls stand above one another in the picture."""
-    steps = numpy.linspace(0.002, 0.998, TEXELS)  # off the edges, where other walls begin
-    points, normals, corners, places, directions = [], [], [], [], []
+    """Bake a lightmap: texel centres run from edge to edge of each wall, and the walls are stacked in the map."""
+    steps = numpy.linspace(0.002, 0.998, TEXELS)  # slightly inside, because other walls begin at the edges
+    points, normals, corners, coordinates, directions = [], [], [], [], []
     for number, (corner, u, v, _) in enumerate(WALLS):
         corner, u, v = (numpy.array(value, float) for value in (corner, u, v))
-        facing = numpy.cross(u, v) / numpy.linalg.norm(numpy.cross(u, v))
+        normal = numpy.cross(u, v) / numpy.linalg.norm(numpy.cross(u, v))
         points += [corner + s * u + t * v for t in steps for s in steps]
-        normals += [facing] * TEXELS * TEXELS
+        normals += [normal] * TEXELS * TEXELS
         for s, t in ((0, 0), (1, 0), (1, 1), (0, 1)):
             corners.append(corner + s * u + t * v)
-            places.append(((0.5 + s * (TEXELS - 1)) / TEXELS, (number + (0.5 + t * (TEXELS - 1)) / TEXELS) / len(WALLS)))
-            directions.append(facing)
+            texel = numpy.array((0.5 + s * (TEXELS - 1), 0.5 + t * (TEXELS - 1))) / TEXELS
+            coordinates.append((texel[0], (number + texel[1]) / len(WALLS)))
+            directions.append(normal)
     gatherer, light = penumbra.vtkGILightGatherer(), vtkFloatArray()
     gatherer.SetSamples(samples)
     if not gatherer.Gather(renderer, vtk_array(points), vtk_array(normals), light):
@@ -85,14 +86,14 @@ def bake(renderer, samples):
     image = vtkImageData()
     image.SetDimensions(TEXELS, TEXELS * len(WALLS), 1)
     image.GetPointData().SetScalars(vtk_array(vtk_to_numpy(light)))
-    surfaces, at, cells, scene = vtkPolyData(), vtkPoints(), vtkCellArray(), vtkStringArray()
-    at.SetData(vtk_array(corners))
+    surfaces, vertices, cells, scene = vtkPolyData(), vtkPoints(), vtkCellArray(), vtkStringArray()
+    vertices.SetData(vtk_array(corners))
     first = 4 * numpy.arange(len(WALLS))[:, None]
     triangles = numpy.concatenate([first + [[0, 1, 2]], first + [[0, 2, 3]]])
     cells.SetCells(len(triangles), numpy_to_vtkIdTypeArray(numpy.insert(triangles, 0, 3, axis=1).ravel(), deep=True))
-    surfaces.SetPoints(at)
+    surfaces.SetPoints(vertices)
     surfaces.SetPolys(cells)
-    surfaces.GetPointData().SetTCoords(vtk_array(numpy.array(places, numpy.float32)))
+    surfaces.GetPointData().SetTCoords(vtk_array(numpy.array(coordinates, numpy.float32)))
     surfaces.GetPointData().SetNormals(vtk_array(numpy.array(directions, numpy.float32)))
     scene.SetName("scene")
     scene.InsertNextValue(penumbra.vtkGILightmap.DescribeScene(renderer))
@@ -113,7 +114,7 @@ def main():
     lightmap.SetBake(*bake(renderer, samples))
     lightmap.EnabledOn()
     penumbra.save_png(window, str(folder / "baked.png"))
-    # The map does not know the ball: probes light it.
+    # The ball is not in the map, so probes light it.
     ball = vtkSphereSource()
     ball.SetRadius(0.35)
     ball.SetThetaResolution(48)

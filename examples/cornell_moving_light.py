@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A Cornell box whose lamp and box move, its indirect light by probes: cornell_moving_light.py FOLDER [FRAMES] [WIDTH]
+"""A Cornell box with a moving lamp and a moving block, lit by DDGI: cornell_moving_light.py FOLDER [FRAMES] [WIDTH]
 
 Writes FOLDER/0000.png and so on. ffmpeg -i FOLDER/%04d.png movie.mp4 makes a film of them.
 """
@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
 WHITE, RED, GREEN = (0.73, 0.73, 0.73), (0.65, 0.05, 0.05), (0.12, 0.45, 0.15)
-# Corners of the unit cube's sides; the side towards the eye is open.
+# Corners of the unit cube's sides. The side towards the camera is open.
 SIDES = {
     "floor": (WHITE, ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))),
     "ceiling": (WHITE, ((0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 0, 1))),
@@ -55,7 +55,7 @@ def cuboid(width, depth, height):
 
 
 class Room:
-    """The room, with its lamp and its boxes where they are at a time from 0 to 1."""
+    """The room, with the positions of its lamp and blocks at a time from 0 to 1."""
 
     def __init__(self):
         self.renderer = vtkRenderer()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A radiosity solution beside the path tracer, two views: cornell_radiosity.py SOLUTION.vtp OUT.png [WIDTH] [PATHS]
+"""A radiosity solution next to the path tracer, in two views: cornell_radiosity.py SOLUTION.vtp OUT.png [WIDTH] [PATHS]
 
 SOLUTION.vtp comes from: penumbra bake radiosity examples/cornell.json -o SOLUTION.vtp
 """
@@ -19,10 +19,10 @@ paths = int(sys.argv[4]) if len(sys.argv) > 4 else 128
 
 
 def solved():
-    """What was worked out, shown as it is: no light, no shading, any view at once."""
+    """Show the solution as it is, without lights or shading, so that any view is immediate."""
     reader, mapper, room, renderer = vtkXMLPolyDataReader(), vtkPolyDataMapper(), vtkActor(), vtkRenderer()
     reader.SetFileName(sys.argv[1])
-    mapper.SetInputConnection(reader.GetOutputPort())  # its point scalars are colours
+    mapper.SetInputConnection(reader.GetOutputPort())  # the point scalars are colours
     room.SetMapper(mapper)
     room.GetProperty().LightingOff()
     room.GetProperty().BackfaceCullingOn()  # every cell is one side of a surface
@@ -31,7 +31,7 @@ def solved():
 
 
 def scene():
-    """The same room for the path tracer."""
+    """Build the same room for the path tracer."""
     renderer = vtkRenderer()
     renderer.AutomaticLightCreationOff()
     for described in SCENE["objects"]:
@@ -52,7 +52,7 @@ def scene():
             surface.SetAmbient(1)
             surface.SetAmbientColor(material["emission"])
         else:
-            surface.SetInterpolationToPBR()  # shown with the same curve as the solution
+            surface.SetInterpolationToPBR()  # displayed with the same curve as the solution
             surface.SetRoughness(material["roughness"])
             surface.SetBaseIOR(material["ior"])
     return renderer
@@ -61,7 +61,7 @@ def scene():
 def look(renderer, turn):
     camera = vtkCamera()
     camera.SetPosition(SCENE["camera"]["position"])
-    camera.SetFocalPoint(SCENE["camera"]["focal"][0], SCENE["camera"]["focal"][1], 280)  # the room's middle
+    camera.SetFocalPoint(SCENE["camera"]["focal"][0], SCENE["camera"]["focal"][1], 280)  # the centre of the room
     camera.SetViewAngle(SCENE["camera"]["angle"])
     camera.Azimuth(turn)
     renderer.SetActiveCamera(camera)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draw real data with stock VTK and with two presets of Penumbra, and put the pictures side by side.
+"""Draw real data with stock VTK and with two presets of Penumbra, side by side.
 
 usage: PYTHONPATH=build/python python3 examples/demo.py [--output FOLDER] [--size WxH] [SCENE...]
 """
@@ -20,13 +20,13 @@ FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 
 
 def progress(text):
-    """A line that says what is being done; only for people."""
+    """Print what is being done, if the output is a terminal."""
     if sys.stdout.isatty():
         print(f"  {text}", flush=True)
 
 
 def milliseconds(window, renderer, frames):
-    """The median time of a frame while the camera moves, so that nothing can be kept."""
+    """Return the median time of a frame while the camera moves, so that nothing can be reused."""
     times = []
     camera = renderer.GetActiveCamera()
     for step in [0.2] * (frames + 1) + [-0.2] * (frames + 1):
@@ -39,11 +39,11 @@ def milliseconds(window, renderer, frames):
 
 
 def draw(name, size, frames, still):
-    """Columns of a scene, each a picture, what it is and what its frames take; its title; and what drew it."""
+    """Draw a scene. Returns columns of (picture, label, frame time), the title, and the window's description."""
     title, build = scenes.SCENES[name]
     progress(f"{name}: reading")
     renderer = build()
-    # VTK's cheap anti-aliasing on all sides, as multisampling makes stock VTK slow on a CPU.
+    # Use VTK's cheap anti-aliasing for all, because multisampling makes stock VTK slow on a CPU.
     renderer.UseFXAAOn()
     window = penumbra.window(renderer, size=size, multisamples=0)
     progress(f"{name}: stock VTK")
@@ -62,7 +62,7 @@ def draw(name, size, frames, still):
 
 
 def sheet(columns, title, where):
-    """The pictures of a scene beside each other, with labels."""
+    """Place the pictures of a scene side by side, with labels."""
     height, width, _ = columns[0][0].shape
     unit = max(7, round(width / 40))
     large, small = (ImageFont.truetype(FONT, n) for n in (unit, round(0.72 * unit)))
@@ -85,9 +85,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("scenes", nargs="*", metavar="SCENE", help=", ".join(scenes.SCENES))
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("out/demo"))
-    parser.add_argument("--size", default="800x600", help="of each picture (default %(default)s)")
-    parser.add_argument("--frames", type=int, default=2, help="timed in each direction")
-    parser.add_argument("--still", type=int, default=32, help="still frames averaged")
+    parser.add_argument("--size", default="800x600", help="size of each picture (default %(default)s)")
+    parser.add_argument("--frames", type=int, default=2, help="number of timed frames in each direction")
+    parser.add_argument("--still", type=int, default=32, help="number of still frames to average")
     options = parser.parse_args()
     for name in options.scenes:
         if name not in scenes.SCENES:

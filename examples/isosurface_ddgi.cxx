@@ -1,5 +1,5 @@
-// An isosurface that changes in every frame, and its colours with it, in a room that it lights and that lights it by
-// DDGI: isosurface_ddgi FOLDER [FRAMES] [WIDTH]
+// An isosurface whose shape and colours change in every frame, in a room; both light each other by DDGI:
+// isosurface_ddgi FOLDER [FRAMES] [WIDTH]
 #include "Film.h"
 
 #include <vtkColorTransferFunction.h>
@@ -16,33 +16,33 @@
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Samples = 48;  // of the field along an axis
-constexpr double Half = 0.9; // of the field's extent; the room's is 1
+constexpr int Samples = 48;  // of the field, along each axis
+constexpr double Half = 0.9; // half of the field's extent; the room's is 1
 
-// Three charges that circle: their potential, whose isosurface is shown, and by how much the first outweighs the others,
-// which colours it.
-void Compute(vtkImageData* field, double moment)
+// Computes the potential of three circling charges, whose isosurface is shown, and the first charge's share of it,
+// which colours the surface.
+void Compute(vtkImageData* field, double time)
 {
   auto* potential = vtkFloatArray::SafeDownCast(field->GetPointData()->GetArray("potential"));
   auto* share = vtkFloatArray::SafeDownCast(field->GetPointData()->GetArray("share"));
   double charges[3][3];
   for (int i = 0; i < 3; ++i)
   {
-    const double turn = 2 * Pi * (moment + i / 3.0);
-    charges[i][0] = 0.45 * std::cos(turn);
-    charges[i][1] = 0.45 * std::sin(turn);
-    charges[i][2] = 0.35 * std::sin(2 * turn + i);
+    const double angle = 2 * Pi * (time + i / 3.0);
+    charges[i][0] = 0.45 * std::cos(angle);
+    charges[i][1] = 0.45 * std::sin(angle);
+    charges[i][2] = 0.35 * std::sin(2 * angle + i);
   }
   for (vtkIdType id = 0; id < field->GetNumberOfPoints(); ++id)
   {
-    double at[3];
-    field->GetPoint(id, at);
+    double point[3];
+    field->GetPoint(id, point);
     double parts[3];
     for (int i = 0; i < 3; ++i)
     {
       parts[i] = 0.1 /
-        std::max(
-          0.05, std::hypot(at[0] - charges[i][0], at[1] - charges[i][1], at[2] - charges[i][2]));
+        std::max(0.05,
+          std::hypot(point[0] - charges[i][0], point[1] - charges[i][1], point[2] - charges[i][2]));
     }
     const double sum = parts[0] + parts[1] + parts[2];
     potential->SetValue(id, static_cast<float>(sum));
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkImageData> MakeField()
   return field;
 }
 
-// From -1 to 1 along every axis, open to the eye.
+// A room from -1 to 1 along every axis, open towards the camera.
 void AddWalls(vtkRenderer* renderer)
 {
   const Color white{ 0.75, 0.75, 0.75 };
@@ -106,12 +106,12 @@ int main(int argc, char* argv[])
   colors->AddRGBPoint(0.15, 0.10, 0.25, 0.85);
   colors->AddRGBPoint(0.35, 0.85, 0.85, 0.80);
   colors->AddRGBPoint(0.60, 0.90, 0.20, 0.05);
-  vtkSmartPointer<vtkActor> shown = MakeActor(surface, { 1, 1, 1 });
-  auto* mapper = vtkPolyDataMapper::SafeDownCast(shown->GetMapper());
+  vtkSmartPointer<vtkActor> actor = MakeActor(surface, { 1, 1, 1 });
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray("share");
   mapper->SetLookupTable(colors);
-  renderer->AddActor(shown);
+  renderer->AddActor(actor);
   AddLamp(renderer, 0.55, -0.75, 0.8)->SetIntensity(0.7);
   Compute(field, 0);
   vtkSmartPointer<vtkRenderWindow> window = Aim(renderer, { 0, -4, 0 }, 38, film.Width);
@@ -125,7 +125,7 @@ int main(int argc, char* argv[])
   for (int frame = 0; frame < film.Frames; ++frame)
   {
     Compute(field, static_cast<double>(frame) / film.Frames);
-    window->Render(); // shape, colours and their light, one update of the probes
+    window->Render(); // updates the shape, the colours, and the probes once
     film.Save(window, frame);
   }
   return EXIT_SUCCESS;

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A time-varying isosurface in a room, whose walls and which light each other by DDGI.
+"""A time-varying isosurface in a room; the surface and the walls light each other by DDGI.
 
-An electron of a hydrogen atom between two states: where it probably is, coloured by the phase of its wave function.
-The surface, its colours and once the colour map change from frame to frame, and their light follows. Writes
-FOLDER/0000.png and so on, and FOLDER/strip.png. ffmpeg -i FOLDER/%04d.png movie.mp4 makes a film of them.
+The surface is an isosurface of the probability density of an electron in a hydrogen atom, in a superposition of two
+states, coloured by the phase of its wave function. Its shape and colours change in every frame, the colour map changes
+once, and the light follows. Writes FOLDER/0000.png and so on, and FOLDER/strip.png. ffmpeg -i FOLDER/%04d.png movie.mp4
+makes a film of them.
 """
 import argparse
 import math
@@ -22,14 +23,14 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer
 
-HALF = 17.0     # of the room, in Bohr radii
-SAMPLES = 48    # of the field along an axis
-DENSITY = 6e-5  # of probability on the surface, per cubed Bohr radius
+HALF = 17.0     # half of the room's extent, in Bohr radii
+SAMPLES = 48    # of the field, along each axis
+DENSITY = 6e-5  # probability density on the surface, per cubed Bohr radius
 COLORS = {"white": (0.75, 0.75, 0.75), "left": (0.70, 0.42, 0.12), "right": (0.15, 0.40, 0.55)}
-# Colours of the phase, from opposite to aligned: at first, and from the time on when the map changes.
+# Colours of the phase, from opposite to aligned, each from a time on.
 MAPS = ((0.0, ((0.10, 0.25, 0.85), (0.85, 0.85, 0.80), (0.90, 0.20, 0.05))),
         (0.6, ((0.55, 0.10, 0.60), (0.90, 0.85, 0.75), (0.10, 0.65, 0.20))))
-BLOCK = 4       # pixels each way whose means are compared with the path tracer
+BLOCK = 4       # width of the blocks of pixels whose means are compared with the path tracer
 
 
 def orbital(n, x, y, z):
@@ -42,7 +43,7 @@ def orbital(n, x, y, z):
 
 
 class Atom:
-    """The isosurface of a superposition of two states, at a time from 0 to 1 in which its shape repeats once."""
+    """The isosurface of a superposition of two states. Its shape has period 1 in time."""
 
     def __init__(self):
         steps = numpy.linspace(-0.95 * HALF, 0.95 * HALF, SAMPLES)
@@ -79,7 +80,7 @@ class Atom:
 
 
 class Room:
-    """The room, with the atom and a lamp as they are at a time from 0 to 1."""
+    """The room with a lamp, and the atom at a time from 0 to 1."""
 
     def __init__(self):
         self.renderer, self.atom = vtkRenderer(), Atom()
@@ -113,11 +114,11 @@ class Room:
 def options():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("-o", "--output", metavar="FOLDER", type=pathlib.Path, default=pathlib.Path("isosurface"))
-    parser.add_argument("--frames", type=int, default=60, help="of the film (60)")
-    parser.add_argument("--size", default="480x480", metavar="WxH", help="of a frame, pixels (480x480)")
+    parser.add_argument("--frames", type=int, default=60, help="number of frames (60)")
+    parser.add_argument("--size", default="480x480", metavar="WxH", help="size of a frame in pixels (480x480)")
     parser.add_argument("--compare", type=int, default=0, metavar="PATHS",
-                        help="compare three frames with the path tracer, so many paths a pixel: print relMSE and signed "
-                             "mean of linear radiance, and write pairs of pictures")
+                        help="compare three frames with the path tracer at this many paths per pixel: print relMSE and "
+                             "signed mean of linear radiance, and write pairs of pictures")
     args = parser.parse_args()
     try:
         args.size = tuple(map(int, args.size.split("x")))
@@ -129,7 +130,7 @@ def options():
 
 
 class Progress:
-    """A bar, for people only."""
+    """A progress bar, shown only on a terminal."""
 
     def __init__(self, steps):
         self.steps, self.done, self.started = steps, 0, time.monotonic()
@@ -143,14 +144,14 @@ class Progress:
 
 
 def blocks(picture):
-    """Means of blocks of pixels: paths go through all of a pixel, and the frame's samples do not."""
+    """Return means of blocks of pixels, because paths sample a pixel's whole area, and frames do not."""
     height, width = (n // BLOCK * BLOCK for n in picture.shape[:2])
     return picture[:height, :width, :3].astype(float).reshape(
         height // BLOCK, BLOCK, width // BLOCK, BLOCK, 3).mean(axis=(1, 3))
 
 
 def traced(size, paths, moment):
-    """The path tracer's radiance and picture."""
+    """Return the path tracer's radiance and picture."""
     room = Room()
     room.at(moment)
     gi = penumbra.enable(room.renderer, "reference", path_tracing__samples=paths)
@@ -174,7 +175,7 @@ def main():
         room.at(frame / args.frames)
         picture = penumbra.render(window)
         Image.fromarray(picture).save(args.output / f"{frame:04d}.png")
-        if len(strip) * args.frames <= 6 * frame:  # six of them, evenly spread
+        if len(strip) * args.frames <= 6 * frame:  # six frames, evenly spaced
             strip.append(picture)
         if frame in chosen:
             pairs.append((frame, picture, penumbra.radiance(gi, room.renderer)))

@@ -1,4 +1,4 @@
-// A lamp that circles in a Cornell box, whose walls light each other by DDGI: moving_light FOLDER [FRAMES] [WIDTH]
+// A circling lamp in a Cornell box, whose walls light each other by DDGI: moving_light FOLDER [FRAMES] [WIDTH]
 #include "Film.h"
 
 #include <vtkCubeSource.h>
@@ -18,7 +18,7 @@ vtkSmartPointer<vtkActor> Box(const double (&bounds)[6], const Color& color)
   return actor;
 }
 
-// A room from 0 to 1 along every axis, open to the eye, with two blocks in it.
+// A room from 0 to 1 along every axis, open towards the camera, with two blocks in it.
 void Furnish(vtkRenderer* renderer)
 {
   constexpr double thick = 0.05;
@@ -47,7 +47,7 @@ int main(int argc, char* argv[])
   vtkSmartPointer<vtkLight> lamp = AddLamp(renderer, 0.8, 0.5, 0.8);
   vtkSmartPointer<vtkRenderWindow> window = Aim(renderer, { 0.5, -1.4, 0.5 }, 40, film.Width);
 
-  // All that Penumbra needs: its pass, and DDGI switched on.
+  // This is all that Penumbra needs: its pass, with DDGI switched on.
   vtkNew<vtkGIPass> gi;
   gi->SetPreset("balanced");
   gi->GetTechnique("ddgi")->EnabledOn();
@@ -55,8 +55,8 @@ int main(int argc, char* argv[])
 
   for (int frame = 0; frame < film.Frames; ++frame)
   {
-    const double turn = 2 * std::acos(-1.0) * frame / film.Frames;
-    lamp->SetPosition(0.5 + 0.3 * std::cos(turn), 0.5 + 0.3 * std::sin(turn), 0.8);
+    const double angle = 2 * std::acos(-1.0) * frame / film.Frames;
+    lamp->SetPosition(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle), 0.8);
     window->Render(); // one update of the probes
     film.Save(window, frame);
   }

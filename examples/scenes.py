@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo's three scenes, from data that Debian packages: a head, a protein, a landscape.
+"""The demo's three scenes, from data in Debian packages: a head, a protein, a landscape.
 
-Each function gives a renderer with plain VTK actors, lights and camera; nothing here is Penumbra's.
+Each function returns a renderer with plain VTK actors, lights and camera, without anything from Penumbra.
 """
 import math
 import os
@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtk
                                          vtkPolyDataMapper, vtkRenderer)
 
 MRICRON = "/usr/share/mricron/templates/"
-# The first that is installed: not every release of Debian has both.
+# The first one that is installed is used, because not every release of Debian has both.
 PROTEINS = {
     "/usr/share/pymol/data/demo/1tii.pdb": "heat-labile enterotoxin (1TII)",
     "/usr/share/EMBOSS/test/data/structure/2hhb.ent": "haemoglobin (2HHB)",
@@ -30,21 +30,21 @@ ELEVATION = "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"
 
 
 def actor(source, color=None, specular=0.0, power=20):
-    """An actor for the output of a filter, in one colour or in that of its data."""
+    """Create an actor for the output of a filter, in one colour or coloured by its data."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
-    made = vtkActor()
-    made.SetMapper(mapper)
+    result = vtkActor()
+    result.SetMapper(mapper)
     if color:
         mapper.ScalarVisibilityOff()
-        made.GetProperty().SetColor(color)
-    made.GetProperty().SetSpecular(specular)
-    made.GetProperty().SetSpecularPower(power)
-    return made
+        result.GetProperty().SetColor(color)
+    result.GetProperty().SetSpecular(specular)
+    result.GetProperty().SetSpecularPower(power)
+    return result
 
 
 def stage(top, bottom):
-    """A renderer with a soft background."""
+    """Create a renderer with a soft background."""
     renderer = vtkRenderer()
     renderer.GradientBackgroundOn()
     renderer.SetBackground(bottom)
@@ -53,39 +53,39 @@ def stage(top, bottom):
 
 
 def light(renderer, focus, direction, intensity, color=(1, 1, 1)):
-    """A distant light from a direction of the world, toward a point."""
-    made = vtkLight()
-    made.SetLightTypeToSceneLight()
-    made.PositionalOff()
-    made.SetFocalPoint(focus)
-    made.SetPosition(*(f + 1000 * d for f, d in zip(focus, direction)))
-    made.SetIntensity(intensity)
-    made.SetColor(color)
-    renderer.AddLight(made)
+    """Add a directional light from a direction in the world, toward a point."""
+    result = vtkLight()
+    result.SetLightTypeToSceneLight()
+    result.PositionalOff()
+    result.SetFocalPoint(focus)
+    result.SetPosition(*(f + 1000 * d for f, d in zip(focus, direction)))
+    result.SetIntensity(intensity)
+    result.SetColor(color)
+    renderer.AddLight(result)
 
 
 def headlight(renderer, intensity):
-    """A weak light from the camera, so that nothing is lost in the dark."""
-    made = vtkLight()
-    made.SetLightTypeToHeadlight()
-    made.SetIntensity(intensity)
-    renderer.AddLight(made)
+    """Add a weak headlight, so that nothing is completely dark."""
+    result = vtkLight()
+    result.SetLightTypeToHeadlight()
+    result.SetIntensity(intensity)
+    renderer.AddLight(result)
 
 
 def floor(center, radius, color):
-    """A round floor, for shadows to fall on."""
+    """Create a round floor that receives shadows."""
     disk = vtkDiskSource()
     disk.SetInnerRadius(0)
     disk.SetOuterRadius(radius)
     disk.SetCircumferentialResolution(128)
     disk.SetRadialResolution(8)
-    made = actor(disk, color)
-    made.SetPosition(center)
-    return made
+    result = actor(disk, color)
+    result.SetPosition(center)
+    return result
 
 
 def read_volume(name):
-    """A NIfTI volume of mricron's templates as an array [z, y, x] of floats."""
+    """Read a NIfTI volume of mricron's templates as an array [z, y, x] of floats."""
     reader = vtkNIFTIImageReader()
     reader.SetFileName(MRICRON + name)
     reader.Update()
@@ -95,7 +95,7 @@ def read_volume(name):
 
 
 def isosurface(field, value, spacing=1.0, origin=(0, 0, 0)):
-    """The isosurface of an array [z, y, x], closed where the array ends."""
+    """Return the isosurface of an array [z, y, x], closed at the borders of the array."""
     field = np.pad(field, 1, constant_values=value - 30)
     origin = tuple(o - spacing for o in origin)
     image = vtkImageData()
@@ -111,7 +111,7 @@ def isosurface(field, value, spacing=1.0, origin=(0, 0, 0)):
 
 
 def blur(field, times):
-    """An array smoothed by a small binomial filter, repeated."""
+    """Smooth an array by repeated application of a small binomial filter."""
     for _ in range(times):
         for axis in range(3):
             before, after = np.roll(field, 1, axis), np.roll(field, -1, axis)
@@ -120,7 +120,7 @@ def blur(field, times):
 
 
 def filled(solid):
-    """A mask with its inner holes closed: where there is something on both sides along each axis."""
+    """Close the inner holes of a mask, which are the voxels with set voxels on both sides along each axis."""
     inside = np.ones_like(solid)
     for axis in range(3):
         forward = np.maximum.accumulate(solid, axis)
@@ -137,10 +137,10 @@ def head():
     cavity = 0.5 - blur((read_volume("ch2bet.nii.gz") > 0).astype(np.float32), 14) * 4
     z, y, x = np.indices(volume.shape, dtype=np.float32)
     above = (y - 125) * 0.30 + (z - 116) * 0.95
-    # Smoothed once more, so that no edge is sharper than the voxels can draw.
+    # Smoothed again, so that no edge is sharper than the voxels can represent.
     shell = blur(np.minimum(np.minimum(skin, 40 * cavity), -20 * above), 2)
     surface = isosurface(shell, 0)
-    # Bone where it is cut or hollow, skin elsewhere.
+    # Colour cut and inner surfaces like bone, the rest like skin.
     surface.Update()
     points = vtk_to_numpy(surface.GetOutput().GetPoints().GetData())
     i, j, k = np.clip(points + 0.5, 0, np.array(volume.shape[::-1]) - 1).astype(int).T
@@ -155,7 +155,7 @@ def head():
     outer.GetProperty().SetSpecular(0.10)
     outer.GetProperty().SetSpecularPower(12)
     renderer.AddActor(outer)
-    # Every second voxel of half a millimetre; the volumes start at different places.
+    # Voxels of half a millimetre, every second one is used. The origins of the volumes differ.
     brain = isosurface(blur(read_volume("ch2better.nii.gz"), 1)[::2, ::2, ::2], 60, 1.0, (15, 18, 1.5))
     renderer.AddActor(actor(brain, (0.88, 0.62, 0.60), 0.22, 30))
     light(renderer, (90, 110, 90), (0.85, 0.20, 0.60), 0.9, (1.0, 0.96, 0.90))
@@ -170,28 +170,28 @@ def head():
 
 
 def read_atoms(path):
-    """Places and elements of the atoms of a PDB file."""
+    """Read the positions, elements and chains of the atoms in a PDB file."""
     with open(path, encoding="ascii", errors="replace") as file:
         lines = [line for line in file if line.startswith("ATOM")]
-    places = np.array([[float(line[30 + 8 * i:38 + 8 * i]) for i in range(3)] for line in lines])
-    # Files of before 1996 have no column of elements: their atoms' names tell.
+    positions = np.array([[float(line[30 + 8 * i:38 + 8 * i]) for i in range(3)] for line in lines])
+    # Files from before 1996 have no element column, so the element is taken from the atom's name.
     columns = [line[76:78].strip() for line in lines]
     elements = [column if column.isalpha() else line[12:16].strip(" 0123456789")[:1]
                 for line, column in zip(lines, columns)]
     chains = [line[21] for line in lines]
-    return places, elements, chains
+    return positions, elements, chains
 
 
 def protein():
-    """A protein's atoms as balls, a colour for each chain."""
+    """A protein's atoms as balls, coloured by chain."""
     renderer = stage((0.93, 0.93, 0.95), (0.70, 0.72, 0.76))
-    places, elements, chains = read_atoms(PROTEIN)
+    positions, elements, chains = read_atoms(PROTEIN)
     radii = {"C": 1.7, "N": 1.55, "O": 1.52, "S": 1.8}
     palette = [(0.93, 0.62, 0.35), (0.40, 0.63, 0.80), (0.45, 0.72, 0.60), (0.87, 0.48, 0.45),
                (0.70, 0.60, 0.82), (0.90, 0.80, 0.45), (0.55, 0.75, 0.85)]
     order = sorted(set(chains))
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(places, deep=True))
+    points.SetData(numpy_to_vtk(positions, deep=True))
     atoms = vtkPolyData()
     atoms.SetPoints(points)
     scale = numpy_to_vtk(np.array([radii.get(e, 1.6) for e in elements]), deep=True)
@@ -213,18 +213,18 @@ def protein():
     molecule = actor(balls, None, 0.15, 20)
     molecule.GetMapper().SetScalarModeToUsePointFieldData()
     molecule.GetMapper().SelectColorArray("color")
-    middle = places.mean(axis=0)
-    molecule.SetOrigin(middle)
+    center = positions.mean(axis=0)
+    molecule.SetOrigin(center)
     molecule.RotateX(-90)
     renderer.AddActor(molecule)
-    size = np.linalg.norm(places - middle, axis=1).max()
+    size = np.linalg.norm(positions - center, axis=1).max()
     low = molecule.GetBounds()[4] - 1.0
-    renderer.AddActor(floor((middle[0], middle[1], low), 6 * size, (0.84, 0.85, 0.88)))
-    light(renderer, tuple(middle), (-0.55, -0.45, 1.0), 0.95, (1.0, 0.97, 0.92))
+    renderer.AddActor(floor((center[0], center[1], low), 6 * size, (0.84, 0.85, 0.88)))
+    light(renderer, tuple(center), (-0.55, -0.45, 1.0), 0.95, (1.0, 0.97, 0.92))
     headlight(renderer, 0.20)
     camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(middle[0], middle[1], middle[2] - 0.1 * size)
-    camera.SetPosition(middle[0] + 1.3 * size, middle[1] - 3.3 * size, middle[2] + 2.6 * size)
+    camera.SetFocalPoint(center[0], center[1], center[2] - 0.1 * size)
+    camera.SetPosition(center[0] + 1.3 * size, center[1] - 3.3 * size, center[2] + 2.6 * size)
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()
@@ -232,7 +232,7 @@ def protein():
 
 
 def terrain():
-    """The Jacksboro fault in Tennessee, from a digital elevation model, height doubled."""
+    """The Jacksboro fault in Tennessee, from a digital elevation model with exaggerated height."""
     renderer = stage((0.66, 0.76, 0.88), (0.90, 0.92, 0.94))
     data = np.load(ELEVATION)
     height = data["elevation"].astype(np.float32)[::-1]
@@ -262,13 +262,13 @@ def terrain():
     land.GetMapper().SetLookupTable(colors)
     land.GetMapper().UseLookupTableScalarRangeOn()
     renderer.AddActor(land)
-    middle = (columns * east / 2, rows * north / 2, 1100)
+    center = (columns * east / 2, rows * north / 2, 1100)
     size = columns * east
-    light(renderer, middle, (-0.9, 0.35, 0.58), 1.1, (1.0, 0.95, 0.85))
+    light(renderer, center, (-0.9, 0.35, 0.58), 1.1, (1.0, 0.95, 0.85))
     headlight(renderer, 0.12)
     camera = renderer.GetActiveCamera()
-    camera.SetFocalPoint(middle[0] - 0.04 * size, middle[1] - 0.06 * size, 900)
-    camera.SetPosition(middle[0] + 0.18 * size, middle[1] - 0.85 * size, 0.52 * size)
+    camera.SetFocalPoint(center[0] - 0.04 * size, center[1] - 0.06 * size, 900)
+    camera.SetPosition(center[0] + 0.18 * size, center[1] - 0.85 * size, 0.52 * size)
     camera.SetViewUp(0, 0, 1)
     camera.SetViewAngle(30)
     renderer.ResetCameraClippingRange()

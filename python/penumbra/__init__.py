@@ -5,11 +5,11 @@
     import penumbra
     penumbra.enable(renderer, "balanced")
 
-Importing it also makes vtkRenderWindow() work where there is no display.
+Importing it also makes vtkRenderWindow() work without a display.
 """
 import importlib as _importlib
 
-# VTK draws with what is imported: its OpenGL classes, text, volumes and 2-D charts.
+# Importing these modules registers VTK's OpenGL classes, text, volumes and 2-D charts.
 for _name in ("vtkRenderingOpenGL2", "vtkRenderingFreeType", "vtkRenderingVolumeOpenGL2",
               "vtkRenderingContextOpenGL2", "vtkInteractionStyle", "vtkRenderingUI"):
     _importlib.import_module("vtkmodules." + _name)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From a scene to a picture, without a screen."""
+"""Renders pictures without a screen."""
 import pathlib
 
 import numpy
@@ -13,7 +13,7 @@ from .vtkRenderingGI import vtkGIPass, vtkHeadlessRenderWindow
 
 
 def window(*renderers, size=(800, 600), multisamples=8):
-    """An offscreen window of that size with these renderers in it."""
+    """Create an offscreen window with renderers."""
     made = vtkRenderWindow()
     made.SetOffScreenRendering(1)
     made.SetMultiSamples(multisamples)
@@ -53,10 +53,10 @@ def _capture(target, frames, alpha, alone=False):
 
 
 def render(target, frames=1, alpha=False):
-    """Draw a window (or a renderer's window) and give the picture as an array.
+    """Draw a window (or a renderer's window) and return the picture as an array.
 
-    The array has shape (height, width, 3), or 4 with alpha, of bytes, with the top row first. Still
-    frames are averaged where anti-aliasing accumulates: more frames, smoother edges.
+    The array of bytes has the shape (height, width, 3), or (height, width, 4) with alpha, top row first. If
+    anti-aliasing accumulates, still frames are averaged: more frames give smoother edges.
     """
     image = _capture(target, frames, alpha)
     width, height, _ = image.GetDimensions()
@@ -66,8 +66,8 @@ def render(target, frames=1, alpha=False):
 def save_png(target, path, frames=1, alpha=False):
     """Draw a window (or a renderer's window) and write the picture to a PNG file.
 
-    The picture shows nothing that was found in frames before, as vtkGIPass.Restart() says: each of a film is that of its
-    time.
+    The picture uses nothing from previous frames (see vtkGIPass.Restart()), so each picture of a film depends only on
+    the scene at its time.
     """
     image = _capture(target, frames, alpha, alone=True)
     path = pathlib.Path(path)
@@ -84,8 +84,10 @@ def save_png(target, path, frames=1, alpha=False):
 
 
 def radiance(gi, renderer):
-    """The linear radiance of the last frame: a float array of shape (height, width, 4), top row
-    first; the fourth number is 1 where there is a surface. Needs gi.KeepRadianceOn() before."""
+    """Return the linear radiance of the last frame, a float array of shape (height, width, 4), top row first.
+
+    The fourth number is 1 where there is a surface. Needs gi.KeepRadianceOn() before rendering.
+    """
     image = vtkImageData()
     if not gi.GetRadiance(renderer, image):
         raise RuntimeError("no radiance was kept: call KeepRadianceOn() on the pass, then render")
@@ -94,11 +96,11 @@ def radiance(gi, renderer):
 
 
 def relative_error(picture, truth, where=None):
-    """How far an array of linear radiance is from the truth of the same shape: relMSE and the signed mean error.
+    """Compare linear radiance with the truth, an array of the same shape. Returns relMSE and the signed mean error.
 
-    relMSE is the mean of (picture - truth)^2 / (truth^2 + epsilon), epsilon being 0.01 of the truth's squared mean, so
-    that dark places count no more than they are seen. The signed mean is a share of the truth's mean. where: a mask of
-    the pixels that count, all by default; epsilon is the whole picture's in any case.
+    relMSE is the mean of (picture - truth)^2 / (truth^2 + epsilon). epsilon is 0.01 of the squared mean of the truth,
+    so that dark pixels do not count more than they are visible. The signed mean error is a fraction of the truth's
+    mean. where: a mask of the pixels to compare, all by default; epsilon is always that of the whole picture.
     """
     picture, truth = numpy.asarray(picture, float), numpy.asarray(truth, float)
     if picture.shape != truth.shape:

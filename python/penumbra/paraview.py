@@ -5,13 +5,12 @@
     from penumbra.paraview import enable
     enable(view, preset="balanced")
 
-Importing it loads ParaView's plugin. A view made afterwards has every switch and parameter among its own
-properties (GlobalIllumination, GIShadowMaps, GIShadowMapsResolution...); enable() and disable() work with views
-made before, too.
+Importing it loads ParaView's plugin. Views that are created afterwards have all switches and parameters as properties
+(GlobalIllumination, GIShadowMaps, GIShadowMapsResolution...). enable() and disable() also work with older views.
 """
 import pathlib
 
-import penumbra  # first: it lets windows be made where there is no display
+import penumbra  # first, so that windows can be created without a display
 from paraview import servermanager, simple
 
 from .passes import _apply, _names, presets
@@ -30,7 +29,7 @@ def _plugin():
                           "(paraview-dev) were not there when it was built") from None
     path = (pathlib.Path(__file__).parent / PLUGIN).resolve()
     if not path.exists():
-        raise ImportError(f"ParaView's plugin is missing: there is no {path}; build or install Penumbra anew")
+        raise ImportError(f"ParaView's plugin is missing: there is no {path}; build or install Penumbra again")
     return str(path)
 
 
@@ -42,8 +41,8 @@ def _is_loaded():
 def load(remote_plugin=None):
     """Load the plugin here, and on the server that ParaView is connected to, if any.
 
-    remote_plugin: where the plugin lies on the server, if not at the same path as here. Called when this module is
-    imported and by enable(); to be called again only where the server's path differs.
+    remote_plugin: path of the plugin on the server, if it differs from the local path. Importing this module and
+    enable() call this function. Call it again only if the server's path differs.
     """
     connection = servermanager.ActiveConnection
     simple.LoadPlugin(_plugin(), remote=False)
@@ -55,7 +54,7 @@ def load(remote_plugin=None):
 
 
 def _forget_class(connection):
-    """ParaView keeps the Python class of a kind of view that was made before: let it make one with the new properties."""
+    """Let ParaView create the Python class of render views again, with the new properties."""
     kinds = getattr(connection, "ProxiesNS", None)
     for namespace in kinds.getNamespaces().values() if kinds is not None else ():
         vars(namespace).pop("RenderView", None)
@@ -71,8 +70,10 @@ def _render_view(view):
 
 
 def settings(view=None):
-    """The proxy that holds a render view's settings: the view itself, or one beside it where the view is older than
-    the plugin. Its properties are those that docs/paraview.md lists."""
+    """Return the proxy that holds a render view's settings. Its properties are listed in docs/paraview.md.
+
+    It is the view itself, or a separate proxy if the view is older than the plugin.
+    """
     view = _render_view(view)
     if view.SMProxy.GetProperty("GlobalIllumination"):
         return view
@@ -80,21 +81,21 @@ def settings(view=None):
         load()
     manager = servermanager.ProxyManager()
     name = f"GlobalIllumination{view.GetGlobalID()}"
-    held = manager.SMProxyManager.GetProxy(_GROUP, name)
-    if held is None:
-        held = manager.SMProxyManager.NewProxy(_GROUP, "Settings")
-        held.GetProperty("GIView").AddProxy(view.SMProxy)
-        held.UpdateVTKObjects()
-        manager.SMProxyManager.RegisterProxy(_GROUP, name, held)
-    return servermanager._getPyProxy(held)
+    found = manager.SMProxyManager.GetProxy(_GROUP, name)
+    if found is None:
+        found = manager.SMProxyManager.NewProxy(_GROUP, "Settings")
+        found.GetProperty("GIView").AddProxy(view.SMProxy)
+        found.UpdateVTKObjects()
+        manager.SMProxyManager.RegisterProxy(_GROUP, name, found)
+    return servermanager._getPyProxy(found)
 
 
 def enable(view=None, preset="balanced", on=(), off=(), frames=1, **parameters):
-    """Light a render view, the active one by default, by Penumbra; give the proxy with its settings.
+    """Light a render view, the active one by default, with Penumbra. Returns the proxy with its settings.
 
-    on, off: techniques to switch besides the preset's. frames: how many are drawn for one still picture; techniques
-    that collect light over frames want several. Parameters are named technique.parameter or, with underscores,
-    technique__parameter, as in penumbra.enable():
+    on, off: techniques to switch on or off, in addition to the preset's. frames: number of frames drawn for one still
+    picture; techniques that accumulate light need several. Parameters are named technique.parameter or, with
+    underscores, technique__parameter, as in penumbra.enable():
 
         enable(view, "high", off="ambient-occlusion", shadow_maps__resolution=1024)
 
@@ -105,10 +106,10 @@ def enable(view=None, preset="balanced", on=(), off=(), frames=1, **parameters):
         raise ValueError(f"there is no preset '{preset}': there are {', '.join(presets())}")
     if frames < 1:
         raise ValueError(f"frames is {frames}: at least one frame must be drawn")
-    wanted = vtkGIPass()
-    _apply(wanted, preset, _names(on), _names(off), parameters)
+    requested = vtkGIPass()
+    _apply(requested, preset, _names(on), _names(off), parameters)
     proxy = settings(view)
-    for name, value in _values(wanted, proxy):
+    for name, value in _values(requested, proxy):
         _set(proxy, name, value)
     _set(proxy, "GIStillFrames", frames)
     _set(proxy, "GlobalIllumination", 1)
@@ -117,18 +118,18 @@ def enable(view=None, preset="balanced", on=(), off=(), frames=1, **parameters):
 
 
 def disable(view=None):
-    """Give a render view, the active one by default, back to ParaView."""
+    """Let ParaView draw a render view, the active one by default, without Penumbra."""
     proxy = settings(view)
     _set(proxy, "GlobalIllumination", 0)
     proxy.SMProxy.UpdateVTKObjects()
 
 
 def bake_probes(view=None, file="", probes=1024, samples=256):
-    """Bake probes of the light in a render view's scene as it is now, and light the view by them (sh-probes).
+    """Bake probes of the light in a render view's current scene, and light the view with them (sh-probes).
 
-    file: where they are written (.vti), so that a later session or a state file has them; without, they are gone with
-    the view. probes, samples: how many at most, and paths from each. Lamps that follow the camera, as ParaView's light
-    kit does, are left out. Raises RuntimeError, with a sentence, where it cannot be done.
+    file: a file (.vti) to write them to, for later sessions and state files. Without one they are deleted with the
+    view. probes: maximum number. samples: number of paths from each. Lights that follow the camera, such as ParaView's
+    light kit, are left out. Raises RuntimeError, with a sentence, if baking fails.
     """
     proxy = settings(view)
     for name, value in (("File", str(file)), ("Count", probes), ("Samples", samples)):
@@ -157,8 +158,8 @@ def _property_names(proxy):
 
 
 def _values(gi, proxy):
-    """(property, value) of every switch and parameter of a pass."""
-    known = {name.lower(): name for name in _property_names(proxy)}
+    """Yield (property, value) of every switch and parameter of a pass."""
+    properties = {name.lower(): name for name in _property_names(proxy)}
     for i in range(gi.GetNumberOfTechniques()):
         technique = gi.GetTechnique(i)
         stem = technique.GetClassName()[len("vtk"):]
@@ -167,7 +168,7 @@ def _values(gi, proxy):
             name = technique.GetParameterName(j)
             value = technique.GetParameter(name)
             whole = technique.GetParameterType(j) != "double"
-            yield known[(stem + name.replace("-", "")).lower()], int(value) if whole else value
+            yield properties[(stem + name.replace("-", "")).lower()], int(value) if whole else value
 
 
 load()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Switch global illumination on and off, and ask what there is to switch."""
+"""Switches global illumination on and off, and lists presets and techniques."""
 import contextlib
 import json
 from dataclasses import dataclass
@@ -26,7 +26,10 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Technique:
-    """One row of the technique table, with its parameters."""
+    """The description of a technique.
+
+    term: what it computes; verb: its method; dynamic: whether it supports dynamic scenes; source: the literature.
+    """
     name: str
     title: str
     term: str
@@ -38,7 +41,7 @@ class Technique:
 
 @contextlib.contextmanager
 def _quiet():
-    """No message from VTK meanwhile: what went wrong is raised as an exception instead."""
+    """Suppress VTK's messages. Errors are raised as exceptions instead."""
     shown = vtkObject.GetGlobalWarningDisplay()
     vtkObject.SetGlobalWarningDisplay(0)
     try:
@@ -62,15 +65,15 @@ def _technique(gi, name):
     with _quiet():
         technique = gi.GetTechnique(name)
     if technique is None:
-        known = ", ".join(gi.GetTechnique(i).GetName() for i in range(gi.GetNumberOfTechniques()))
-        raise ValueError(f"there is no technique '{name}': there are {known}")
+        names = ", ".join(gi.GetTechnique(i).GetName() for i in range(gi.GetNumberOfTechniques()))
+        raise ValueError(f"there is no technique '{name}': there are {names}")
     return technique
 
 
 def _set(gi, name, value):
     technique_name, dot, parameter = name.partition(".")
     if not dot:
-        raise ValueError(f"'{name}' is no parameter: write technique.parameter, as shadow-maps.resolution")
+        raise ValueError(f"'{name}' is not a parameter: write technique.parameter, such as shadow-maps.resolution")
     technique = _technique(gi, technique_name)
     with _quiet():
         if isinstance(value, str):
@@ -86,28 +89,28 @@ def _names(names):
 
 
 def enable(target, preset="balanced", on=(), off=(), **parameters):
-    """Light a renderer, or every renderer in layer 0 of a window, with Penumbra; give the pass.
+    """Light a renderer, or every renderer in layer 0 of a window, with Penumbra. Returns the pass.
 
-    on, off: techniques to switch besides the preset's. Parameters are named technique.parameter,
+    on, off: techniques to switch on or off, in addition to the preset's. Parameters are named technique.parameter,
     either as on the command line or with underscores:
 
         enable(renderer, "high", off="ambient-occlusion", shadow_maps__resolution=1024)
         enable(renderer, **{"shadow-maps.resolution": 1024})
 
-    An unknown name or a value out of range raises ValueError and changes nothing. A pass that was
-    enabled before is changed, not replaced, so that it keeps what it holds on the GPU.
+    An unknown name or a value out of range raises ValueError and changes nothing. An existing pass is changed, not
+    replaced, so that it keeps its GPU resources.
     """
     renderers = _renderers(target)
     if preset not in presets():
         raise ValueError(f"there is no preset '{preset}': there are {', '.join(presets())}")
-    # Tried on a pass of its own first, so that a mistake leaves the renderers as they are.
-    fresh = vtkGIPass()
-    _apply(fresh, preset, _names(on), _names(off), parameters)
-    old = renderers[0].GetPass()
-    if not isinstance(old, vtkGIPass):
-        gi = fresh
+    # Try the settings on a new pass first, so that a mistake does not change the renderers.
+    new = vtkGIPass()
+    _apply(new, preset, _names(on), _names(off), parameters)
+    current = renderers[0].GetPass()
+    if not isinstance(current, vtkGIPass):
+        gi = new
     else:
-        gi = old
+        gi = current
         _apply(gi, preset, _names(on), _names(off), parameters)
     for renderer in renderers:
         renderer.SetPass(gi)
@@ -125,7 +128,7 @@ def _apply(gi, preset, on, off, parameters):
 
 
 def disable(target):
-    """Give a renderer, or every renderer in layer 0 of a window, back to stock VTK."""
+    """Let stock VTK draw a renderer, or every renderer in layer 0 of a window."""
     for renderer in _renderers(target):
         gi = renderer.GetPass()
         if isinstance(gi, vtkGIPass):
@@ -148,12 +151,12 @@ def load_bake(gi, path):
 
 
 def presets():
-    """The names of the presets, from no technique at all to the most costly."""
+    """Return the names of the presets, from no techniques to the most expensive."""
     return [vtkGIPass.GetPresetName(i) for i in range(vtkGIPass.GetNumberOfPresets())]
 
 
 def techniques():
-    """The technique table: a list of Technique, each with its parameters."""
+    """Return a list of all techniques, each a Technique with its parameters."""
     gi = vtkGIPass()
     return [_describe(gi.GetTechnique(i)) for i in range(gi.GetNumberOfTechniques())]
 
@@ -180,5 +183,5 @@ def _parameter(t, i):
 
 
 def statistics(gi):
-    """What the last frame of a pass cost, as a dictionary; needs gi.CollectStatisticsOn()."""
+    """Return the statistics of a pass's last frame as a dictionary. Needs gi.CollectStatisticsOn()."""
     return json.loads(gi.GetStatistics() or "{}")

@@ -118,7 +118,7 @@ TEST_F(ProbesBaker, ProbesAtOnePlaceDrawRaysOfTheirOwn)
   grid.Spacing = { 1e-6, 0.9, 0.9 };
   grid.Counts = { 24, 2, 2 };
   penumbra::ProbeField field{ penumbra::ProbeGrids(grid) };
-  ASSERT_TRUE(penumbra::LookAround(stage, field, 0, [](double) { return true; }));
+  ASSERT_TRUE(penumbra::TraceVisibility(stage, field, 0, [](double) { return true; }));
   double least = 1.0;
   constexpr int numbers = penumbra::ProbeField::Distances;
   for (int probe = 1; probe < grid.Counts.x; ++probe)

@@ -24,11 +24,11 @@ public:
   {
     for (int i = 0; i < places; ++i)
     {
-      ErrorAt at;
+      PointError at;
       for (int axis = 0; axis < 3; ++axis)
       {
         std::uniform_real_distribution<double> along(box[2 * axis], box[2 * axis + 1]);
-        at.Place[axis] = along(this->Chance);
+        at.Position[axis] = along(this->Chance);
       }
       at.Error = error / places;
       this->List.push_back(at);
@@ -39,14 +39,14 @@ public:
   Errors& Shaken(double deviation)
   {
     std::normal_distribution<double> noise(0.0, deviation);
-    for (ErrorAt& at : this->List)
+    for (PointError& at : this->List)
     {
       at.Error += noise(this->Chance);
     }
     return *this;
   }
 
-  std::vector<ErrorAt> List;
+  std::vector<PointError> List;
 
 private:
   std::mt19937 Chance{ 7 };
@@ -205,7 +205,7 @@ TEST(AdaptiveGrids, ErrorsAreClearlyLessUnlessByChance)
   // What errs alike in both says nothing against the difference.
   const Errors shaken = even(1.0).Shaken(0.05);
   Errors half = shaken;
-  for (ErrorAt& at : half.List)
+  for (PointError& at : half.List)
   {
     at.Error *= 0.5;
   }

@@ -39,7 +39,7 @@ TEST(NestedGrids, FinerOnesStayWithinTheFirst)
   for (const double refinement : { 2.0, 2.8, 8.0 })
   {
     NestedGrids grids(Around, 4, 280);
-    grids.Refine(refinement);
+    grids.SetRefinement(refinement);
     EXPECT_LE(grids.List().Size(), Around.Size() + 3 * 280);
     EXPECT_GT(grids.List().Size(), Around.Size() + 3 * 200);
     int begin = 0;
@@ -73,7 +73,7 @@ TEST(NestedGrids, FinerOnesStayWithinTheFirst)
 TEST(NestedGrids, FollowAPointByWholeCells)
 {
   NestedGrids grids(Around, 2, 280);
-  grids.Refine(4);
+  grids.SetRefinement(4);
   grids.Follow(1, 0.5 * (Around.First + Around.Last()), true);
   const glm::dvec3 spacing = grids.Get(1).Spacing;
   const glm::dvec3 start = 0.5 * (grids.Get(1).First + grids.Get(1).Last());
@@ -89,7 +89,7 @@ TEST(NestedGrids, FollowAPointByWholeCells)
 TEST(NestedGrids, ProbesStayInTheirStorage)
 {
   NestedGrids grids(Around, 3, 280);
-  grids.Refine(3);
+  grids.SetRefinement(3);
   const ProbeGrid before = grids.Get(2);
   grids.Follow(2, 0.5 * (Around.First + Around.Last()), true);
   std::map<std::tuple<long, long, long>, glm::ivec3> places; // by storage
@@ -135,7 +135,7 @@ TEST(NestedGrids, AreAsFineAsTheyCanBeAroundWhatIsShown)
   NestedGrids grids(Around, 3, 280);
   for (const double size : { 1.2, 0.5, 0.2 })
   {
-    grids.Refine(grids.RefinementFor(size));
+    grids.SetRefinement(grids.RefinementFor(size));
     const ProbeGrid finest = grids.Get(2);
     const glm::dvec3 sides = finest.Last() - finest.First;
     const double longest = std::max({ sides.x, sides.y, sides.z });
@@ -143,7 +143,7 @@ TEST(NestedGrids, AreAsFineAsTheyCanBeAroundWhatIsShown)
     EXPECT_LT(longest, 3.0 * size);
   }
   // Not forth and back for a little nearer and farther.
-  grids.Refine(3.0);
+  grids.SetRefinement(3.0);
   const ProbeGrid finest = grids.Get(2);
   const glm::dvec3 sides = finest.Last() - finest.First;
   const double longest = std::max({ sides.x, sides.y, sides.z });

@@ -188,11 +188,13 @@ TEST(ShadowAtlas, SquaresLieApart)
 TEST(ShadowAtlas, IsSharedByImportance)
 {
   // All fit.
-  EXPECT_EQ(ShareShadowAtlas({ { 1, 0, 1.0 }, { 6, 1, 1.0 } }, 3.0, 4), (std::vector<int>{ 0, 1 }));
+  EXPECT_EQ(
+    DistributeShadowAtlas({ { 1, 0, 1.0 }, { 6, 1, 1.0 } }, 3.0, 4), (std::vector<int>{ 0, 1 }));
   // The weaker light's map is made smaller.
-  EXPECT_EQ(ShareShadowAtlas({ { 1, 0, 1.0 }, { 1, 0, 0.3 } }, 1.5, 4), (std::vector<int>{ 0, 1 }));
+  EXPECT_EQ(
+    DistributeShadowAtlas({ { 1, 0, 1.0 }, { 1, 0, 0.3 } }, 1.5, 4), (std::vector<int>{ 0, 1 }));
   // Not even the smallest maps of all fit.
-  EXPECT_EQ(ShareShadowAtlas({ { 1, 0, 1.0 }, { 1, 0, 1.0 }, { 1, 0, 1.0 } }, 0.6, 1),
+  EXPECT_EQ(DistributeShadowAtlas({ { 1, 0, 1.0 }, { 1, 0, 1.0 }, { 1, 0, 1.0 } }, 0.6, 1),
     (std::vector<int>{ 1, 1 }));
 }
 }

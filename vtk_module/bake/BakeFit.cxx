@@ -9,8 +9,8 @@ namespace penumbra
 void BakeFit::Check(FrameBuilder& frame, const BakedScene& baked, const std::string& complaint)
 {
   const View& view = frame.GetView();
-  this->Difference = this->Scene.Difference(baked, frame.GetRenderer(),
-    view.Changes.Props || view.Changes.Looks, view.FrameNumber);
+  this->Difference = this->Watch.Difference(
+    baked, frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
   if (!this->Difference.empty())
   {
     frame.AddNote(complaint + ": " + this->Difference + " since the bake");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whether a technique's baked light may be shown in a view, and what the user is told where not.
+ * Tells whether a technique's baked light fits the scene in a view, and notes for the user if it does not.
  */
 #pragma once
 
@@ -12,22 +12,22 @@ namespace penumbra
 class FrameBuilder;
 class LightingPlan;
 
-/// A bake's scene beside the one that a view shows, from frame to frame.
+/// Compares the baked scene with the one in a view, from frame to frame.
 class BakeFit
 {
 public:
-  /// Compare a frame's scene with the bake's. Where they differ, a note says so.
-  /// complaint: how that begins, as in "the lightmap no longer fits".
+  /// Compare a frame's scene with the bake's. If they differ, add a note that begins with complaint, for example "the
+  /// lightmap no longer fits".
   void Check(FrameBuilder& frame, const BakedScene& baked, const std::string& complaint);
 
   bool Fits() const { return this->Difference.empty(); }
-  /// As in "light 1 moved"; "" where the bake fits.
+  /// The difference, such as "light 1 moved"; "" if the bake fits.
   const std::string& Mismatch() const { return this->Difference; }
-  /// Whether nothing is seen through any prop, be it translucent, clipped or culled.
-  bool IsSolid() const { return this->Scene.IsSolid(); }
+  /// Whether all props are opaque and complete: none is translucent, clipped or culled.
+  bool IsSolid() const { return this->Watch.IsSolid(); }
 
 private:
-  BakedSceneWatch Scene;
+  BakedSceneWatch Watch;
   std::string Difference;
 };
 }

@@ -13,9 +13,9 @@ namespace penumbra
 {
 namespace
 {
-constexpr const char* Head = "penumbra scene 1";
-constexpr const char* Words[] = { "prop", "lamp", "surroundings" };
-constexpr const char* Changed[][3] = { { "moved", "changed its shape", "changed its look" },
+constexpr const char* Header = "penumbra scene 1";
+constexpr const char* KindNames[] = { "prop", "lamp", "surroundings" };
+constexpr const char* ChangeTexts[][3] = { { "moved", "changed its shape", "changed its look" },
   { "moved", "changed its colour or strength", "changed its kind" },
   { "was turned", "changed its picture", "changed" } };
 }
@@ -23,11 +23,11 @@ constexpr const char* Changed[][3] = { { "moved", "changed its shape", "changed 
 std::string BakedScene::ToText() const
 {
   std::ostringstream text;
-  text << Head << "\n" << std::setprecision(std::numeric_limits<double>::max_digits10);
-  for (const Thing& thing : this->Things)
+  text << Header << "\n" << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (const Entry& entry : this->Entries)
   {
-    text << Words[thing.What];
-    for (const auto& values : thing.Values)
+    text << KindNames[entry.Type];
+    for (const auto& values : entry.Values)
     {
       text << " " << values.size();
       for (const double value : values)
@@ -35,7 +35,7 @@ std::string BakedScene::ToText() const
         text << " " << value;
       }
     }
-    std::string name = thing.Name;
+    std::string name = entry.Name;
     std::replace(name.begin(), name.end(), '\n', ' ');
     text << " " << name << "\n";
   }
@@ -44,54 +44,54 @@ std::string BakedScene::ToText() const
 
 BakedScene BakedScene::FromText(const std::string& text)
 {
-  const auto refuse = [] {
+  const auto fail = [] {
     throw std::invalid_argument(
       "it does not tell which scene it was baked of: bake it again with this version");
   };
   BakedScene scene;
   std::istringstream lines(text);
   std::string line;
-  if (!std::getline(lines, line) || line != Head)
+  if (!std::getline(lines, line) || line != Header)
   {
-    refuse();
+    fail();
   }
   while (std::getline(lines, line))
   {
     std::istringstream words(line);
     std::string kind;
     words >> kind;
-    const auto* found = std::find(std::begin(Words), std::end(Words), kind);
-    Thing thing;
-    thing.What = static_cast<Kind>(found - std::begin(Words));
-    for (auto& values : thing.Values)
+    const auto* found = std::find(std::begin(KindNames), std::end(KindNames), kind);
+    Entry entry;
+    entry.Type = static_cast<Kind>(found - std::begin(KindNames));
+    for (auto& values : entry.Values)
     {
       std::size_t count = 0;
       words >> count;
       if (!words || count > line.size())
       {
-        refuse();
+        fail();
       }
       values.resize(count);
       for (double& value : values)
       {
-        // Not by >>, which refuses what is not finite.
+        // Not by >>, which rejects numbers that are not finite.
         std::string number;
         words >> number;
         value = std::strtod(number.c_str(), nullptr);
       }
     }
-    if (!words || found == std::end(Words))
+    if (!words || found == std::end(KindNames))
     {
-      refuse();
+      fail();
     }
-    std::getline(words >> std::ws, thing.Name);
-    scene.Things.push_back(thing);
+    std::getline(words >> std::ws, entry.Name);
+    scene.Entries.push_back(entry);
   }
   return scene;
 }
 
-// The same but for rounding: another compiler may place things by the last digit elsewhere.
-bool BakedScene::Alike(const std::vector<double>& a, const std::vector<double>& b)
+// Equal up to rounding, which may differ between compilers.
+bool BakedScene::NearlyEqual(const std::vector<double>& a, const std::vector<double>& b)
 {
   constexpr double tolerance = 1e-6;
   double largest = 0.0;
@@ -104,75 +104,76 @@ bool BakedScene::Alike(const std::vector<double>& a, const std::vector<double>& 
       [largest](double x, double y) { return x == y || std::abs(x - y) <= tolerance * largest; });
 }
 
-int BakedScene::AlikeTraits(const Thing& a, const Thing& b)
+int BakedScene::CountEqualTraits(const Entry& a, const Entry& b)
 {
-  int alike = 0;
+  int equalTraits = 0;
   for (int i = 0; i < Traits; ++i)
   {
-    alike += Alike(a.Values[i], b.Values[i]) ? 1 : 0;
+    equalTraits += NearlyEqual(a.Values[i], b.Values[i]) ? 1 : 0;
   }
-  return alike;
+  return equalTraits;
 }
 
-void BakedScene::Compare(std::vector<const Thing*> baked, std::vector<const Thing*> now,
+void BakedScene::Compare(std::vector<const Entry*> baked, std::vector<const Entry*> current,
   std::vector<std::string>& differences)
 {
-  // Those that are most alike are taken for the same thing, first of all those that are the same.
-  for (int alike = Traits; alike > 0; --alike)
+  // Match the entries with the most equal traits first, so that identical ones are matched before any others.
+  for (int equalTraits = Traits; equalTraits > 0; --equalTraits)
   {
-    for (auto& thing : baked)
+    for (auto& entry : baked)
     {
-      const auto same = std::find_if(now.begin(), now.end(),
-        [&](const Thing* other) { return thing && other && AlikeTraits(*thing, *other) == alike; });
-      if (same == now.end())
+      const auto match = std::find_if(current.begin(), current.end(), [&](const Entry* other) {
+        return entry && other && CountEqualTraits(*entry, *other) == equalTraits;
+      });
+      if (match == current.end())
       {
         continue;
       }
-      for (int i = 0; i < Traits && alike < Traits; ++i)
+      for (int i = 0; i < Traits && equalTraits < Traits; ++i)
       {
-        if (!Alike(thing->Values[i], (*same)->Values[i]))
+        if (!NearlyEqual(entry->Values[i], (*match)->Values[i]))
         {
-          differences.push_back(thing->Name + " " + Changed[thing->What][i]);
+          differences.push_back(entry->Name + " " + ChangeTexts[entry->Type][i]);
         }
       }
-      thing = nullptr;
-      *same = nullptr;
+      entry = nullptr;
+      *match = nullptr;
     }
   }
-  for (const Thing* thing : baked)
+  for (const Entry* entry : baked)
   {
-    if (thing)
+    if (entry)
     {
       differences.push_back(
-        thing->Name + (thing->What == Lamp ? " went out" : " is gone or hidden"));
+        entry->Name + (entry->Type == LightSource ? " went out" : " is gone or hidden"));
     }
   }
-  for (const Thing* thing : now)
+  for (const Entry* entry : current)
   {
-    if (thing && thing->What != Prop)
+    if (entry && entry->Type != Prop)
     {
-      differences.push_back(thing->Name + " came");
+      differences.push_back(entry->Name + " came");
     }
   }
 }
 
-std::string BakedScene::DifferenceTo(const BakedScene& now) const
+std::string BakedScene::DifferenceTo(const BakedScene& current) const
 {
   std::vector<std::string> differences;
   for (int kind = 0; kind < Kinds; ++kind)
   {
-    const auto all = [kind](const std::vector<Thing>& things) {
-      std::vector<const Thing*> some;
-      for (const Thing& thing : things)
+    const auto select = [kind](const std::vector<Entry>& entries) {
+      std::vector<const Entry*> selected;
+      for (const Entry& entry : entries)
       {
-        if (thing.What == kind)
+        if (entry.Type == kind)
         {
-          some.push_back(&thing);
+          selected.push_back(&entry);
         }
       }
-      return some;
+      return selected;
     };
-    Compare(all(this->Things), all(now.Things), differences);
+    Compare(select(this->Entries), select(current.Entries), differences);
   }
   if (differences.empty())
   {
@@ -191,10 +192,10 @@ std::string BakedSceneWatch::Difference(
     this->Solid = BakedScene::AddProps(renderer, this->Cache, {}, this->Props);
   }
   this->Frame = frameNumber;
-  BakedScene now;
-  now.Things = this->Props;
-  BakedScene::AddLamps(renderer, now.Things);
-  BakedScene::AddSurroundings(renderer, this->Cache, now.Things);
-  return baked.DifferenceTo(now);
+  BakedScene current;
+  current.Entries = this->Props;
+  BakedScene::AddLights(renderer, current.Entries);
+  BakedScene::AddEnvironment(renderer, this->Cache, current.Entries);
+  return baked.DifferenceTo(current);
 }
 }

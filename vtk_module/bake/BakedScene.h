@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a bake of light depends on, so that light of another scene is never shown: the props as rays see them,
- * the lamps, the environment. Kept as text with the bake, and compared with the scene that is drawn.
+ * Everything that baked light depends on: the props as rays see them, the lights and the environment. It is stored as
+ * text with the bake and compared with the scene that is drawn, so that light of another scene is never shown.
  */
 #pragma once
 
@@ -20,7 +20,7 @@ class vtkRenderer;
 
 namespace penumbra
 {
-/// What scenes are read with: hashes of content, kept as long as nothing is modified.
+/// Hashes of content, kept until the content is modified.
 struct BakedSceneCache
 {
   GatherCache Parts;
@@ -37,67 +37,67 @@ class BakedScene
 public:
   using Namer = std::function<std::string(vtkProp*)>;
 
-  /// Of a renderer as it is: its visible props that rays see, lamps that are on and do not follow the camera, its
-  /// environment. name: how sentences call a prop, "" for "object 3".
+  /// The current scene of a renderer: visible props that rays see, lights that are on and do not follow the camera, and
+  /// the environment. name: returns the name of a prop for messages, or "" for a name such as "object 3".
   static BakedScene Of(vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name = {});
 
-  /// One line a thing; what is written with the bake.
+  /// The text that is stored with the bake, one line per entry.
   std::string ToText() const;
-  /// Throws std::invalid_argument with a sentence where the text is none of ToText()'s.
+  /// Throws std::invalid_argument with a sentence if the text was not written by ToText().
   static BakedScene FromText(const std::string& text);
 
-  /// What is different now, as in "light 1 moved"; "" where the bake still fits. Props that the bake does not
-  /// know are no difference, lamps are.
-  std::string DifferenceTo(const BakedScene& now) const;
+  /// The difference to the current scene, such as "light 1 moved"; "" if the bake fits. Additional lights count as
+  /// differences, additional props do not.
+  std::string DifferenceTo(const BakedScene& current) const;
 
-  bool IsEmpty() const { return this->Things.empty(); }
+  bool IsEmpty() const { return this->Entries.empty(); }
 
 private:
   friend class BakedSceneWatch;
   enum Kind
   {
     Prop,
-    Lamp,
-    Surroundings,
+    LightSource,
+    Environment,
     Kinds
   };
-  /// Of a prop: where, shape, look. Of a lamp: where, colour, kind. Of an environment: how it is turned,
-  /// picture, nothing.
+  /// Traits of a prop: position, shape, appearance. Of a light: position, colour, kind. Of the environment:
+  /// orientation, picture, unused.
   static constexpr int Traits = 3;
-  struct Thing
+  struct Entry
   {
-    Kind What = Prop;
+    Kind Type = Prop;
     std::string Name;
     std::array<std::vector<double>, Traits> Values;
   };
-  /// Whether nothing is seen through any of the props: none is translucent, clipped or culled.
+  /// Returns whether all props are opaque and complete: none is translucent, clipped or culled.
   static bool AddProps(
-    vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name, std::vector<Thing>& things);
-  static void AddLamps(vtkRenderer* renderer, std::vector<Thing>& things);
-  static void AddSurroundings(
-    vtkRenderer* renderer, BakedSceneCache& cache, std::vector<Thing>& things);
-  static bool Alike(const std::vector<double>& a, const std::vector<double>& b);
-  static int AlikeTraits(const Thing& a, const Thing& b);
-  static void Compare(std::vector<const Thing*> baked, std::vector<const Thing*> now,
+    vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name, std::vector<Entry>& entries);
+  static void AddLights(vtkRenderer* renderer, std::vector<Entry>& entries);
+  static void AddEnvironment(
+    vtkRenderer* renderer, BakedSceneCache& cache, std::vector<Entry>& entries);
+  static bool NearlyEqual(const std::vector<double>& a, const std::vector<double>& b);
+  static int CountEqualTraits(const Entry& a, const Entry& b);
+  static void Compare(std::vector<const Entry*> baked, std::vector<const Entry*> current,
     std::vector<std::string>& differences);
 
-  std::vector<Thing> Things;
+  std::vector<Entry> Entries;
 };
 
-/// The scene of a renderer, as bakes know it, followed from frame to frame.
+/// Follows the scene of a renderer from frame to frame.
 class BakedSceneWatch
 {
 public:
-  /// The bake's DifferenceTo() the renderer's scene. Props are looked at again where they changed or a frame was missed,
-  /// lamps every time. changed: any prop moved, came, went or looks different since the last frame.
+  /// DifferenceTo() between the bake and the renderer's scene. Props are read again only if they changed or a frame was
+  /// missed, lights every time. changed: whether any prop moved, came, went or looks different since the last frame.
   std::string Difference(
     const BakedScene& baked, vtkRenderer* renderer, bool changed, int frameNumber);
 
-  /// Of the last Difference(): whether nothing is seen through any prop, be it translucent, clipped or culled.
+  /// Whether, at the last Difference(), all props were opaque and complete: none translucent, clipped or culled.
   bool IsSolid() const { return this->Solid; }
 
 private:
-  std::vector<BakedScene::Thing> Props;
+  std::vector<BakedScene::Entry> Props;
   bool Solid = false;
   BakedSceneCache Cache;
   int Frame = -2;

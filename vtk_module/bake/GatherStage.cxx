@@ -31,8 +31,8 @@ void GatherStage::Release()
 
 void GatherStage::FreeAll()
 {
-  this->Rays.ReleaseGraphicsResources();
-  this->Lamps.ReleaseGraphicsResources();
+  this->TracedScene.ReleaseGraphicsResources();
+  this->Lights.ReleaseGraphicsResources();
   this->Shaders.Release();
   this->Points = Buffer();
   this->Results = Buffer();
@@ -54,7 +54,7 @@ void GatherStage::Prepare(vtkRenderer* renderer)
   {
     this->Release();
   }
-  // A window of another program's context, as Qt's widgets have, does not know whether it supports OpenGL.
+  // A window whose context belongs to another toolkit, such as Qt, cannot tell whether it supports OpenGL.
   if (window->GetNeverRendered() && !window->SupportsOpenGL())
   {
     throw std::runtime_error("light is gathered on the GPU, and no OpenGL context can be made.");
@@ -70,41 +70,41 @@ void GatherStage::Prepare(vtkRenderer* renderer)
     throw std::runtime_error("light is gathered with OpenGL 4.3, and this window has " +
       std::to_string(version[0]) + "." + std::to_string(version[1]) + ".");
   }
-  this->Rays.Update(renderer);
-  this->Lamps.Collect(glRenderer);
-  std::vector<Light>& lamps = this->Lamps.Lights();
-  const auto kept = std::remove_if(
-    lamps.begin(), lamps.end(), [](const Light& lamp) { return lamp.FollowsCamera; });
-  this->Following = static_cast<int>(lamps.end() - kept);
-  lamps.erase(kept, lamps.end());
-  this->Lamps.InWorld(this->Rays.Origin());
-  this->Lamps.Upload();
+  this->TracedScene.Update(renderer);
+  this->Lights.Collect(glRenderer);
+  std::vector<Light>& lights = this->Lights.Lights();
+  const auto firstFollowing = std::remove_if(
+    lights.begin(), lights.end(), [](const Light& light) { return light.FollowsCamera; });
+  this->FollowingLights = static_cast<int>(lights.end() - firstFollowing);
+  lights.erase(firstFollowing, lights.end());
+  this->Lights.InWorld(this->TracedScene.Origin());
+  this->Lights.Upload();
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const glm::dvec3 size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-  // As rays/surface.glsl has it, of a triangle as large as the scene.
-  this->Inaccuracy = bounds[0] <= bounds[1] ? 1.3e-6 * glm::length(size) : 0.0;
+  // The same error as in rays/surface.glsl, for a triangle as large as the scene.
+  this->CoordinateError = bounds[0] <= bounds[1] ? 1.3e-6 * glm::length(size) : 0.0;
 }
 
 void GatherStage::Run(
-  const std::string& shader, Defines variant, const Arguments& given, std::size_t groups)
+  const std::string& shader, Defines variant, const Arguments& arguments, std::size_t groups)
 {
   if (!this->Guard->Window())
   {
     throw std::runtime_error("the window gave up its OpenGL context while light was gathered.");
   }
-  const Defines scene = this->Rays.ShaderDefines();
+  const Defines scene = this->TracedScene.ShaderDefines();
   variant.insert(scene.begin(), scene.end());
-  variant.erase("GI_RAY_EDGES"); // lines over what the eye sees
-  Arguments offered = this->Rays.ShaderArguments();
-  offered.Add(this->Lamps.InWorld(this->Rays.Origin()))
+  variant.erase("GI_RAY_EDGES"); // edges are drawn only where the camera sees them
+  Arguments offered = this->TracedScene.ShaderArguments();
+  offered.Add(this->Lights.InWorld(this->TracedScene.Origin()))
     .Block("GatherPointBlock", this->Points)
     .Block("GatherResultBlock", this->Results, ShaderAccess::Write)
-    .Set("eye", glm::vec3(0.0f)) // only headlights ask
+    .Set("eye", glm::vec3(0.0f)) // used by headlights only
     .Set("strategy", 0);
   this->Runner.SetWindow(this->Guard->Window());
   this->Runner.Dispatch(
-    this->Shaders.Compute(shader, variant), given, Work::GroupsInRows(groups), offered);
+    this->Shaders.Compute(shader, variant), arguments, Work::GroupsInRows(groups), offered);
 }
 
 void GatherStage::Read(std::vector<float>& values)
@@ -116,17 +116,17 @@ void GatherStage::Read(std::vector<float>& values)
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
-void WorkSize::Took(std::size_t units, double seconds)
+void WorkSize::Adapt(std::size_t units, double seconds)
 {
-  // Short enough to stop in, long enough that starting costs nothing.
-  constexpr double wanted = 0.1;
-  const double factor = std::clamp(wanted / std::max(seconds, 1e-4), 0.25, 4.0);
-  // A last, small piece of work tells little.
+  // Short enough to abort soon, long enough that the overhead of a dispatch is negligible.
+  constexpr double desiredSeconds = 0.1;
+  const double factor = std::clamp(desiredSeconds / std::max(seconds, 1e-4), 0.25, 4.0);
+  // The time of a last, small piece of work is not representative.
   if (2 * units > this->Units || factor < 1.0)
   {
-    constexpr double most = 1 << 24;
+    constexpr double maximum = 1 << 24;
     this->Units =
-      static_cast<std::size_t>(std::clamp(factor * static_cast<double>(units), 64.0, most));
+      static_cast<std::size_t>(std::clamp(factor * static_cast<double>(units), 64.0, maximum));
   }
 }
 }

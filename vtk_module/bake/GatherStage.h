@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A renderer's scene made ready for compute shaders outside of any frame: its rays, its lamps, and a
- * program with both bound.
+ * Makes a renderer's scene available to compute shaders outside of any frame: the scene for rays and the lights.
  */
 #pragma once
 
@@ -25,26 +24,26 @@ public:
   GatherStage(const GatherStage&) = delete;
   GatherStage& operator=(const GatherStage&) = delete;
 
-  /// Open the renderer's window where need be, and bring the scene up to date. Throws
-  /// std::runtime_error with a sentence where that cannot be done.
+  /// Open the renderer's window if necessary, and update the scene. Throws std::runtime_error with a sentence if that
+  /// is not possible.
   void Prepare(vtkRenderer* renderer);
 
-  /// Run so many groups of a compute shader, which counts them along x, then y, and is offered the scene, the points and
-  /// the results. given: what else it takes.
+  /// Run groups of a compute shader, which are numbered along x, then y. The shader gets the scene, Points, Results
+  /// and the arguments.
   void Run(
-    const std::string& shader, Defines variant, const Arguments& given, std::size_t groups);
+    const std::string& shader, Defines variant, const Arguments& arguments, std::size_t groups);
 
-  /// Read back what it wrote to the results.
+  /// Read back Results.
   void Read(std::vector<float>& values);
 
-  const glm::dvec3& Origin() const { return this->Rays.Origin(); }
-  /// By how much coordinates of the scene may be off, world units.
-  double Error() const { return this->Inaccuracy; }
-  /// Lamps that follow the camera: they are left out.
-  int LampsLeftOut() const { return this->Following; }
-  std::size_t PropsLeftOut() const { return this->Rays.LeftOut(); }
+  const glm::dvec3& Origin() const { return this->TracedScene.Origin(); }
+  /// Maximum rounding error of the scene's coordinates, in world units.
+  double Error() const { return this->CoordinateError; }
+  /// Number of lights that are left out because they follow the camera.
+  int LampsLeftOut() const { return this->FollowingLights; }
+  std::size_t PropsLeftOut() const { return this->TracedScene.LeftOut(); }
 
-  /// Free what is on the GPU.
+  /// Free GPU resources.
   void Release();
 
   Buffer Points;
@@ -55,15 +54,15 @@ private:
 
   vtkNew<vtkGIContextGuard> Guard;
   vtkRenderer* Renderer = nullptr;
-  RayProps Rays;
-  LightTable Lamps;
+  RayProps TracedScene;
+  LightTable Lights;
   ShaderLibrary Shaders;
   Commands Runner{ Shaders };
-  double Inaccuracy = 0.0;
-  int Following = 0;
+  double CoordinateError = 0.0;
+  int FollowingLights = 0;
 };
 
-/// How much work to give to the GPU at once, so that it answers within a fraction of a second.
+/// Amount of work to give to the GPU at once so that it finishes within a fraction of a second.
 class WorkSize
 {
 public:
@@ -72,8 +71,8 @@ public:
   {
   }
   std::size_t Get() const { return this->Units; }
-  /// So many were done in so many seconds.
-  void Took(std::size_t units, double seconds);
+  /// Adapt to the time that a number of units took.
+  void Adapt(std::size_t units, double seconds);
 
 private:
   std::size_t Units;

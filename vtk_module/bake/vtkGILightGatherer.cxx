@@ -23,30 +23,32 @@ using namespace penumbra;
 
 namespace
 {
-constexpr std::size_t FirstPaths = 4096; // traced at once; then as many as time tells
+// Number of paths in the first batch. Later ones adapt to the time taken.
+constexpr std::size_t FirstPaths = 4096;
 
-/// Samples of points, traced at once.
+/// Samples that are traced at once.
 struct Batch
 {
   std::size_t Points;
   int FirstSample;
   int Samples;
-  std::size_t Numbers; ///< of each point
+  std::size_t Numbers; ///< results per point
   bool Hemisphere;
 };
 
-std::string Vectors(vtkDataArray* array, const char* what)
+// The error of an array that should hold finite vectors, or "".
+std::string CheckVectors(vtkDataArray* array, const char* name)
 {
   if (!array || array->GetNumberOfComponents() != 3)
   {
-    return std::string(what) + " must have three components.";
+    return std::string(name) + " must have three components.";
   }
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     const double* v = array->GetTuple3(i);
     if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
     {
-      return std::string(what) + " must be finite, and number " + std::to_string(i) + " is not.";
+      return std::string(name) + " must be finite, and number " + std::to_string(i) + " is not.";
     }
   }
   return "";
@@ -54,10 +56,10 @@ std::string Vectors(vtkDataArray* array, const char* what)
 
 std::string CheckArrays(vtkDataArray* points, vtkDataArray* normals, vtkFloatArray* light)
 {
-  std::string error = Vectors(points, "the points");
+  std::string error = CheckVectors(points, "the points");
   if (error.empty() && normals)
   {
-    error = Vectors(normals, "the normals");
+    error = CheckVectors(normals, "the normals");
     if (error.empty() && normals->GetNumberOfTuples() != points->GetNumberOfTuples())
     {
       error = "there must be as many normals as points.";
@@ -148,7 +150,7 @@ void vtkGILightGatherer::Internals::Upload(
   this->Stage.Points.Upload(GL_SHADER_STORAGE_BUFFER, data.data(), count * sizeof(data[0]));
 }
 
-// Adds what so many samples of the uploaded points come to.
+// Trace a batch for the uploaded points, and add the results to sums.
 void vtkGILightGatherer::Internals::Trace(
   const vtkGILightGatherer& settings, const Batch& batch, double* sums)
 {
@@ -204,31 +206,32 @@ bool vtkGILightGatherer::Trace(vtkRenderer* renderer, vtkDataArray* points, vtkD
   for (std::size_t first = 0; first < count;)
   {
     const std::size_t block = std::min<std::size_t>(samples, GI_GATHER_GROUP);
-    const std::size_t some =
+    const std::size_t pointCount =
       std::min(count - first, std::max<std::size_t>(1, impl.Paths.Get() / block));
-    impl.Upload(points, normals, first, some);
+    impl.Upload(points, normals, first, pointCount);
     for (std::size_t done = 0; done < samples;)
     {
-      const std::size_t now =
-        std::min(samples - done, std::max(block, impl.Paths.Get() / some / block * block));
+      const std::size_t sampleCount =
+        std::min(samples - done, std::max(block, impl.Paths.Get() / pointCount / block * block));
       const auto start = Clock::now();
       impl.Trace(*this,
-        { some, this->FirstSample + static_cast<int>(done), static_cast<int>(now), numbers,
-          normals != nullptr },
+        { pointCount, this->FirstSample + static_cast<int>(done), static_cast<int>(sampleCount),
+          numbers, normals != nullptr },
         &sums[first * numbers]);
-      impl.Paths.Took(some * now, std::chrono::duration<double>(Clock::now() - start).count());
-      done += now;
-      const double part = static_cast<double>(done) / static_cast<double>(samples);
-      double progress = (static_cast<double>(first) + static_cast<double>(some) * part) /
+      impl.Paths.Adapt(
+        pointCount * sampleCount, std::chrono::duration<double>(Clock::now() - start).count());
+      done += sampleCount;
+      const double fraction = static_cast<double>(done) / static_cast<double>(samples);
+      double progress = (static_cast<double>(first) + static_cast<double>(pointCount) * fraction) /
         static_cast<double>(count);
       this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
       if (this->Abort)
       {
         return false;
       }
-      renderer->GetRenderWindow()->MakeCurrent(); // whatever observers did
+      renderer->GetRenderWindow()->MakeCurrent(); // observers may have changed the context
     }
-    first += some;
+    first += pointCount;
   }
   return true;
 }

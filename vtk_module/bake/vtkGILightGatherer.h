@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGILightGatherer
- * @brief   the light that arrives at points of a renderer's scene, by path tracing on the GPU
+ * @brief   gathers the light that arrives at points of a renderer's scene, by path tracing on the GPU
  *
- * What bakes are made with. Light counts that was reflected at least once, or that a surface or the
- * environment gives off; straight from the lamps only with IncludeLamps. Every path is followed until
- * chance ends it (Russian roulette), so that the mean has no bias but that of Bounces. Lamps that follow the
- * camera (headlights, camera lights) have no place in what is kept, and are left out.
+ * Bakes are made with it. It counts light that was reflected at least once or emitted by a surface or the
+ * environment, and direct light of lights only with IncludeLamps. Russian roulette ends the paths, so the mean has no
+ * bias except that of Bounces. Lights that follow the camera (headlights and camera lights) cannot be baked, and are
+ * left out.
  *
- * All light is radiance as VTK's materials count it: a lamp of colour c that shines straight on a surface
- * stands for an irradiance of pi times c.
+ * Light is radiance in the units of VTK's materials: a light of colour c at normal incidence gives an irradiance of pi
+ * times c.
  *
- * Results are means over Samples paths. Paths are numbered: a call with FirstSample = a and Samples = n, and
- * one with FirstSample = a + n and as many samples, average to what one call with 2n samples returns. The
- * paths of a point depend on its coordinates and Seed, not on what other points are asked for.
+ * Results are means over Samples paths. Paths are numbered: the average of a call with FirstSample = a and Samples = n
+ * and one with FirstSample = a + n and as many samples is the result of a single call with 2n samples. The paths of a
+ * point depend on its coordinates and Seed, not on other points.
  *
- * ProgressEvent is invoked with the share of the work that is done, a double from 0 to 1; an observer may
- * call AbortOn().
+ * ProgressEvent is invoked with the fraction of the work that is done, a double from 0 to 1. An observer may call
+ * AbortOn().
  */
 #ifndef vtkGILightGatherer_h
 #define vtkGILightGatherer_h
@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * Paths from each point; 256 by default. Powers of two are spread most evenly.
+   * Number of paths from each point, 256 by default. Powers of two are distributed most evenly.
    */
   vtkSetClampMacro(Samples, int, 1, 1 << 24);
   vtkGetMacro(Samples, int);
@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Reflections after which a path ends in any case; 64 by default, after which a closed box that reflects
-   * 0.8 of its light lacks 0.0001 %.
+   * Maximum number of reflections of a path, 64 by default. With it a closed box of reflectance 0.8 lacks 0.0001 % of
+   * its light.
    */
   vtkSetClampMacro(Bounces, int, 1, 10000);
   vtkGetMacro(Bounces, int);
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * Another seed makes other paths; 0 by default.
+   * Seed of the random paths, 0 by default.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * Count light that arrives straight from lamps too. Off by default.
+   * Include direct light of lights. Off by default.
    */
   vtkSetMacro(IncludeLamps, bool);
   vtkGetMacro(IncludeLamps, bool);
@@ -84,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Count light that was reflected, or is given off by surfaces and the environment. On by default. Without it no
-   * path is followed, and surroundings are 0.
+   * Include light that was reflected, or emitted by surfaces and the environment. On by default. Without it no paths
+   * are traced, and surroundings are 0.
    */
   vtkSetMacro(IncludeIndirect, bool);
   vtkGetMacro(IncludeIndirect, bool);
@@ -94,7 +94,7 @@ public:
 
   ///@{
   /**
-   * Of points with normals, return how light is spread over the hemisphere too. Off by default.
+   * For points with normals, also return how light is distributed over the hemisphere. Off by default.
    */
   vtkSetMacro(Directional, bool);
   vtkGetMacro(Directional, bool);
@@ -103,7 +103,7 @@ public:
 
   ///@{
   /**
-   * End the call that runs, soon. Each call switches it off as it begins.
+   * Abort the running call soon. Each call switches this off when it starts.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -113,40 +113,39 @@ public:
   /**
    * Gather light at points (three components, world coordinates).
    *
-   * Without normals (nullptr) light has 27 components: the nine spherical harmonics of bands 0 to 2 of the
-   * radiance from all around, of red, green and blue each, in the order of Ramamoorthi and Hanrahan 2001 (1;
-   * y, z, x; xy, yz, 3z^2 - 1, xz, x^2 - y^2), orthonormal over the sphere: radiance 1 from everywhere is
-   * sqrt(4 pi) in the first.
+   * Without normals (nullptr), light gets 27 components: nine spherical harmonics, bands 0 to 2, of the incoming
+   * radiance, each for red, green and blue, in the order of Ramamoorthi and Hanrahan 2001 (1; y, z, x; xy, yz,
+   * 3z^2 - 1, xz, x^2 - y^2). They are orthonormal over the sphere: radiance 1 from all directions gives sqrt(4 pi) in
+   * the first.
    *
-   * With normals (three components, unit) it has 3: irradiance divided by pi. With Directional 12 more
-   * follow, of red, green and blue each: the mean of radiance L over the hemisphere, and the means of L x,
-   * L y and L z, of unit directions (x, y, z) in the world. Points lie on surfaces or a little off them;
-   * rays start a few millionths of the scene's size off, along the normal.
+   * With normals (three components, unit length), it gets 3 components: irradiance divided by pi. With Directional, 12
+   * more follow, each for red, green and blue: the mean of the radiance L over the hemisphere, and the means of L x,
+   * L y and L z for unit directions (x, y, z) in the world. Points lie on surfaces or slightly off them; rays start a
+   * few millionths of the scene's size away along the normal.
    *
-   * surroundings, if not nullptr, gets three components: the share of rays that met the back of a surface,
-   * the share that met any surface, and the mean distance of those (0 where there were none).
+   * surroundings, if not nullptr, gets three components: the share of rays that hit a backface, the share that hit any
+   * surface, and the mean distance of the hits (0 if there are none).
    *
-   * Returns false, with a sentence in GetLastError() and the arrays as they were, for points of another
-   * shape, a renderer without an OpenGL 4.3 window, or a scene that does not fit into memory; and without
-   * one where it was aborted.
+   * Returns false, with the reason in GetLastError() and unchanged arrays, if the arrays have other shapes, the
+   * renderer has no OpenGL 4.3 window, or the scene does not fit into memory; without a reason if it was aborted.
    */
   bool Gather(vtkRenderer* renderer, vtkDataArray* points, vtkDataArray* normals,
     vtkFloatArray* light, vtkFloatArray* surroundings = nullptr);
 
   /**
-   * Of the last call: lamps that follow the camera and were left out, and visible props of kinds that rays
-   * do not see.
+   * Numbers of the last call: lights that were left out because they follow the camera, and visible props of kinds
+   * that rays do not see.
    */
   int GetNumberOfLampsLeftOut();
   int GetNumberOfPropsLeftOut();
 
   /**
-   * Why the last call returned false, or "".
+   * The reason why the last call returned false, or "".
    */
   const char* GetLastError();
 
   /**
-   * Free what is kept on the GPU, such as the scene for rays. The render window lives on until then.
+   * Free GPU resources, such as the scene for rays. They keep the render window alive until then.
    */
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -10,7 +10,7 @@ namespace penumbra
 {
 namespace
 {
-// Start the picture from what the window shows already: background and lower layers.
+// Start the picture with the current content of the window: background and lower layers.
 void CopyWindow(FrameContext& context, const char* target)
 {
   context.State()->PushFramebufferBindings();
@@ -59,7 +59,7 @@ struct Resolve
     {
       CopyWindow(context, resource::Color);
     }
-    // The radiance by a second drawing: the colour may go straight to the window, alone.
+    // Radiance is drawn separately, because the colour may go straight to the window, which has no second target.
     if (this->Options.Radiance)
     {
       this->StartRadiance(context);
@@ -69,13 +69,13 @@ struct Resolve
     {
       CopyWindow(context, resource::LitRadiance);
     }
-    // Whoever asks for the lit radiance changes the picture by it, so that both are textures here.
+    // A technique that requests the lit radiance also modifies the picture, so both targets are textures here.
     this->Draw(context,
       this->Options.LitRadiance ? std::vector<const char*>{ resource::Color, resource::LitRadiance }
                 : std::vector<const char*>{ resource::Color });
   }
 
-  // Behind what was captured: the sky's radiance, or what the window shows.
+  // Start the radiance with the sky, or with the content of the window.
   static void StartRadiance(FrameContext& context)
   {
     const Texture* sky = context.Input(resource::Sky);
@@ -98,7 +98,7 @@ struct Resolve
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     context.BindTarget(targets, resource::Depth);
-    // The triangle lies at the far plane: only pixels with something nearer are resolved.
+    // The triangle lies at the far plane, so only pixels with nearer surfaces are resolved.
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_GREATER);
     scope.DepthMask(false);
@@ -110,8 +110,8 @@ struct Resolve
   }
 };
 
-// A multisampled window cannot be the target of the passes before: write every sample of a pixel
-// alike, the colour everywhere, the depth where something was captured.
+// Copy the picture to a multisampled window, which the previous passes cannot draw to. All samples of a pixel get the
+// same values: the colour everywhere, the depth where a surface was captured.
 void Present(FrameContext& context)
 {
   const Texture* color = context.Input(resource::Color);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Light that reaches a surface straight from a lamp, resolved once per pixel from the G-buffer for
- * every light of the renderer, with the surroundings' light and emission added. Reproduces the
- * formulas of VTK's own shaders, so that the picture with every technique off is VTK's.
+ * Direct light of all lights of the renderer, computed once per pixel from the G-buffer, plus ambient light,
+ * environment light and emission. Reproduces the formulas of VTK's shaders, so that the picture is VTK's if every
+ * technique is off.
  */
 #pragma once
 
@@ -16,15 +16,15 @@ class MaterialTable;
 
 struct DirectLightOptions
 {
-  bool Extended = false;      ///< the capture wrote the extended set of targets
-  bool Radiance = false;      ///< write resource::Radiance, too
-  bool LitRadiance = false;   ///< write resource::LitRadiance, too
-  double SpreadShare = 0.0;   ///< see LightingPlan::SpreadLight()
+  bool Extended = false;        ///< the capture wrote the extended set of targets
+  bool Radiance = false;        ///< also write resource::Radiance
+  bool LitRadiance = false;     ///< also write resource::LitRadiance
+  double SpreadShare = 0.0;     ///< see LightingPlan::SpreadLight()
   double Interreflection = 0.0; ///< see LightingPlan::SetInterreflection()
 };
 
-/// Add the passes that make the picture from the G-buffer: "direct-light" writes the colour (and
-/// the radiance, if kept), "present" brings it to a window that could not be drawn to directly.
+/// Add the passes that make the picture from the G-buffer: "direct-light" writes the colour (and the radiance, if it is
+/// kept); "present" copies it to a window that cannot be drawn to directly.
 void ContributeDirectLight(
   Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options);
 }

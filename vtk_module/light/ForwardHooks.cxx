@@ -37,7 +37,7 @@ vtkOpenGLRenderWindow* WindowOf(vtkRenderer* renderer)
   return static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
 }
 
-int TexturesOf(const ForwardLight& light)
+int CountTextures(const ForwardLight& light)
 {
   int count = light.Visibility.Textures;
   for (const ForwardPart& part : light.Indirect)
@@ -50,49 +50,50 @@ int TexturesOf(const ForwardLight& light)
 
 void vtkGIForwardHooks::SetLights(const LightTable& lights, ForwardLight light)
 {
-  light.Indirect.resize(std::min(light.Indirect.size(), ForwardShaders::MostParts));
-  this->Known = false;
+  light.Indirect.resize(std::min(light.Indirect.size(), ForwardShaders::MaximumParts));
+  this->HasLight = false;
   if (light.IsEmpty())
   {
     return;
   }
-  if (this->Stale || !light.HasShadersOf(this->Light))
+  if (this->ShadersOutdated || !light.HasShadersOf(this->Light))
   {
-    this->Stale = true;
-    // VTK ends the program where a shader does not compile.
+    this->ShadersOutdated = true;
+    // VTK exits the process if a shader does not compile.
     if (!this->Shaders->OverrideFolder().empty())
     {
       ForwardShaders(*this->Shaders, light).Check();
     }
     this->Renew();
     this->Programs.clear();
-    this->Stale = false;
+    this->ShadersOutdated = false;
   }
   this->Light = std::move(light);
-  this->Known = true;
-  this->SortShadows(lights);
+  this->HasLight = true;
+  this->UpdateShadowChannels(lights);
 }
 
-void vtkGIForwardHooks::SortShadows(const LightTable& lights)
+void vtkGIForwardHooks::UpdateShadowChannels(const LightTable& lights)
 {
-  this->ShadowOf.clear();
-  this->ShadowOfSorted.clear();
+  this->ShadowChannels.clear();
+  this->SortedShadowChannels.clear();
   std::vector<int> others;
   for (const auto& light : lights.Lights())
   {
-    this->ShadowOf.push_back(light.MaskChannel);
-    (light.Positional ? this->ShadowOfSorted : others).push_back(light.MaskChannel);
+    this->ShadowChannels.push_back(light.MaskChannel);
+    (light.Positional ? this->SortedShadowChannels : others).push_back(light.MaskChannel);
   }
-  this->ShadowOfSorted.insert(this->ShadowOfSorted.end(), others.begin(), others.end());
-  this->ShadowOf.resize(std::min(this->ShadowOf.size(), std::size_t(GI_FORWARD_LIGHTS)));
-  this->ShadowOfSorted.resize(this->ShadowOf.size());
+  this->SortedShadowChannels.insert(this->SortedShadowChannels.end(), others.begin(), others.end());
+  this->ShadowChannels.resize(
+    std::min(this->ShadowChannels.size(), std::size_t(GI_FORWARD_LIGHTS)));
+  this->SortedShadowChannels.resize(this->ShadowChannels.size());
 }
 
 void vtkGIForwardHooks::Attach(const vtkRenderState* state)
 {
   this->Props.clear();
   this->Renderer = state->GetRenderer();
-  if (!this->Known)
+  if (!this->HasLight)
   {
     return;
   }
@@ -108,10 +109,10 @@ void vtkGIForwardHooks::Attach(const vtkRenderState* state)
   {
     return;
   }
-  vtkRenderState some(this->Renderer);
-  some.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
-  this->PreRender(&some);
-  for (int i = TexturesOf(this->Light); i > 0; --i)
+  vtkRenderState attached(this->Renderer);
+  attached.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+  this->PreRender(&attached);
+  for (int i = CountTextures(this->Light); i > 0; --i)
   {
     this->Units.push_back(WindowOf(this->Renderer)->GetTextureUnitManager()->Allocate());
   }
@@ -123,9 +124,9 @@ void vtkGIForwardHooks::Detach()
   {
     return;
   }
-  vtkRenderState some(this->Renderer);
-  some.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
-  this->PostRender(&some);
+  vtkRenderState attached(this->Renderer);
+  attached.SetPropArrayAndCount(this->Props.data(), static_cast<int>(this->Props.size()));
+  this->PostRender(&attached);
   for (const int unit : this->Units)
   {
     WindowOf(this->Renderer)->GetTextureUnitManager()->Free(unit);
@@ -159,15 +160,16 @@ void vtkGIForwardHooks::AfterMapper(const ShaderTexts& texts, vtkProp* prop)
   }
 }
 
-vtkGIForwardHooks::Parts& vtkGIForwardHooks::PartsOf(vtkShaderProgram* program, bool volume)
+vtkGIForwardHooks::ProgramParts& vtkGIForwardHooks::PartsOfProgram(
+  vtkShaderProgram* program, bool volume)
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
-  Parts& parts = this->Programs[program];
+  ProgramParts& parts = this->Programs[program];
   if (parts.Owner == program && parts.Handle == handle)
   {
     return parts;
   }
-  parts = Parts();
+  parts = ProgramParts();
   parts.Owner = program;
   parts.Handle = handle;
   if (program->IsUniformUsed("giLights"))
@@ -189,15 +191,15 @@ vtkGIForwardHooks::Parts& vtkGIForwardHooks::PartsOf(vtkShaderProgram* program, 
 void vtkGIForwardHooks::SetShadows(const ForwardProgram& part) const
 {
   part.SetValues(Arguments()
-                   .Set("giLights", static_cast<int>(this->ShadowOf.size()))
-                   .Set("giKept", this->Light.Kept)
-                   .Set("giShadowOf", this->ShadowOf)
-                   .Set("giShadowOfSorted", this->ShadowOfSorted));
+                   .Set("giLights", static_cast<int>(this->ShadowChannels.size()))
+                   .Set("giKept", this->Light.DirectScale)
+                   .Set("giShadowOf", this->ShadowChannels)
+                   .Set("giShadowOfSorted", this->SortedShadowChannels));
 }
 
 void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume)
 {
-  const Parts& parts = this->PartsOf(program, volume);
+  const ProgramParts& parts = this->PartsOfProgram(program, volume);
   vtkOpenGLState* state = WindowOf(this->Renderer)->GetState();
   const int* units = this->Units.data();
   if (parts.Visibility)
@@ -223,8 +225,8 @@ void vtkGIForwardHooks::SetUniforms(
 {
   if (auto* volume = vtkGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {
-    // VTK's mapper leaves the viewport alone where it has a pass; where it draws a smaller picture of
-    // its own, that is not what it wants.
+    // VTK's mapper does not set the viewport if a render pass is active, although it needs another one if it
+    // draws a smaller picture of its own.
     const float reduction = volume->GetImageSampleDistance();
     if (reduction != 1.0f)
     {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Lights what VTK draws itself after the opaque props, translucent surfaces and volumes, by what the
- * techniques know of each lamp and of indirect light: changes the mappers' shaders and sets their uniforms.
+ * Adds the techniques' visibility and indirect light to what VTK draws itself after the opaque props, which are
+ * translucent surfaces and volumes: changes the mappers' shaders and sets their uniforms.
  */
 #pragma once
 
@@ -30,16 +30,16 @@ public:
 
   void SetShaders(const penumbra::ShaderLibrary* shaders) { this->Shaders = shaders; }
 
-  /// Have mappers build their shaders anew, after the next SetLights().
-  void ReloadShaders() { this->Stale = true; }
+  /// Have mappers rebuild their shaders after the next SetLights().
+  void ReloadShaders() { this->ShadersOutdated = true; }
 
-  /// What lights the props of a frame. Mappers rebuild their shaders when the parts change; throws
-  /// std::runtime_error where one that was replaced from a folder is not valid.
+  /// Set the light of a frame. Mappers rebuild their shaders if the parts differ from the last ones. Throws
+  /// std::runtime_error if a shader that was replaced from a folder is not valid.
   void SetLights(const penumbra::LightTable& lights, penumbra::ForwardLight light);
-  /// Nothing does, until SetLights says otherwise.
-  void SetNothing() { this->Known = false; }
+  /// Leave props as VTK lights them, until the next SetLights().
+  void ClearLights() { this->HasLight = false; }
 
-  /// Take part in the drawing of the state's translucent props and volumes, and no longer.
+  /// Attach to the state's translucent props and volumes, and detach again.
   void Attach(const vtkRenderState* state);
   void Detach();
 
@@ -56,28 +56,28 @@ private:
   vtkGIForwardHooks(const vtkGIForwardHooks&) = delete;
   void operator=(const vtkGIForwardHooks&) = delete;
 
-  void SortShadows(const penumbra::LightTable& lights);
-  /// The parts of one of VTK's programs, which know where its uniforms are.
-  struct Parts
+  void UpdateShadowChannels(const penumbra::LightTable& lights);
+  /// The parts in one of VTK's programs, with the locations of their uniforms.
+  struct ProgramParts
   {
-    vtkWeakPointer<vtkShaderProgram> Owner; ///< another program may come to a dead one's address
-    GLuint Handle = 0;                      ///< as it was linked last
-    std::unique_ptr<penumbra::ForwardProgram> Visibility; ///< nullptr for none
+    vtkWeakPointer<vtkShaderProgram> Owner; ///< tells a new program at the address of a deleted one
+    GLuint Handle = 0;                      ///< changes if the program is linked again
+    std::unique_ptr<penumbra::ForwardProgram> Visibility; ///< nullptr if there is none
     std::vector<std::unique_ptr<penumbra::ForwardProgram>> Indirect;
   };
 
-  Parts& PartsOf(vtkShaderProgram* program, bool volume);
+  ProgramParts& PartsOfProgram(vtkShaderProgram* program, bool volume);
   void SetShadows(const penumbra::ForwardProgram& part) const;
   void SetParts(vtkShaderProgram* program, bool volume);
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
-  penumbra::ForwardLight Light;    ///< the last that was known
-  bool Known = false;              ///< in this frame
-  bool Stale = true;               ///< the shaders may differ from those that mappers have
-  std::vector<int> ShadowOf;       ///< by light, its place among the shadowed ones or -1
-  std::vector<int> ShadowOfSorted; ///< the same, positional lights first
-  std::vector<vtkProp*> Props;     ///< that this is attached to
+  penumbra::ForwardLight Light;          ///< the last light that was not empty
+  bool HasLight = false;                 ///< whether this frame has light
+  bool ShadersOutdated = true;           ///< the mappers' shaders may be outdated
+  std::vector<int> ShadowChannels;       ///< mask channel of each light, or -1
+  std::vector<int> SortedShadowChannels; ///< the same, positional lights first
+  std::vector<vtkProp*> Props;           ///< props that the hooks are attached to
   vtkRenderer* Renderer = nullptr;
   std::vector<int> Units; ///< for the parts' textures
-  std::map<vtkShaderProgram*, Parts> Programs;
+  std::map<vtkShaderProgram*, ProgramParts> Programs;
 };

@@ -41,9 +41,9 @@ void ForwardProgram::Set(const Arguments& arguments) const
 
 std::string ForwardProgram::NameOf(const std::string& name) const
 {
-  const bool own =
+  const bool isPrivate =
     name.compare(0, 5, "field") == 0 && std::isupper(static_cast<unsigned char>(name[5])) != 0;
-  return own ? this->Field + name.substr(5) : name;
+  return isPrivate ? this->Field + name.substr(5) : name;
 }
 
 void ForwardProgram::SetTexture(const char* uniform, GLuint texture)
@@ -65,7 +65,7 @@ void ForwardProgram::SetField(
 
 void ForwardLight::Spread(double share, const glm::dvec3& total)
 {
-  this->Kept = 1.0 - share;
+  this->DirectScale = 1.0 - share;
   if (this->Visibility.IsEmpty())
   {
     this->Visibility.Source = "forward/unshadowed.glsl";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a technique knows of light at points that are in no G-buffer.
+ * A technique's light at points without a G-buffer, as parts of VTK's own shaders.
  */
 #pragma once
 
@@ -17,29 +17,28 @@ class vtkOpenGLState;
 
 namespace penumbra
 {
-/// A program of VTK's that is in use, as the part of one technique in it sees it: the part's uniforms go by
-/// the names that the technique gave them.
+/// One of VTK's programs, as seen by one technique's part of it: uniforms have the names of that part.
 class ForwardProgram : public Program
 {
 public:
-  /// field: what "field" at the beginning of a name became, as in FieldName().
+  /// field: replaces "field" at the beginning of names, see FieldName().
   ForwardProgram(GLuint program, std::string field, bool volume);
 
-  /// Before the part's uniforms are set. units: for its textures.
+  /// Call before the part's inputs are set. units: texture units for its textures.
   void Begin(vtkOpenGLState* state, const int* units);
 
   bool IsOfVolume() const { return this->Volume; }
 
-  /// Set the uniforms that the program uses, and bind its blocks.
+  /// Set those uniforms that the program uses, and bind its blocks.
   void Set(const Arguments& arguments) const;
 
-  /// Have a uniform read a texture, by the next of the part's units.
+  /// Bind a texture to the next of the part's units, and set its sampler.
   void SetTexture(const char* uniform, GLuint texture);
 
-  /// For the parts of probes (probes/forward.glsl): their coordinates are those of the world, from an origin on.
+  /// Set the uniforms of probes (probes/forward.glsl). origin: of their coordinates, in the world.
   void SetField(const glm::dmat4& viewToWorld, const glm::dvec3& origin, double intensity) const;
 
-  /// What "field" becomes in the part of that number.
+  /// Replacement of "field" in names of the part with this number.
   static std::string FieldName(std::size_t number) { return "giField" + std::to_string(number); }
 
 protected:
@@ -55,11 +54,11 @@ private:
 /// A technique's part of the shaders of what VTK draws itself.
 struct ForwardPart
 {
-  std::string Source; ///< a shader part with functions that its user names; "" for none
-  Defines OnSurfaces; ///< its variant for translucent surfaces
-  Defines InVolumes;
-  int Textures = 0; ///< that Bind sets
-  /// Set what the part needs in a program that is about to draw.
+  std::string Source; ///< shader file that defines the functions of the part; "" for none
+  Defines OnSurfaces; ///< variant for translucent surfaces
+  Defines InVolumes;  ///< variant for volumes
+  int Textures = 0;   ///< number of textures that Bind sets
+  /// Sets the part's inputs in a program that is about to draw.
   std::function<void(ForwardProgram& program)> Bind;
 
   bool IsEmpty() const { return this->Source.empty(); }
@@ -70,18 +69,18 @@ struct ForwardPart
   }
 };
 
-/// What lights that which VTK draws itself in a frame.
+/// The light of a frame for everything that VTK draws itself.
 struct ForwardLight
 {
-  ForwardPart Visibility; ///< what of the lamps arrives: giVisibility(), see forward/lights.glsl
-  /// Indirect light: fieldIndirect() and others, see forward/indirect.glsl, in the order in which they count.
+  ForwardPart Visibility; ///< visibility of the lights: giVisibility(), see forward/lights.glsl
+  /// Indirect light: fieldIndirect() and others, see forward/indirect.glsl, in order of preference.
   std::vector<ForwardPart> Indirect;
-  double Kept = 1.0; ///< of the lamps' strength
+  double DirectScale = 1.0; ///< factor of the lights' strength
 
-  /// Take a share of the lamps' strength and spread it evenly over all directions, instead of indirect light.
-  /// total: the lamps' colours added up.
+  /// Take a share of the lights' strength and spread it evenly over all directions, in place of indirect light.
+  /// total: sum of the lights' colours.
   void Spread(double share, const glm::dvec3& total);
-  bool IsSpread() const { return this->Kept < 1.0; }
+  bool IsSpread() const { return this->DirectScale < 1.0; }
 
   bool IsEmpty() const { return this->Visibility.IsEmpty() && this->Indirect.empty(); }
   bool HasShadersOf(const ForwardLight& other) const;

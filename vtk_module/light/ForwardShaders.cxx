@@ -11,15 +11,15 @@ namespace penumbra
 {
 namespace
 {
-const char* const DeclareHere = "//PENUMBRA::ForwardDec";
-const char* const ShadeHere = "//PENUMBRA::ForwardImpl";
+const char* const DeclarationTag = "//PENUMBRA::ForwardDec";
+const char* const ShadingTag = "//PENUMBRA::ForwardImpl";
 
-void Substitute(std::string& text, const std::string& what, const std::string& by)
+void Substitute(std::string& text, const std::string& tag, const std::string& replacement)
 {
-  vtkShaderProgram::Substitute(text, what, by);
+  vtkShaderProgram::Substitute(text, tag, replacement);
 }
 
-// Where a volume's shader begins to add up what its lights give, npos where it has no lights.
+// Position where a volume's shader starts to loop over the lights; npos if it has none.
 std::size_t LightLoop(const std::string& text)
 {
   std::size_t loop = std::string::npos;
@@ -31,8 +31,8 @@ std::size_t LightLoop(const std::string& text)
   return lighting == std::string::npos || !Contains(text, "g_dataPos") ? std::string::npos : loop;
 }
 
-// A sample's place in view coordinates, by the names that different versions have for it.
-std::string PlaceOfSample(const std::string& text)
+// Expression for a sample's position in view coordinates. Names depend on VTK's version.
+std::string SamplePosition(const std::string& text)
 {
   return Contains(text, "g_texToView") ? "g_texToView * vec4(g_dataPos, 1.0)"
                                        : "in_modelViewMatrix * (in_volumeMatrix[0] * "
@@ -42,20 +42,20 @@ std::string PlaceOfSample(const std::string& text)
 
 void ForwardShaders::MarkSurface(std::string& text)
 {
-  Substitute(text, "//VTK::Light::Dec", std::string("//VTK::Light::Dec\n") + DeclareHere);
-  Substitute(text, "//VTK::Light::Impl", std::string(ShadeHere) + "\n//VTK::Light::Impl");
+  Substitute(text, "//VTK::Light::Dec", std::string("//VTK::Light::Dec\n") + DeclarationTag);
+  Substitute(text, "//VTK::Light::Impl", std::string(ShadingTag) + "\n//VTK::Light::Impl");
 }
 
 void ForwardShaders::MarkVolume(std::string& text)
 {
   const std::string tag = "//VTK::ComputeLighting::Dec";
-  Substitute(text, tag, std::string(DeclareHere) + "\n" + tag);
+  Substitute(text, tag, std::string(DeclarationTag) + "\n" + tag);
 }
 
-std::string ForwardShaders::Parts(bool volume) const
+std::string ForwardShaders::IndirectSource(bool volume) const
 {
   std::string text = this->Shaders.Source("forward/needs.glsl");
-  const std::size_t count = std::min(this->Light.Indirect.size(), MostParts);
+  const std::size_t count = std::min(this->Light.Indirect.size(), MaximumParts);
   for (std::size_t i = 0; i < count; ++i)
   {
     const ForwardPart& part = this->Light.Indirect[i];
@@ -82,13 +82,13 @@ void ForwardShaders::Declare(std::string& text, bool volume, Defines visibility)
   }
   if (!this->Light.Indirect.empty())
   {
-    declarations += this->Parts(volume);
+    declarations += this->IndirectSource(volume);
   }
   Substitute(text, "//VTK::System::Dec", this->Shaders.Source("forward/head.glsl"));
-  Substitute(text, DeclareHere, declarations);
+  Substitute(text, DeclarationTag, declarations);
 }
 
-void ForwardShaders::DimLamps(std::string& text) const
+void ForwardShaders::ApplyVisibility(std::string& text) const
 {
   text = std::regex_replace(text, std::regex("uniform vec3 lightColor"), "uniform vec3 giColor");
   text = std::regex_replace(
@@ -96,7 +96,7 @@ void ForwardShaders::DimLamps(std::string& text) const
   text = std::regex_replace(text, std::regex("uniform vec3 giColor"), "uniform vec3 lightColor");
 }
 
-void ForwardShaders::AddAround(std::string& text) const
+void ForwardShaders::AddIndirect(std::string& text) const
 {
   const std::string pbr = "  vec3 color = iblDiffuse + iblSpecular;";
   const std::string phong = "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);";
@@ -117,27 +117,28 @@ void ForwardShaders::LightSurface(const ShaderTexts& texts) const
 {
   std::string& text = texts.Fragment;
   const bool lit = Contains(text, "lightColor0") && Contains(text, "vertexVC") &&
-    Contains(text, "normalVCVSOutput") && Contains(text, ShadeHere) && Contains(text, DeclareHere);
+    Contains(text, "normalVCVSOutput") && Contains(text, ShadingTag) &&
+    Contains(text, DeclarationTag);
   if (!lit)
   {
     return;
   }
-  std::string before;
+  std::string code;
   if (!this->Light.Visibility.IsEmpty())
   {
-    before += this->Shaders.Source("forward/surface.glsl", PassShape(texts, this->Shaders));
-    this->DimLamps(text);
+    code += this->Shaders.Source("forward/surface.glsl", PassShape(texts, this->Shaders));
+    this->ApplyVisibility(text);
   }
   if (!this->Light.Indirect.empty())
   {
-    before += this->Shaders.Source("forward/around.glsl");
-    this->AddAround(text);
+    code += this->Shaders.Source("forward/around.glsl");
+    this->AddIndirect(text);
   }
-  Substitute(text, ShadeHere, before);
+  Substitute(text, ShadingTag, code);
   this->Declare(text, false, this->Light.Visibility.OnSurfaces);
 }
 
-bool ForwardShaders::DimLampsOfVolume(std::string& text, Defines& variant) const
+bool ForwardShaders::ApplyVolumeVisibility(std::string& text, Defines& variant) const
 {
   const std::size_t loop = LightLoop(text);
   if (loop == std::string::npos)
@@ -148,7 +149,7 @@ bool ForwardShaders::DimLampsOfVolume(std::string& text, Defines& variant) const
   {
     variant["GI_POSITIONAL_FIRST"] = "1";
   }
-  text.insert(loop, "giArriveAt(" + PlaceOfSample(text) + ");\n  ");
+  text.insert(loop, "giArriveAt(" + SamplePosition(text) + ");\n  ");
   text = std::regex_replace(text,
     std::regex("in_light(Diffuse|Specular)Color\\[(posNum|dirNum|lightNum)\\]"),
     "giArrives[$2] * $&");
@@ -157,22 +158,23 @@ bool ForwardShaders::DimLampsOfVolume(std::string& text, Defines& variant) const
 
 bool ForwardShaders::AddScattered(std::string& text) const
 {
-  // Where a shaded sample's colour is made, before it is returned.
-  const std::string made = "finalColor.xyz = in_ambient[";
-  const std::size_t at = text.find(made);
-  const std::size_t end = at == std::string::npos ? at : text.find("finalColor.a = color.a;", at);
+  // Insert after the computation of a shaded sample's colour, before it is returned.
+  const std::string ambientTerm = "finalColor.xyz = in_ambient[";
+  const std::size_t begin = text.find(ambientTerm);
+  const std::size_t end =
+    begin == std::string::npos ? begin : text.find("finalColor.a = color.a;", begin);
   if (end == std::string::npos)
   {
     return false;
   }
-  const std::size_t name = at + made.size();
+  const std::size_t name = begin + ambientTerm.size();
   const std::string component = text.substr(name, text.find(']', name) - name);
   const bool several = Contains(text, "const int volIdx");
   const std::string gradient =
     Contains(text, "vec4 shading_gradient") ? "shading_gradient" : "gradient";
   text.insert(end,
     "finalColor.xyz += in_diffuse[" + component + "] * color.rgb * giScattered(" +
-      PlaceOfSample(text) + ", " + gradient +
+      SamplePosition(text) + ", " + gradient +
       (several ? ", in_textureToEye[volIdx + 1], in_cellSpacing[volIdx]"
                : ", in_textureToEye[0], in_cellSpacing[0]") +
       ");\n  ");
@@ -182,7 +184,8 @@ bool ForwardShaders::AddScattered(std::string& text) const
 void ForwardShaders::LightVolume(std::string& text) const
 {
   Defines variant = this->Light.Visibility.InVolumes;
-  const bool dimmed = !this->Light.Visibility.IsEmpty() && this->DimLampsOfVolume(text, variant);
+  const bool dimmed =
+    !this->Light.Visibility.IsEmpty() && this->ApplyVolumeVisibility(text, variant);
   const bool added = !this->Light.Indirect.empty() && this->AddScattered(text);
   if (dimmed || added)
   {
@@ -210,7 +213,7 @@ std::vector<std::pair<std::string, std::string>> ForwardShaders::Examples() cons
       std::string geometry;
       this->LightSurface({ vertex, geometry, text });
     }
-    // As VTK does with its outputs.
+    // VTK makes the same replacement.
     Substitute(text, "gl_FragData[0]", "fragOutput0");
     examples.emplace_back(name, text);
   }

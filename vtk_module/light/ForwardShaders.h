@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The one place that substitutes into VTK's templates for what VTK draws itself after the opaque props. The
- * inserted text itself lives in glsl/forward/ and in the techniques' folders.
+ * The only place that substitutes into VTK's templates for what VTK draws itself after the opaque props. The
+ * inserted text lives in glsl/forward/ and in the techniques' folders.
  */
 #pragma once
 
@@ -16,8 +16,8 @@ namespace penumbra
 class ForwardShaders
 {
 public:
-  /// So many parts that know indirect light are taken, the first ones.
-  static constexpr std::size_t MostParts = 2;
+  /// Maximum number of parts with indirect light; further ones are ignored.
+  static constexpr std::size_t MaximumParts = 2;
 
   ForwardShaders(const ShaderLibrary& shaders, const ForwardLight& light)
     : Shaders(shaders)
@@ -25,26 +25,26 @@ public:
   {
   }
 
-  /// Remember places in a fragment shader's template, before the mapper fills it in.
+  /// Insert tags into a fragment shader's template, before the mapper fills it in.
   static void MarkSurface(std::string& text);
   static void MarkVolume(std::string& text);
 
-  /// Light what the mapper has filled in; as it is where it is not lit.
+  /// Add light to a shader that the mapper has filled in. Unlit shaders stay unchanged.
   void LightSurface(const ShaderTexts& texts) const;
   void LightVolume(std::string& text) const;
 
-  /// What VTK would come to: small shaders like its own, lit; by name.
+  /// Small shaders that resemble VTK's, with light added, by name.
   std::vector<std::pair<std::string, std::string>> Examples() const;
 
-  /// Throws std::runtime_error, naming the example and with the compiler's message, where one does not compile.
+  /// Throws std::runtime_error, with the example's name and the compiler's message, if one does not compile.
   void Check() const;
 
 private:
   void Declare(std::string& text, bool volume, Defines visibility) const;
-  std::string Parts(bool volume) const;
-  void AddAround(std::string& text) const;
-  void DimLamps(std::string& text) const;
-  bool DimLampsOfVolume(std::string& text, Defines& variant) const;
+  std::string IndirectSource(bool volume) const;
+  void AddIndirect(std::string& text) const;
+  void ApplyVisibility(std::string& text) const;
+  bool ApplyVolumeVisibility(std::string& text, Defines& variant) const;
   bool AddScattered(std::string& text) const;
 
   const ShaderLibrary& Shaders;

@@ -11,29 +11,30 @@
 
 namespace penumbra
 {
-Defines OpenDirection(const FrameContext& context, Arguments& given)
+Defines OpenDirection(const FrameContext& context, Arguments& arguments)
 {
   const Texture* openness = context.Input(resource::AmbientVisibility);
   if (!openness || openness->Desc().Format != GL_RGBA16)
   {
     return {};
   }
-  given.Sample("openTexture", openness);
+  arguments.Sample("openTexture", openness);
   return { { "GI_BENT", "1" } };
 }
 
-void ContributeIndirectLight(
-  Frame& frame, const LightTable& lamps, SceneCapture& capture, std::vector<IndirectLight> lights)
+void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCapture& capture,
+  std::vector<IndirectLight> lights)
 {
   if (lights.empty())
   {
     return;
   }
-  const bool knowsLamps = std::any_of(
-    lights.begin(), lights.end(), [](const IndirectLight& light) { return light.KnowsLamps; });
-  // What the capture leaves needs neither a target of its own, nor clearing and reading that.
-  // Without lights VTK shows colours as they are.
-  const bool started = !lamps.Lights().empty() && capture.StartForAmbient(resource::Irradiance);
+  const bool hasDirectLight = std::any_of(lights.begin(), lights.end(),
+    [](const IndirectLight& light) { return light.IncludesDirectLight; });
+  // If the capture starts the irradiance, no separate target has to be cleared and read. Without lights VTK shows
+  // unlit colours.
+  const bool captureStarts =
+    !lightTable.Lights().empty() && capture.StartForAmbient(resource::Irradiance);
   for (std::size_t number = 0; number < lights.size(); ++number)
   {
     const IndirectLight& light = lights[number];
@@ -45,34 +46,34 @@ void ContributeIndirectLight(
       exists ? pass.DrawOver(name, order)
              : pass.Write(name, frame.WindowTexture(GL_RGBA16F));
     };
-    target(resource::Irradiance, started || !first);
-    if (knowsLamps && (first || light.KnowsLamps))
+    target(resource::Irradiance, captureStarts || !first);
+    if (hasDirectLight && (first || light.IncludesDirectLight))
     {
       target(resource::LampLight, !first);
     }
     light.Declare(pass);
     pass.Read(resource::Depth)
       .ReadIfPresent(resource::AmbientVisibility)
-      .Execute([light, knowsLamps, started, first](FrameContext& context) {
+      .Execute([light, hasDirectLight, captureStarts, first](FrameContext& context) {
         const std::vector<const char*> irradiance = { resource::Irradiance };
         const std::vector<const char*> both = { resource::Irradiance, resource::LampLight };
         ScopedState scope(context.State());
         if (first)
         {
-          context.BindTarget(knowsLamps ? both : irradiance, resource::Depth);
+          context.BindTarget(hasDirectLight ? both : irradiance, resource::Depth);
           constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
-          for (GLint target = started ? 1 : 0; target < (knowsLamps ? 2 : 1); ++target)
+          for (GLint target = captureStarts ? 1 : 0; target < (hasDirectLight ? 2 : 1); ++target)
           {
             glClearBufferfv(GL_COLOR, target, nothing);
           }
         }
         scope.Set(GL_DEPTH_TEST, false);
         scope.DepthMask(false);
-        // Over nothing there is nothing to blend with, and blending takes time.
+        // The first draw has nothing to blend with, and blending takes time.
         scope.Set(GL_BLEND, !first);
         context.State()->vtkglBlendFuncSeparate(
           GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-        context.BindTarget(light.KnowsLamps ? both : irradiance, resource::Depth);
+        context.BindTarget(light.IncludesDirectLight ? both : irradiance, resource::Depth);
         light.Draw(context);
       });
   }

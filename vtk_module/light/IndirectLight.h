@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which technique's indirect diffuse light a pixel takes: the first of those enabled that knows it.
+ * Diffuse indirect light of several techniques: a pixel takes it from the first enabled one that has any there.
  */
 #pragma once
 
@@ -19,37 +19,37 @@ class PassDeclaration;
 class LightTable;
 class SceneCapture;
 
-/// By how much is known of a surface point: earlier ones come first.
+/// Kinds of indirect light, in order of preference.
 enum class IndirectKind
 {
-  BakedOnSurfaces, ///< at this very point
-  LiveProbes,      ///< around it, as things are now
-  BakedProbes      ///< around it, as things were
+  BakedOnSurfaces, ///< baked at the very point
+  LiveProbes,      ///< around the point, for the current scene
+  BakedProbes      ///< around the point, for the baked scene
 };
 
-/// What a technique knows of indirect light, on the surfaces in the G-buffer and elsewhere.
+/// A technique's indirect light, on the surfaces in the G-buffer and elsewhere.
 struct IndirectLight
 {
   IndirectKind Kind;
-  /// Declare what a pass reads that draws over resource::Irradiance, and what it executes. That is bound with the depth
-  /// that the props left, tests and writing of depth off: rgb what arrives divided by pi, times a; a the share of the
-  /// pixel's light that is known, 0 to 1. What is drawn later counts where and as far as a is below 1.
+  /// Declares what the drawing pass reads.
   std::function<void(PassDeclaration&)> Declare;
-  /// Draw it.
+  /// Draws over resource::Irradiance, which is bound with the props' depth; depth test and depth writes are off.
+  /// Outputs a, the share of the pixel's light that the technique supplies, 0 to 1, and in rgb the irradiance divided
+  /// by pi, times a. Later techniques fill up what is missing where a is below 1.
   std::function<void(FrameContext&)> Draw;
-  /// For translucent surfaces and volumes, see forward/indirect.glsl; empty where it knows nothing of those.
+  /// Light for translucent surfaces and volumes, see forward/indirect.glsl; empty if there is none.
   ForwardPart Forward;
-  /// Draw knows what arrives straight from lamps, too, but for those that follow the camera, and writes it to
-  /// resource::LampLight, in the same way, as the second output: such lamps light the matter there no more.
-  bool KnowsLamps = false;
+  /// Draw also writes the direct light of all lights that do not follow the camera, in the same way, to a second
+  /// output, resource::LampLight. The direct light then skips those lights there, except for highlights.
+  bool IncludesDirectLight = false;
 };
 
-/// For probes/gather.glsl: the variant that reads the mean direction that light comes from past what is near, where it is
-/// known, and in given the texture that has it.
-Defines OpenDirection(const FrameContext& context, Arguments& given);
+/// Variant of probes/gather.glsl that looks up light along the mean unoccluded direction, if ambient occlusion wrote
+/// one. Its texture is added to arguments.
+Defines OpenDirection(const FrameContext& context, Arguments& arguments);
 
-/// Add the passes that make resource::Irradiance, and resource::LampLight where one knows it, of what the techniques
-/// know, in their order.
-void ContributeIndirectLight(
-  Frame& frame, const LightTable& lamps, SceneCapture& capture, std::vector<IndirectLight> lights);
+/// Add the passes that draw resource::Irradiance, and resource::LampLight if any technique supplies it. lights: in
+/// order of preference.
+void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCapture& capture,
+  std::vector<IndirectLight> lights);
 }

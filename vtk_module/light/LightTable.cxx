@@ -14,7 +14,7 @@ namespace penumbra
 {
 void LightTable::Collect(vtkOpenGLRenderer* renderer)
 {
-  this->All.clear();
+  this->Entries.clear();
   this->Positional = false;
   vtkTransform* toView = renderer->GetActiveCamera()->GetModelViewTransformObject();
   vtkTransform* userTransform = renderer->GetUserLightTransform();
@@ -57,37 +57,37 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
     entry.Headlight = light->LightTypeIsHeadlight() != 0;
     entry.FollowsCamera = light->LightTypeIsSceneLight() == 0;
     this->Positional |= entry.Positional;
-    this->All.push_back(entry);
+    this->Entries.push_back(entry);
   }
-  // VTK's own verdict, which lights that are off sway too.
-  this->SingleHeadlight = this->All.size() == 1 && renderer->GetLightingComplexity() == 1;
+  // VTK's own decision, which also depends on lights that are off.
+  this->SingleHeadlight = this->Entries.size() == 1 && renderer->GetLightingComplexity() == 1;
 }
 
 LightTable::Shadowed LightTable::AssignMask(int maximum)
 {
   Shadowed shadowed;
-  for (std::size_t i = 0; i < this->All.size(); ++i)
+  for (std::size_t i = 0; i < this->Entries.size(); ++i)
   {
-    if (this->All[i].MaskChannel >= 0)
+    if (this->Entries[i].MaskChannel >= 0)
     {
       return {};
     }
-    if (!this->All[i].Headlight && glm::length(this->All[i].Color) > 0.0)
+    if (!this->Entries[i].Headlight && glm::length(this->Entries[i].Color) > 0.0)
     {
       shadowed.With.push_back(i);
     }
   }
-  // Strongest first: their missing shadows would be seen most.
+  // Strongest first, because their missing shadows would be most visible.
   std::stable_sort(
     shadowed.With.begin(), shadowed.With.end(), [this](std::size_t a, std::size_t b) {
-      return glm::length(this->All[a].Color) > glm::length(this->All[b].Color);
+      return glm::length(this->Entries[a].Color) > glm::length(this->Entries[b].Color);
     });
-  const std::size_t most = std::min(shadowed.With.size(), static_cast<std::size_t>(maximum));
-  shadowed.Without = static_cast<int>(shadowed.With.size() - most);
-  shadowed.With.resize(most);
-  for (std::size_t channel = 0; channel < most; ++channel)
+  const std::size_t count = std::min(shadowed.With.size(), static_cast<std::size_t>(maximum));
+  shadowed.Without = static_cast<int>(shadowed.With.size() - count);
+  shadowed.With.resize(count);
+  for (std::size_t channel = 0; channel < count; ++channel)
   {
-    this->All[shadowed.With[channel]].MaskChannel = static_cast<int>(channel);
+    this->Entries[shadowed.With[channel]].MaskChannel = static_cast<int>(channel);
   }
   return shadowed;
 }
@@ -95,14 +95,14 @@ LightTable::Shadowed LightTable::AssignMask(int maximum)
 glm::dvec3 LightTable::TotalColor() const
 {
   glm::dvec3 total(0.0);
-  for (const auto& light : this->All)
+  for (const auto& light : this->Entries)
   {
     total += light.Color;
   }
   return total;
 }
 
-shared::LightData LightTable::Entry(const Light& light, double scale) const
+shared::LightData LightTable::MakeData(const Light& light, double scale) const
 {
   shared::LightData entry;
   const double cone = light.IsCone() ? std::cos(glm::radians(light.ConeAngle)) : -2.0;
@@ -131,21 +131,22 @@ Arguments LightTable::InWorld(const glm::dvec3& origin)
 
 Arguments LightTable::Describe(const Buffer& block) const
 {
-  return Arguments().Block("LightBlock", block).Set(
-    "lightCount", static_cast<int>(this->All.size()));
+  return Arguments()
+    .Block("LightBlock", block)
+    .Set("lightCount", static_cast<int>(this->Entries.size()));
 }
 
 void LightTable::Upload()
 {
-  // An empty buffer may not be bound.
-  const std::size_t count = std::max<std::size_t>(this->All.size(), 1);
+  // An empty buffer cannot be bound.
+  const std::size_t count = std::max<std::size_t>(this->Entries.size(), 1);
   std::vector<shared::LightData> inView(count);
   std::vector<shared::LightData> inWorld(count);
-  for (std::size_t i = 0; i < this->All.size(); ++i)
+  for (std::size_t i = 0; i < this->Entries.size(); ++i)
   {
-    const Light& light = this->All[i];
-    inView[i] = this->Entry(light, this->ViewScale);
-    inWorld[i] = this->Entry(light, 1.0);
+    const Light& light = this->Entries[i];
+    inView[i] = this->MakeData(light, this->ViewScale);
+    inWorld[i] = this->MakeData(light, 1.0);
     inWorld[i].Direction = glm::vec4(light.WorldDirection, light.Exponent);
     inWorld[i].Position = glm::vec4(light.WorldPosition - this->WorldOrigin, 0.0);
   }

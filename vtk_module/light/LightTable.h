@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The lights of a frame as VTK means them: switched-on lights of a renderer in its order, in view
- * coordinates, with what a shadowing technique needs to know of each.
+ * The lights of a frame: the renderer's lights that are switched on, in its order, with what shadowing techniques
+ * need.
  */
 #pragma once
 
@@ -21,16 +21,16 @@ namespace penumbra
 struct Light
 {
   glm::dvec3 Color{ 0.0 };     ///< intensity times diffuse colour
-  glm::dvec3 Direction{ 0.0 }; ///< view coordinates, the way the light travels, unit length
+  glm::dvec3 Direction{ 0.0 }; ///< direction of travel, view coordinates, unit length
   glm::dvec3 Position{ 0.0 };  ///< view coordinates
   glm::dvec3 WorldDirection{ 0.0 };
   glm::dvec3 WorldPosition{ 0.0 };
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
-  double ConeAngle = 90.0; ///< degrees, half aperture; 90 and more shine all round
+  double ConeAngle = 90.0; ///< half aperture in degrees; 90 and more means omnidirectional
   double Exponent = 1.0;
   bool Positional = false;
-  bool Headlight = false;     ///< shines from the camera: what it does not reach is not seen
-  bool FollowsCamera = false; ///< a headlight, or one fixed in the camera's coordinates
+  bool Headlight = false;     ///< at the camera, so that its shadows are hidden
+  bool FollowsCamera = false; ///< a headlight, or a light fixed in camera coordinates
   int MaskChannel = -1;       ///< channel of the direct visibility mask, -1 for none
 
   bool IsCone() const { return this->Positional && this->ConeAngle < 90.0; }
@@ -39,35 +39,35 @@ struct Light
 class LightTable
 {
 public:
-  /// Read the renderer's lights, after it updated their geometry.
+  /// Read the renderer's lights. Call after the renderer updated their geometry.
   void Collect(vtkOpenGLRenderer* renderer);
 
-  std::vector<Light>& Lights() { return this->All; }
-  const std::vector<Light>& Lights() const { return this->All; }
+  std::vector<Light>& Lights() { return this->Entries; }
+  const std::vector<Light>& Lights() const { return this->Entries; }
 
-  /// A single headlight and nothing else, which VTK lights by a formula of its own.
+  /// Whether the only light is a headlight, for which VTK has a special formula.
   bool IsSingleHeadlight() const { return this->SingleHeadlight; }
   bool HasPositional() const { return this->Positional; }
 
-  /// Lights that cast shadows, in the order of their channels of the direct visibility mask.
+  /// Lights that cast shadows.
   struct Shadowed
   {
-    std::vector<std::size_t> With;
-    int Without = 0; ///< how many would but exceed the maximum
+    std::vector<std::size_t> With; ///< indices, in the order of their mask channels
+    int Without = 0;               ///< number of lights beyond the maximum, which cast none
   };
-  /// Give every light that casts shadows a channel of the mask, the strongest first, unless another
-  /// technique did so before: then there are none. Headlights cast no shadow that their eye sees.
+  /// Give every light that casts shadows a channel of the direct visibility mask, strongest first. Returns none if
+  /// another technique already did. Headlights get no channel, because their shadows are hidden.
   Shadowed AssignMask(int maximum);
 
-  /// The colours of all lights added up.
+  /// The sum of all lights' colours.
   glm::dvec3 TotalColor() const;
 
-  /// For shaders that include shared/light.h, with lightCount: in view coordinates, with every light's strength
-  /// scaled,
+  /// The lights for shaders that include shared/light.h, and lightCount. In view coordinates, with their strength
+  /// scaled:
   Arguments InView(double scale);
-  /// or in the world's, relative to an origin, one for all who ask.
+  /// In world coordinates relative to an origin, which must be the same in all calls of a frame:
   Arguments InWorld(const glm::dvec3& origin);
-  /// Once all have asked and channels of masks are assigned, before shaders run.
+  /// Upload the lights after all calls of InView(), InWorld() and AssignMask(), before shaders run.
   void Upload();
 
   void ReleaseGraphicsResources()
@@ -77,10 +77,10 @@ public:
   }
 
 private:
-  shared::LightData Entry(const Light& light, double scale) const;
+  shared::LightData MakeData(const Light& light, double scale) const;
   Arguments Describe(const Buffer& block) const;
 
-  std::vector<Light> All;
+  std::vector<Light> Entries;
   bool SingleHeadlight = false;
   bool Positional = false;
   double ViewScale = 1.0;

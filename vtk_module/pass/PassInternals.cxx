@@ -29,7 +29,7 @@ vtkGIPass::Internals::Internals()
     technique->SetViews(this);
   }
   this->Forward->SetShaders(&this->Shaders);
-  this->Guard->SetFree([this] { this->Free(); });
+  this->Guard->SetFree([this] { this->FreeResources(); });
 }
 
 vtkGIPass::Internals::~Internals()
@@ -37,11 +37,12 @@ vtkGIPass::Internals::~Internals()
   this->Guard->Leave();
   for (auto& technique : this->Techniques)
   {
-    technique->SetViews(nullptr); // it may live longer
+    technique->SetViews(nullptr); // users may keep the technique
   }
 }
 
-const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer* renderer) const
+const vtkGIPass::Internals::ViewRecord* vtkGIPass::Internals::FindRecord(
+  vtkRenderer* renderer) const
 {
   for (const auto& view : this->Views)
   {
@@ -55,25 +56,25 @@ const vtkGIPass::Internals::Memory* vtkGIPass::Internals::FindMemory(vtkRenderer
 
 const ViewState* vtkGIPass::Internals::FindView(vtkRenderer* renderer) const
 {
-  const Memory* memory = this->FindMemory(renderer);
-  return memory ? &memory->States : nullptr;
+  const ViewRecord* record = this->FindRecord(renderer);
+  return record ? &record->States : nullptr;
 }
 
 void vtkGIPass::Internals::Restart()
 {
-  ++this->Restarts; // views that are not known yet count, too
+  ++this->Restarts; // also applies to views that do not exist yet
 }
 
-vtkGIPass::Internals::Memory& vtkGIPass::Internals::Remember(vtkRenderer* renderer)
+vtkGIPass::Internals::ViewRecord& vtkGIPass::Internals::FindOrAddRecord(vtkRenderer* renderer)
 {
-  Memory& memory = this->Views[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
-  if (!memory.Renderer)
+  ViewRecord& record = this->Views[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
+  if (!record.Renderer)
   {
-    memory = Memory(); // another renderer at a dead one's address
-    memory.Renderer = renderer;
-    memory.Name = std::to_string(++this->ViewsMade);
+    record = ViewRecord(); // a new view, or a new renderer at the address of a deleted one
+    record.Renderer = renderer;
+    record.Name = std::to_string(++this->ViewCount);
   }
-  return memory;
+  return record;
 }
 
 bool vtkGIPass::Internals::ShowTile(
@@ -82,7 +83,7 @@ bool vtkGIPass::Internals::ShowTile(
   vtkRenderer* renderer = state->GetRenderer();
   if (join && !renderer->GetSelector() && WholePicture::IsTile(renderer))
   {
-    return this->Remember(renderer).Whole.Show(state, draw);
+    return this->FindOrAddRecord(renderer).Whole.Show(state, draw);
   }
   for (auto& view : this->Views)
   {
@@ -111,7 +112,7 @@ std::string vtkGIPass::Internals::CheckContext()
 
 namespace
 {
-// So that depth can be copied; 0 where it cannot.
+// Format of the bound depth buffer, so that depth can be copied; 0 if it cannot be.
 GLenum BoundDepthFormat()
 {
   const TextureDesc desc = { BoundFormat(GL_DEPTH_ATTACHMENT), 0, 0, 0 };
@@ -119,13 +120,13 @@ GLenum BoundDepthFormat()
 }
 }
 
-View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
+View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, ViewRecord& record)
 {
   View view;
   const int* size = renderer->GetRenderWindow()->GetActualSize();
   renderer->GetTiledSizeAndOrigin(
     &view.Viewport.z, &view.Viewport.w, &view.Viewport.x, &view.Viewport.y);
-  // A picture larger than the window is drawn to a framebuffer of its size.
+  // A picture that is larger than the window is drawn to a framebuffer of the picture's size.
   view.WindowSize = { std::max(size[0], view.Viewport.x + view.Viewport.z),
     std::max(size[1], view.Viewport.y + view.Viewport.w) };
   view.WorldToView = CameraOverride::WorldToView(renderer);
@@ -141,12 +142,12 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, Memory& memory)
       view.Bounds[3] - view.Bounds[2], view.Bounds[5] - view.Bounds[4]));
   }
   const SceneSignature signature = this->Sign(renderer, view);
-  view.Changes = signature.ChangesSince(memory.Signature);
-  memory.StillFrames = view.Changes.Any ? 0 : memory.StillFrames;
-  view.StillFrames = memory.StillFrames;
-  view.Sequence = memory.StillFrames;
-  view.FrameNumber = memory.FrameNumber;
-  view.FirstFrame = memory.FirstFrame;
+  view.Changes = signature.ChangesSince(record.Signature);
+  record.StillFrames = view.Changes.Any ? 0 : record.StillFrames;
+  view.StillFrames = record.StillFrames;
+  view.Sequence = record.StillFrames;
+  view.FrameNumber = record.FrameNumber;
+  view.FirstFrame = record.FirstFrame;
   return view;
 }
 
@@ -157,7 +158,7 @@ SceneSignature vtkGIPass::Internals::Sign(vtkOpenGLRenderer* renderer, const Vie
   {
     time = std::max(time, technique->GetMTime());
   }
-  return SceneSignature::Of(renderer, view, time, this->Dark);
+  return SceneSignature::Of(renderer, view, time, this->Placeholder);
 }
 
 std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderState* state)
@@ -169,34 +170,34 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   {
     return problem;
   }
-  Memory& memory = this->Remember(renderer);
-  const bool alone = memory.Restarts != this->Restarts;
-  if (alone)
+  ViewRecord& record = this->FindOrAddRecord(renderer);
+  const bool standsAlone = record.Restarts != this->Restarts;
+  if (standsAlone)
   {
-    memory.Restarts = this->Restarts;
-    memory.StillFrames = 0;
-    memory.FirstFrame = memory.FrameNumber;
-    memory.Motion = MotionTable(); // nothing is reprojected from before
+    record.Restarts = this->Restarts;
+    record.StillFrames = 0;
+    record.FirstFrame = record.FrameNumber;
+    record.Motion = MotionTable(); // nothing is reprojected from earlier frames
   }
   try
   {
-    if (this->ShaderPath != this->Shaders.OverrideFolder() || this->ShadersUnchecked)
+    if (this->ShaderPath != this->Shaders.OverrideFolder() || this->ShadersInvalid)
     {
-      this->ShadersUnchecked = true;
+      this->ShadersInvalid = true;
       this->Shaders.SetOverrideFolder(this->ShaderPath);
       this->Capture.ReloadShaders();
       this->Forward->ReloadShaders();
-      this->ShadersUnchecked = false;
+      this->ShadersInvalid = false;
     }
-    this->DrawFrame(self, state, memory, alone);
-    ++memory.StillFrames;
-    ++memory.FrameNumber;
+    this->DrawFrame(self, state, record, standsAlone);
+    ++record.StillFrames;
+    ++record.FrameNumber;
   }
   catch (const std::exception& error)
   {
     problem = error.what();
   }
-  this->Pool.EndFrame(memory.Name);
+  this->Pool.EndFrame(record.Name);
   for (auto it = this->Views.begin(); it != this->Views.end();)
   {
     if (it->second.Renderer)
@@ -205,7 +206,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       continue;
     }
     this->Pool.ForgetView(it->second.Name);
-    this->Worlds.erase(it->first.first);
+    this->RayScenes.erase(it->first.first);
     it = this->Views.erase(it);
   }
   return problem;
@@ -224,8 +225,8 @@ void vtkGIPass::Internals::SkipFrame(vtkRenderer* renderer)
 
 namespace
 {
-// VTK's depth buffer as a texture, where it can be bound and sampled as such: not if it is
-// multisampled, or if another pass has bound a framebuffer of its own.
+// VTK's depth buffer as a texture. nullptr if it cannot be sampled, because it is multisampled or another pass has
+// bound its own framebuffer.
 std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound)
 {
   vtkOpenGLFramebufferObject* framebuffer = window->GetRenderFramebuffer();
@@ -243,23 +244,22 @@ std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound
 }
 
 void vtkGIPass::Internals::DrawFrame(
-  vtkGIPass* self, const vtkRenderState* state, Memory& memory, bool alone)
+  vtkGIPass* self, const vtkRenderState* state, ViewRecord& record, bool standsAlone)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  View view = this->MakeView(renderer, memory);
+  View view = this->MakeView(renderer, record);
   view.KeepsRadiance = self->GetKeepRadiance();
-  view.StandsAlone = alone;
+  view.StandsAlone = standsAlone;
   this->Capture.Collect(state);
   this->Lights.Collect(renderer);
 
   const View unshifted = view;
   FrameGraph graph;
-  RayProps& rays = this->Worlds[renderer];
+  RayProps& rays = this->RayScenes[renderer];
   LightingPlan plan;
-  FrameBuilder builder(
-    graph, view, this->Lights, this->Capture, rays, memory.Motion, memory.States, plan, renderer,
-    this->Pool, memory.Name);
+  FrameBuilder builder(graph, view, this->Lights, this->Capture, rays, record.Motion, record.States,
+    plan, renderer, this->Pool, record.Name);
   for (auto& technique : this->Techniques)
   {
     technique->SetTookPart(false);
@@ -284,17 +284,17 @@ void vtkGIPass::Internals::DrawFrame(
     builder, this->Lights, this->Capture, builder.GetIndirectLights());
   if (!builder.GetIndirectLights().empty())
   {
-    this->Dark.Add(renderer);
+    this->Placeholder.Add(renderer);
   }
   this->Capture.Contribute(builder);
   ContributeSky(builder, this->Capture.Skies());
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
       plan.SpreadShare(), plan.Interreflection() });
-  memory.Radiance = nullptr;
+  record.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {
-    this->KeepRadiance(builder, memory);
+    this->KeepRadiance(builder, record);
   }
   graph.Compile();
   this->Lights.Upload();
@@ -306,13 +306,13 @@ void vtkGIPass::Internals::DrawFrame(
   target.Depth = depth.get();
   GpuTimer timer;
   FrameExecutor executor(
-    this->Pool, this->Shaders, view, renderer, target, this->Held, memory.Name, this->ViewBlock);
+    this->Pool, this->Shaders, view, renderer, target, this->Held, record.Name, this->ViewBlock);
   const int skies = DrawSkies(renderer, this->Capture.Skies());
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + skies + this->Capture.DrawOthers(renderer);
   this->Forward->SetLights(this->Lights, builder.GetForwardLight());
-  // Signed after drawing, as drawing brings pipelines and lights up to date.
-  memory.Signature = this->Sign(renderer, unshifted);
+  // The signature is taken after drawing, because drawing updates pipelines and lights.
+  record.Signature = this->Sign(renderer, unshifted);
   if (self->GetCollectStatistics())
   {
     this->WriteStatistics(timer.Collect(), view);
@@ -321,7 +321,7 @@ void vtkGIPass::Internals::DrawFrame(
 
 namespace
 {
-// Four floats a pixel, bottom row first. Returns the first of them.
+// Read a texture into an image of four floats per pixel, bottom row first. Returns the first value.
 float* ReadTexture(const Texture& texture, vtkImageData* image)
 {
   image->SetDimensions(texture.Desc().Width, texture.Desc().Height, 1);
@@ -334,32 +334,32 @@ float* ReadTexture(const Texture& texture, vtkImageData* image)
 }
 }
 
-void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, Memory& memory)
+void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, ViewRecord& record)
 {
   frame.AddPass("keep-radiance")
     .Read(resource::Radiance)
     .Read(resource::Albedo)
     .ReadIfPresent(resource::Sky)
     .SideEffect()
-    .Execute([&memory](FrameContext& context) {
+    .Execute([&record](FrameContext& context) {
       const Texture* radiance = context.Input(resource::Radiance);
       auto kept = vtkSmartPointer<vtkImageData>::New();
       float* values = ReadTexture(*radiance, kept);
       vtkNew<vtkImageData> albedo;
-      const float* captured = ReadTexture(*context.Input(resource::Albedo), albedo);
+      const float* albedoValues = ReadTexture(*context.Input(resource::Albedo), albedo);
       for (vtkIdType i = 3; i < 4 * kept->GetNumberOfPoints(); i += 4)
       {
-        values[i] = context.Input(resource::Sky) ? 1.0f : captured[i];
+        values[i] = context.Input(resource::Sky) ? 1.0f : albedoValues[i];
       }
-      memory.Radiance = kept;
+      record.Radiance = kept;
     });
 }
 
 bool vtkGIPass::Internals::ReadHistory(
   vtkRenderer* renderer, const std::string& name, vtkImageData* image)
 {
-  const Memory* memory = this->FindMemory(renderer);
-  const Texture* texture = memory ? this->Pool.FindHistory(memory->Name, name) : nullptr;
+  const ViewRecord* record = this->FindRecord(renderer);
+  const Texture* texture = record ? this->Pool.FindHistory(record->Name, name) : nullptr;
   const bool readable = texture && texture->Target() == GL_TEXTURE_2D &&
     (texture->Desc().Format == GL_RGBA32F || texture->Desc().Format == GL_RGBA16F);
   if (!readable || !image || !this->Guard->Window())
@@ -373,12 +373,12 @@ bool vtkGIPass::Internals::ReadHistory(
 
 bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* image)
 {
-  const Memory* memory = this->FindMemory(renderer);
-  if (!memory || !image || !memory->Radiance)
+  const ViewRecord* record = this->FindRecord(renderer);
+  if (!record || !image || !record->Radiance)
   {
     return false;
   }
-  image->DeepCopy(memory->Radiance);
+  image->DeepCopy(record->Radiance);
   return true;
 }
 
@@ -410,7 +410,7 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
   }
 }
 
-void vtkGIPass::Internals::Free()
+void vtkGIPass::Internals::FreeResources()
 {
   for (auto& technique : this->Techniques)
   {
@@ -424,5 +424,5 @@ void vtkGIPass::Internals::Free()
   this->ViewBlock = Buffer();
   this->Views.clear();
   this->DrawnByRays = nullptr;
-  this->Worlds.clear();
+  this->RayScenes.clear();
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What stands behind vtkGIPass: the techniques, the GPU resources of one window, and the memory of
- * each view.
+ * The implementation of vtkGIPass: the techniques, the GPU resources of one window, and the state of each view.
  */
 #pragma once
 
@@ -16,7 +15,7 @@
 #include "graph/ViewState.h"
 #include "light/ForwardHooks.h"
 #include "light/LightTable.h"
-#include "pass/DarkLamp.h"
+#include "pass/PlaceholderLight.h"
 #include "pass/SceneSignature.h"
 #include "pass/WholePicture.h"
 #include "rays/RayProps.h"
@@ -33,42 +32,42 @@ public:
   Internals();
   ~Internals() override;
 
-  /// Everything is made in this window's context from now on, which becomes current.
+  /// Make this window's context current, and create all resources in it from now on.
   void Enter(vtkOpenGLRenderWindow* window) { this->Guard->Enter(window); }
 
-  /// Draw the opaque props of a frame. Returns the reason where that could not be done, else "".
+  /// Draw the opaque props of a frame. Returns the reason if that failed, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
-  /// The renderer's view has no pixels: nothing is drawn, and nothing is kept of an earlier frame as if it were.
+  /// Skip a frame without pixels, and drop the radiance of the previous frame.
   void SkipFrame(vtkRenderer* renderer);
 
-  /// Show a frame that is a tile of a larger picture, which draw draws, if tiles are joined. Returns false where
-  /// that is not so or could not be done; what was kept for a renderer's tiles goes where it shows none.
+  /// Show a frame that is a tile of a larger picture, which is drawn by draw, if tiles are joined. Returns false if
+  /// it is not a tile or that failed. The larger picture is freed if the renderer does not show a tile.
   bool ShowTile(const vtkRenderState* state, bool join, const penumbra::WholePicture::Draw& draw);
 
-  /// Free what is in this window's context; nullptr: whatever window.
+  /// Free the resources in this window's context; in any window's if nullptr.
   void ReleaseGraphicsResources(vtkWindow* window);
   void Restart();
   bool ReadHistory(vtkRenderer* renderer, const std::string& name, vtkImageData* image);
   bool ReadRadiance(vtkRenderer* renderer, vtkImageData* image);
 
-  /// One view is one renderer seen by one eye.
+  /// A view is one renderer seen by one eye.
   using ViewKey = std::pair<vtkRenderer*, int>;
-  struct Memory
+  struct ViewRecord
   {
     vtkWeakPointer<vtkRenderer> Renderer;
-    std::string Name; ///< of its textures in the pool
+    std::string Name; ///< name of its textures in the pool
     penumbra::SceneSignature Signature;
     penumbra::MotionTable Motion;
     penumbra::ViewState States;
     int StillFrames = 0;
-    int Restarts = 0; ///< of those of the pass, that its frames know of
+    int Restarts = 0; ///< the pass's Restarts at its last frame
     int FrameNumber = 0;
     int FirstFrame = 0;                     ///< since the last Restart()
-    vtkSmartPointer<vtkImageData> Radiance; ///< of the last frame, where it was kept
+    vtkSmartPointer<vtkImageData> Radiance; ///< radiance of the last frame, if it was kept
     penumbra::WholePicture Whole;           ///< larger than the window, while tiles are shown
   };
-  const Memory* FindMemory(vtkRenderer* renderer) const;
+  const ViewRecord* FindRecord(vtkRenderer* renderer) const;
   const penumbra::ViewState* FindView(vtkRenderer* renderer) const override;
 
   std::vector<vtkSmartPointer<vtkGITechnique>> Techniques;
@@ -77,21 +76,22 @@ public:
   std::string LastError;
   std::string Notes;
   std::string Statistics = "{}";
-  int Restarts = 0; ///< times that the next frame was to know nothing of those before
+  int Restarts = 0; ///< number of calls of Restart()
   int CapturedProps = 0;
-  penumbra::DarkLamp Dark; ///< while a picture is drawn
+  penumbra::PlaceholderLight Placeholder; ///< added while a picture is drawn
   penumbra::HeldTextures Held;
   vtkSmartPointer<vtkGIForwardHooks> Forward = vtkSmartPointer<vtkGIForwardHooks>::New();
-  const penumbra::RayProps* DrawnByRays = nullptr; ///< what rays drew all of in this frame
+  const penumbra::RayProps* DrawnByRays = nullptr; ///< scene that rays have drawn in this frame
 
 private:
-  void Free();
-  Memory& Remember(vtkRenderer* renderer); ///< of the eye that is drawn now
+  void FreeResources();
+  ViewRecord& FindOrAddRecord(vtkRenderer* renderer); ///< for the eye that is being drawn
   static std::string CheckContext();
-  penumbra::View MakeView(vtkOpenGLRenderer* renderer, Memory& memory);
+  penumbra::View MakeView(vtkOpenGLRenderer* renderer, ViewRecord& record);
   penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
-  void DrawFrame(vtkGIPass* self, const vtkRenderState* state, Memory& memory, bool alone);
-  void KeepRadiance(penumbra::FrameBuilder& frame, Memory& memory);
+  void DrawFrame(
+    vtkGIPass* self, const vtkRenderState* state, ViewRecord& record, bool standsAlone);
+  void KeepRadiance(penumbra::FrameBuilder& frame, ViewRecord& record);
   void WriteStatistics(
     const std::vector<penumbra::GpuTimer::Span>& spans, const penumbra::View& view);
 
@@ -99,10 +99,10 @@ private:
   penumbra::ResourcePool Pool;
   penumbra::SceneCapture Capture{ Shaders };
   penumbra::LightTable Lights;
-  std::map<ViewKey, Memory> Views;
-  std::map<vtkRenderer*, penumbra::RayProps> Worlds; ///< of renderers in Views
+  std::map<ViewKey, ViewRecord> Views;
+  std::map<vtkRenderer*, penumbra::RayProps> RayScenes; ///< one per renderer in Views
   penumbra::Buffer ViewBlock;
-  int ViewsMade = 0;
-  bool ShadersUnchecked = false; ///< the last folder's did not compile
+  int ViewCount = 0;
+  bool ShadersInvalid = false; ///< those of the last folder did not compile
   vtkNew<vtkGIContextGuard> Guard;
 };

@@ -20,7 +20,7 @@ namespace penumbra
 {
 namespace
 {
-double AsNumber(vtkMTimeType time)
+double ToNumber(vtkMTimeType time)
 {
   return static_cast<double>(time); // exact up to 2^53
 }
@@ -42,24 +42,24 @@ void SceneSignature::AddProp(vtkProp* prop)
   {
     return;
   }
-  vtkMTimeType moved = prop->GetRedrawMTime();
-  vtkMTimeType look = 0;
+  vtkMTimeType changeTime = prop->GetRedrawMTime();
+  vtkMTimeType appearanceTime = 0;
   prop->InitPathTraversal();
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {
     vtkProp* part = path->GetLastNode()->GetViewProp();
-    moved = std::max(moved, part->GetRedrawMTime());
+    changeTime = std::max(changeTime, part->GetRedrawMTime());
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      look = std::max(look, LookTime(actor));
+      appearanceTime = std::max(appearanceTime, LookTime(actor));
     }
   }
-  this->Values[Props].push_back(AsNumber(std::max(moved, look)));
-  this->Values[Looks].push_back(AsNumber(look));
+  this->Values[Props].push_back(ToNumber(std::max(changeTime, appearanceTime)));
+  this->Values[Looks].push_back(ToNumber(appearanceTime));
 }
 
-SceneSignature SceneSignature::Of(
-  vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques, const DarkLamp& dark)
+SceneSignature SceneSignature::Of(vtkOpenGLRenderer* renderer, const View& view,
+  vtkMTimeType techniques, const PlaceholderLight& placeholder)
 {
   SceneSignature signature;
   for (const auto* matrix : { &view.WorldToView, &view.ViewToClip })
@@ -73,10 +73,10 @@ SceneSignature SceneSignature::Of(
     signature.Add(Looks, color, 3);
   }
   signature.Values[Looks].push_back(renderer->GetGradientBackground());
-  signature.Values[Techniques].push_back(AsNumber(techniques));
+  signature.Values[Techniques].push_back(ToNumber(techniques));
   if (vtkTexture* environment = renderer->GetEnvironmentTexture())
   {
-    signature.Values[Lights].push_back(AsNumber(TextureTime(environment)));
+    signature.Values[Lights].push_back(ToNumber(TextureTime(environment)));
     signature.Values[Lights].push_back(renderer->GetUseImageBasedLighting());
     const SkyDecoding decoding = SkyDecoding::Of(renderer);
     for (const bool flag : { decoding.Harmonics, decoding.MatteToLinear, decoding.GlossToLinear })
@@ -93,9 +93,9 @@ SceneSignature SceneSignature::Of(
   lights->InitTraversal(cookie);
   while (vtkLight* light = lights->GetNextLight(cookie))
   {
-    if (!dark.Is(light))
+    if (!placeholder.Is(light))
     {
-      signature.Values[Lights].push_back(AsNumber(light->GetMTime()));
+      signature.Values[Lights].push_back(ToNumber(light->GetMTime()));
       signature.Values[Lights].push_back(light->GetSwitch());
     }
   }

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whether a renderer shows the same picture as before, up to noise: the camera's matrices, the
- * window, and the modification times of everything that is drawn.
+ * Tells whether a renderer shows the same picture as before, up to noise. Consists of the camera's matrices, the
+ * viewport, and the modification times of everything that is drawn.
  */
 #pragma once
 
 #include "graph/View.h"
-#include "pass/DarkLamp.h"
+#include "pass/PlaceholderLight.h"
 
 #include <vtkType.h>
 
@@ -21,9 +21,10 @@ namespace penumbra
 class SceneSignature
 {
 public:
-  /// Of a frame about to be drawn, or drawn. techniques: their latest modification time. dark is left out.
-  static SceneSignature Of(
-    vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques, const DarkLamp& dark);
+  /// The signature of a frame, before or after it is drawn. techniques: their latest modification time. placeholder is
+  /// left out.
+  static SceneSignature Of(vtkOpenGLRenderer* renderer, const View& view, vtkMTimeType techniques,
+    const PlaceholderLight& placeholder);
 
   /// What differs between two frames.
   SceneChanges ChangesSince(const SceneSignature& before) const;
@@ -33,14 +34,14 @@ private:
   {
     Camera,
     Lights,
-    Props, ///< all of them: where they are, and how they look
-    Looks, ///< shapes and colours, wherever the props are
+    Props, ///< positions and appearance of all props
+    Looks, ///< appearance of all props: shapes and colours
     Techniques,
     Groups
   };
   void Add(Group group, const double* values, int count);
   void AddProp(vtkProp* prop);
 
-  std::array<std::vector<double>, Groups> Values; ///< times too
+  std::array<std::vector<double>, Groups> Values; ///< include modification times
 };
 }

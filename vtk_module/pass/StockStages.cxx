@@ -16,7 +16,7 @@ namespace penumbra
 {
 namespace
 {
-// The list that a pick is limited to has no accessor; a derived class may name the member.
+// The list that limits a pick has no accessor, but a derived class can name the member.
 struct PickList : public vtkViewport
 {
   static vtkPropCollection* Of(vtkViewport* viewport)
@@ -25,14 +25,13 @@ struct PickList : public vtkViewport
   }
 };
 
-// Volume mappers on the CPU look for surfaces in the depth buffer only where the renderer counts
-// props already drawn.
+// CPU volume mappers read the depth buffer only if the renderer's count of drawn props is not 0.
 struct PropCount : public vtkRenderer
 {
   static int& Of(vtkRenderer* renderer) { return renderer->*(&PropCount::NumberOfPropsRendered); }
 };
 
-// The renderer's translucent stage takes no list of props but its own.
+// The renderer's translucent stage always uses the renderer's own list of props.
 struct PropList : public vtkRenderer
 {
   static vtkProp**& Items(vtkRenderer* renderer) { return renderer->*(&PropList::PropArray); }
@@ -63,12 +62,12 @@ bool StockStages::RenderSelection()
   {
     return false;
   }
-  if (vtkPropCollection* chosen = PickList::Of(this->Renderer))
+  if (vtkPropCollection* pickList = PickList::Of(this->Renderer))
   {
     std::vector<vtkProp*> props;
     vtkCollectionSimpleIterator cookie;
-    chosen->InitTraversal(cookie);
-    while (vtkProp* prop = chosen->GetNextProp(cookie))
+    pickList->InitTraversal(cookie);
+    while (vtkProp* prop = pickList->GetNextProp(cookie))
     {
       if (prop->GetVisibility())
       {
@@ -105,12 +104,12 @@ void StockStages::WithProps(std::vector<vtkProp*> props, const Draw& draw)
   vtkProp**& items = PropList::Items(this->Renderer);
   int& count = PropList::Count(this->Renderer);
   vtkProp** const allItems = items;
-  const int all = count;
+  const int itemCount = count;
   items = props.data();
   count = static_cast<int>(props.size());
   draw();
   items = allItems;
-  count = all;
+  count = itemCount;
 }
 
 void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
@@ -119,9 +118,9 @@ void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
   vtkProp** props = this->State->GetPropArray();
   const int count = this->State->GetPropArrayCount();
   std::vector<vtkProp*> layers(props, props + count);
-  if (this->LeftOut)
+  if (this->IsExcluded)
   {
-    layers.erase(std::remove_if(layers.begin(), layers.end(), this->LeftOut), layers.end());
+    layers.erase(std::remove_if(layers.begin(), layers.end(), this->IsExcluded), layers.end());
   }
   const bool translucent = std::any_of(layers.begin(), layers.end(),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
@@ -133,8 +132,8 @@ void StockStages::RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa)
   {
     return;
   }
-  // On a multisampled window VTK's filter fails (it copies a multisampled depth buffer), and is not
-  // needed: edges are smooth there already.
+  // VTK's filter fails on a multisampled window, because it copies the multisampled depth buffer. It is not needed
+  // there either, as edges are already smooth.
   if (this->Renderer->GetUseFXAA() && this->Renderer->GetRenderWindow()->GetMultiSamples() <= 1)
   {
     if (vtkFXAAOptions* options = this->Renderer->GetFXAAOptions())

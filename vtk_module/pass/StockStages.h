@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The stages of a frame that stay VTK's own: camera and lights, hardware selection, translucent
- * props with their peeling, FXAA, volumes and annotations, in VTK's order.
+ * The stages of a frame that VTK draws itself: camera and lights, hardware selection, translucent props with depth
+ * peeling, FXAA, volumes and annotations, in VTK's order.
  */
 #pragma once
 
@@ -21,27 +21,26 @@ class StockStages
 public:
   explicit StockStages(const vtkRenderState* state);
 
-  /// Viewport, clearing, light geometry. What a renderer does first.
+  /// Set up viewport and lights and clear, as a renderer does first.
   void UpdateCameraAndLights();
 
-  /// Draw for the hardware selector if one is active; true if that was the whole frame.
+  /// Draw for the hardware selector if one is active. Returns whether the frame is then complete.
   bool RenderSelection();
 
-  /// Whether the renderer asks for something that only VTK's own drawing of opaque props does:
-  /// the removal of hidden lines.
+  /// Whether the renderer asks for hidden-line removal, which only VTK's own drawing of opaque props supports.
   bool NeedsStockOpaque() const;
 
-  /// All opaque props as VTK draws them.
+  /// Draw all opaque props as VTK does.
   void RenderOpaque();
 
-  /// Do not draw these among the translucent props.
-  void LeaveOutTranslucent(std::function<bool(vtkProp*)> which)
+  /// Skip some of the translucent props.
+  void ExcludeTranslucent(std::function<bool(vtkProp*)> isExcluded)
   {
-    this->LeftOut = std::move(which);
+    this->IsExcluded = std::move(isExcluded);
   }
 
-  /// Everything that follows the opaque props. opaque: how many of those were drawn elsewhere.
-  /// fxaa filters the picture where the renderer asks for it.
+  /// Draw everything that follows the opaque props. opaque: number of opaque props that were drawn elsewhere. fxaa:
+  /// filters the picture if the renderer asks for it.
   void RenderAfterOpaque(int opaque, vtkOpenGLFXAAFilter* fxaa);
 
   int RenderedProps() const { return this->Rendered; }
@@ -51,7 +50,7 @@ private:
   vtkOpenGLRenderer* Renderer;
   template <typename Draw>
   void WithProps(std::vector<vtkProp*> props, const Draw& draw);
-  std::function<bool(vtkProp*)> LeftOut;
+  std::function<bool(vtkProp*)> IsExcluded;
   int Rendered = 0;
 };
 }

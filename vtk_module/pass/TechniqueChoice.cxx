@@ -10,7 +10,7 @@ namespace penumbra
 {
 namespace
 {
-// Whether one technique takes part rather than another that offers the same resource.
+// Whether one technique takes precedence over another that offers the same resource.
 bool IsPreferred(vtkGITechnique* one, vtkGITechnique* other)
 {
   return one->GetRank() != other->GetRank() ? one->GetRank() > other->GetRank()
@@ -59,19 +59,19 @@ std::vector<vtkGITechnique*> ChooseTechniques(
   {
     technique->Plan(plan, frame);
   }
-  // The first by name stands in; the plan then knows what was missing.
-  std::vector<vtkGITechnique*> others;
+  // The first by name stands in. Its plan supplies what was missing, so that no other does.
+  std::vector<vtkGITechnique*> disabled;
   for (vtkGITechnique* technique : techniques)
   {
     if (!technique->GetEnabled())
     {
-      others.push_back(technique);
+      disabled.push_back(technique);
     }
   }
-  std::sort(others.begin(), others.end(), [](vtkGITechnique* a, vtkGITechnique* b) {
+  std::sort(disabled.begin(), disabled.end(), [](vtkGITechnique* a, vtkGITechnique* b) {
     return std::strcmp(a->GetName(), b->GetName()) < 0;
   });
-  for (vtkGITechnique* technique : others)
+  for (vtkGITechnique* technique : disabled)
   {
     if (technique->StandsIn(plan))
     {

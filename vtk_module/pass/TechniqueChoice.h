@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which techniques take part in a frame.
+ * Chooses the techniques that take part in a frame.
  */
 #pragma once
 
@@ -15,9 +15,10 @@ namespace penumbra
 class FrameBuilder;
 class LightingPlan;
 
-/// The techniques that take part in a frame, once each has told the plan how it will light it: those that are enabled,
-/// but one for each offered resource (see vtkGITechnique::GetOfferedResource()), and those that stand in for others.
-/// The result does not depend on the order of the techniques, but for its own order. Notes name those that stand back.
+/// Choose the techniques that take part in a frame, and let each tell the plan how it will light the frame. These are
+/// the enabled ones, but only one per offered resource (see vtkGITechnique::GetOfferedResource()), and those that
+/// stand in for others. The order of techniques affects only the order of the result. Notes name those that stand
+/// back.
 std::vector<vtkGITechnique*> ChooseTechniques(
   const std::vector<vtkSmartPointer<vtkGITechnique>>& techniques, FrameBuilder& frame,
   LightingPlan& plan);

@@ -21,8 +21,8 @@ namespace penumbra
 {
 namespace
 {
-// 8K: with some hundred bytes a pixel in the textures of a frame, a few gigabytes.
-constexpr double MostPixels = 7680.0 * 4320.0;
+// 8K. The textures of a frame have some hundred bytes per pixel, which makes a few gigabytes.
+constexpr double MaximumPixels = 7680.0 * 4320.0;
 
 struct Rectangle
 {
@@ -38,40 +38,44 @@ struct Rectangle
   double Middle(int axis) const { return 0.5 * (this->High[axis] + this->Low[axis]); }
 };
 
-// Where a renderer is in the whole picture, the tile, and what both share; the picture's size is 1.
-struct Places
+// The renderer's rectangle in the whole picture, the tile, and their intersection. The picture's size is 1.
+struct TileLayout
 {
-  Rectangle All;
+  Rectangle Whole;
   Rectangle Tile;
-  Rectangle Shared;
+  Rectangle Intersection;
 
-  explicit Places(vtkRenderer* renderer)
-    : All(renderer->GetViewport())
+  explicit TileLayout(vtkRenderer* renderer)
+    : Whole(renderer->GetViewport())
     , Tile(renderer->GetRenderWindow()->GetTileViewport())
-    , Shared(this->All)
+    , Intersection(this->Whole)
   {
     for (int axis = 0; axis < 2; ++axis)
     {
-      this->Shared.Low[axis] =
-        std::clamp(this->All.Low[axis], this->Tile.Low[axis], this->Tile.High[axis]);
-      this->Shared.High[axis] =
-        std::clamp(this->All.High[axis], this->Tile.Low[axis], this->Tile.High[axis]);
+      this->Intersection.Low[axis] =
+        std::clamp(this->Whole.Low[axis], this->Tile.Low[axis], this->Tile.High[axis]);
+      this->Intersection.High[axis] =
+        std::clamp(this->Whole.High[axis], this->Tile.Low[axis], this->Tile.High[axis]);
     }
   }
-  bool IsEmpty() const { return this->Shared.Size(0) <= 0.0 || this->Shared.Size(1) <= 0.0; }
-  // Tiles are drawn from the lower left on.
+  bool IsEmpty() const
+  {
+    return this->Intersection.Size(0) <= 0.0 || this->Intersection.Size(1) <= 0.0;
+  }
+  // Tiles are drawn starting from the lower left.
   bool IsFirst() const
   {
-    return this->Shared.Low[0] == this->All.Low[0] && this->Shared.Low[1] == this->All.Low[1];
+    return this->Intersection.Low[0] == this->Whole.Low[0] &&
+      this->Intersection.Low[1] == this->Whole.Low[1];
   }
 };
 
-// Undoes what vtkWindowToImageFilter does to a tile's camera, and gives the renderer all of the picture, for as
-// long as this lives.
+// While it lives, undoes vtkWindowToImageFilter's changes to the camera for a tile, and gives the renderer the whole
+// picture.
 class WholeView
 {
 public:
-  WholeView(vtkRenderer* renderer, const Places& places)
+  WholeView(vtkRenderer* renderer, const TileLayout& layout)
     : Window(renderer->GetRenderWindow())
     , Camera(renderer->GetActiveCamera())
     , Angle(this->Camera->GetViewAngle())
@@ -79,10 +83,11 @@ public:
   {
     this->Window->GetTileViewport(this->Tile);
     this->Camera->GetWindowCenter(this->Center);
-    const double share = places.Shared.Size(1) / places.All.Size(1);
+    const double share = layout.Intersection.Size(1) / layout.Whole.Size(1);
     const auto center = [&](int axis) {
       return this->Center[axis] -
-        2.0 * (places.Shared.Middle(axis) - places.All.Middle(axis)) / places.Shared.Size(axis);
+        2.0 * (layout.Intersection.Middle(axis) - layout.Whole.Middle(axis)) /
+        layout.Intersection.Size(axis);
     };
     const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(this->Angle)) / share;
     this->Camera->SetWindowCenter(center(0), center(1));
@@ -109,7 +114,7 @@ private:
   double Tile[4];
 };
 
-// The renderer's own list is culled to the tile.
+// All visible props, because the renderer's own list is culled to the tile.
 std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer)
 {
   std::vector<vtkProp*> visible;
@@ -126,8 +131,8 @@ std::vector<vtkProp*> VisibleProps(vtkRenderer* renderer)
   return visible;
 }
 
-// Of the window, which the whole picture does not have.
-bool KeepsWhatIsThere(vtkRenderer* renderer)
+// Whether the renderer draws onto the window's content, which the whole picture does not have.
+bool PreservesContent(vtkRenderer* renderer)
 {
   return renderer->GetPreserveColorBuffer() || renderer->GetPreserveDepthBuffer() ||
     !renderer->GetErase();
@@ -140,7 +145,7 @@ bool Fits(int width, int height)
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
   return width <= std::min(side, viewport[0]) && height <= std::min(side, viewport[1]) &&
-    static_cast<double>(width) * height <= MostPixels;
+    static_cast<double>(width) * height <= MaximumPixels;
 }
 }
 
@@ -151,7 +156,7 @@ bool WholePicture::IsTile(vtkRenderer* renderer)
   return scale[0] > 1 || scale[1] > 1;
 }
 
-bool WholePicture::Make(const TextureDesc& color, const TextureDesc& depth)
+bool WholePicture::CreateTargets(const TextureDesc& color, const TextureDesc& depth)
 {
   if (this->Framebuffer && this->Color->Desc() == color && this->Depth->Desc() == depth)
   {
@@ -174,25 +179,25 @@ bool WholePicture::Show(const vtkRenderState* state, const Draw& draw)
 {
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-  const Places places(renderer);
-  const int* size = window->GetSize(); // of all tiles
+  const TileLayout layout(renderer);
+  const int* size = window->GetSize(); // of all tiles together
   const TextureDesc color = { BoundFormat(GL_COLOR_ATTACHMENT0), size[0], size[1], 0 };
   const TextureDesc depth = { BoundFormat(GL_DEPTH_ATTACHMENT), size[0], size[1], 0 };
-  if (places.IsEmpty() || KeepsWhatIsThere(renderer) || BoundSamples() > 0 || !color.Format ||
-    !depth.IsDepth() || !Fits(size[0], size[1]) || (!places.IsFirst() && !this->Framebuffer))
+  if (layout.IsEmpty() || PreservesContent(renderer) || BoundSamples() > 0 || !color.Format ||
+    !depth.IsDepth() || !Fits(size[0], size[1]) || (!layout.IsFirst() && !this->Framebuffer))
   {
     return false;
   }
   vtkOpenGLState* gl = window->GetState();
   const GLuint bound = BoundFramebuffer();
-  if (places.IsFirst())
+  if (layout.IsFirst())
   {
     const ScopedState saved(gl);
-    const bool made = this->Make(color, depth);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound); // as VTK's cache of the state has it
+    const bool made = this->CreateTargets(color, depth);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, bound); // the binding in VTK's state cache
     if (made)
     {
-      const WholeView view(renderer, places);
+      const WholeView view(renderer, layout);
       std::vector<vtkProp*> props = VisibleProps(renderer);
       vtkRenderState whole(renderer);
       whole.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
@@ -205,10 +210,10 @@ bool WholePicture::Show(const vtkRenderState* state, const Draw& draw)
       return false;
     }
   }
-  int area[4]; // of the tile: x, y, width, height
+  int area[4]; // x, y, width and height of the tile
   renderer->GetTiledSizeAndOrigin(&area[2], &area[3], &area[0], &area[1]);
-  const int x = area[0] + static_cast<int>(std::lround(places.Tile.Low[0] * size[0]));
-  const int y = area[1] + static_cast<int>(std::lround(places.Tile.Low[1] * size[1]));
+  const int x = area[0] + static_cast<int>(std::lround(layout.Tile.Low[0] * size[0]));
+  const int y = area[1] + static_cast<int>(std::lround(layout.Tile.Low[1] * size[1]));
   gl->PushReadFramebufferBinding();
   gl->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Framebuffer.Get());
   gl->vtkglBlitFramebuffer(x, y, x + area[2], y + area[3], area[0], area[1], area[0] + area[2],

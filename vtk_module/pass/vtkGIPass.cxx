@@ -137,8 +137,8 @@ void vtkGIPass::Restart()
 
 int vtkGIPass::GetAccumulatedFrames(vtkRenderer* renderer)
 {
-  const auto* memory = this->Impl->FindMemory(renderer);
-  return memory ? memory->StillFrames : 0;
+  const auto* record = this->Impl->FindRecord(renderer);
+  return record ? record->StillFrames : 0;
 }
 
 bool vtkGIPass::GetRadiance(vtkRenderer* renderer, vtkImageData* image)
@@ -161,7 +161,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
     vtkErrorMacro("vtkGIPass needs an OpenGL render window.");
     return;
   }
-  // VTK's translucent stage and its volumes report OpenGL errors where there is not one pixel.
+  // VTK's translucent stage and its volume mappers report OpenGL errors if there are no pixels.
   int width = 0;
   int height = 0;
   renderer->GetTiledSize(&width, &height);
@@ -188,7 +188,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
 
 void vtkGIPass::RenderPicture(const vtkRenderState* state)
 {
-  const penumbra::ScopeExit lighten([this] { this->Impl->Dark.Remove(); });
+  const penumbra::ScopeExit removePlaceholder([this] { this->Impl->Placeholder.Remove(); });
   penumbra::StockStages stages(state);
   stages.UpdateCameraAndLights();
   if (stages.RenderSelection())
@@ -199,7 +199,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   std::string problem;
   this->Impl->CapturedProps = 0;
   this->Impl->DrawnByRays = nullptr;
-  this->Impl->Forward->SetNothing();
+  this->Impl->Forward->ClearLights();
   if (stages.NeedsStockOpaque())
   {
     stages.RenderOpaque();
@@ -211,8 +211,8 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   }
   if (!problem.empty())
   {
-    // Draw as VTK does rather than nothing, and say why once.
-    this->Impl->Dark.Remove();
+    // Fall back to VTK's own drawing, and report each problem once.
+    this->Impl->Placeholder.Remove();
     stages.RenderOpaque();
     if (problem != this->Impl->LastError)
     {
@@ -222,7 +222,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
   this->Impl->LastError = problem;
   if (const auto* rays = problem.empty() ? this->Impl->DrawnByRays : nullptr)
   {
-    stages.LeaveOutTranslucent([rays](vtkProp* prop) { return rays->Contains(prop); });
+    stages.ExcludeTranslucent([rays](vtkProp* prop) { return rays->Contains(prop); });
   }
   {
     this->Impl->Forward->Attach(state);
@@ -235,7 +235,7 @@ void vtkGIPass::RenderPicture(const vtkRenderState* state)
 void vtkGIPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Impl->ReleaseGraphicsResources(window);
-  if (window) // VTK's class insists
+  if (window) // VTK's class requires one
   {
     this->Superclass::ReleaseGraphicsResources(window);
   }

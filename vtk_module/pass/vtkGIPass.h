@@ -11,14 +11,13 @@
  * renderer->SetPass(gi);
  * @endcode
  *
- * The pass rasters every opaque prop once into a G-buffer, resolves direct light per pixel from
- * every light of the renderer, and lets its techniques add visibility, indirect light and
- * filtering. Translucent props, volumes and annotations are drawn as VTK draws them, in VTK's
- * order. With every technique off the picture equals stock VTK's.
+ * The pass draws every opaque prop once into a G-buffer, computes the direct light of all the renderer's lights per
+ * pixel, and lets its techniques add visibility, indirect light and filtering. Translucent props, volumes and
+ * annotations are drawn as VTK draws them, in VTK's order. With every technique off the picture equals stock VTK's.
  *
- * One pass may serve several renderers of one window; each keeps its own history. It may also move between
- * windows, or serve several, but has resources in one context at a time: each change of window begins again, shaders
- * included. Give each window a pass of its own where both are drawn often.
+ * One pass may serve several renderers of one window; each keeps its own history. It may also move between windows, or
+ * serve several, but has resources in one context at a time: each change of window starts from scratch, including the
+ * shaders. If several windows are drawn often, give each its own pass.
  *
  * @sa vtkGITechnique
  */
@@ -44,16 +43,16 @@ public:
   void Render(const vtkRenderState* state) override;
 
   /**
-   * Free what the pass has on the GPU, if it is in this window's context; nullptr: in whatever window's. May be called
-   * at any time, whatever context is current: the next Render() makes all again. Windows call it by themselves.
+   * Free the pass's GPU resources if they are in this window's context, or in any context if nullptr. May be called at
+   * any time and with any current context; the next Render() creates them again. Windows call it by themselves.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
-   * Switch techniques and choose their parameters together: "off" (the default: stock VTK's
-   * picture), "fast", "balanced" or "high". Returns false, with an error, for another name.
-   * Parameters changed afterwards keep their new value.
+   * Switch techniques on and off and set their parameters: "off" (the default, stock VTK's picture), "fast",
+   * "balanced", "high" or "reference". Returns false, with an error, for another name. Parameters that are changed
+   * afterwards keep their new values.
    */
   bool SetPreset(const char* preset);
   vtkGetStringMacro(Preset);
@@ -81,37 +80,36 @@ public:
   ///@}
 
   /**
-   * Copy the last frame's linear radiance of opaque surfaces and background into a float image of
-   * four components (red, green, blue, and 1 where a surface was captured, 0 elsewhere), of the
-   * size that the window had then. Needs KeepRadiance. Returns false where the last frame of that renderer was not kept.
+   * Copy the last frame's linear radiance of opaque surfaces and background into a float image of four components (red,
+   * green, blue, and 1 where a surface was captured, 0 elsewhere), of the window's size in that frame. Needs
+   * KeepRadiance. Returns false if the renderer's last frame was not kept.
    */
   bool GetRadiance(vtkRenderer* renderer, vtkImageData* image);
 
   /**
-   * Copy a texture that a technique keeps for a renderer from frame to frame into a float image of
-   * four components and the window's size: the path tracer's sums, "path-tracing.albedo" (rgb, and
-   * the samples that met a surface), "path-tracing.normal" (in the world, and the distance along
-   * the line of sight) and "path-tracing.encoded" (its fourth component: the samples' squared
-   * luminance). Returns false where there is none of that name.
+   * Copy a history that a technique keeps for a renderer into a float image of four components and the window's size,
+   * such as the path tracer's sums: "path-tracing.albedo" (rgb, and the number of samples that hit a surface),
+   * "path-tracing.normal" (in the world, and the distance along the line of sight) and "path-tracing.encoded" (its
+   * fourth component is the sum of the samples' squared luminance). Returns false if there is none of that name.
    */
   bool GetBuffer(vtkRenderer* renderer, const char* name, vtkImageData* image);
 
   /**
-   * Have the next frame show nothing that was found in frames before, so that a picture that is kept depends
-   * on the scene alone. Averages over frames start again, and probes that are updated live forget what they
-   * know and do a scene's first updates in that one frame, which takes so much longer.
+   * Let the next frame use nothing from previous frames, so that a saved picture depends only on the scene. Averages
+   * over frames start again. Live probes start from scratch and do the first updates of a scene within that one frame,
+   * which takes correspondingly longer.
    */
   void Restart();
 
   ///@{
   /**
-   * Draw a picture that is larger than its window, as vtkWindowToImageFilter::SetScale() makes it in tiles, as a
-   * whole with its first tile, so that what is found on the screen, occlusion for instance, does not end at the
-   * tiles' edges. Off by default: a window that shows a tile for ever, one of a wall of displays, is no such
-   * picture. Windows without multisampling, and up to 7680 x 4320 pixels, as far as the GPU's textures reach;
-   * others are drawn tile by tile, as are renderers that draw onto what is there: layers above the first, and
-   * those with PreserveColorBuffer, PreserveDepthBuffer or without Erase. The picture is kept until the
-   * renderer's next frame that is no tile of it.
+   * Draw a picture that is larger than its window, which vtkWindowToImageFilter::SetScale() makes in tiles, as a whole
+   * with its first tile, so that screen-space effects such as occlusion do not end at the tiles' edges. Off by default,
+   * because a window that always shows a tile, as in a display wall, never needs the whole picture. Works for windows
+   * without multisampling and pictures up to 7680 x 4320 pixels, if the GPU supports textures of that size. Other
+   * pictures are drawn tile by tile, and so are renderers that draw onto existing content: layers above the first, and
+   * renderers with PreserveColorBuffer, PreserveDepthBuffer or without Erase. The picture is kept until the renderer's
+   * next frame that is not a tile.
    */
   vtkSetMacro(JoinTiles, bool);
   vtkGetMacro(JoinTiles, bool);
@@ -119,8 +117,8 @@ public:
   ///@}
 
   /**
-   * Whether the last Render() drew nothing, as its tile was copied from the picture that JoinTiles drew with the
-   * first: to render it again changes nothing.
+   * Whether the last Render() only copied its tile from the picture that JoinTiles drew with the first tile. Rendering
+   * it again changes nothing.
    */
   vtkGetMacro(CopiedTile, bool);
 
@@ -131,8 +129,8 @@ public:
 
   ///@{
   /**
-   * A folder whose shaders replace the built-in ones of the same relative name, for work on
-   * shaders without rebuilding. The environment variable PENUMBRA_SHADER_PATH sets the default.
+   * A folder whose shaders replace the built-in ones with the same relative name, to develop shaders without
+   * rebuilding. The environment variable PENUMBRA_SHADER_PATH sets the default.
    */
   void SetShaderPath(const char* path);
   const char* GetShaderPath();
@@ -140,8 +138,8 @@ public:
 
   ///@{
   /**
-   * Measure each pass of the frame on the GPU. GetStatistics() gives the last frame's as JSON:
-   * milliseconds per pass, textures and bytes in the pool, lights, frames accumulated.
+   * Measure each pass of the frame on the GPU. GetStatistics() returns those of the last frame as JSON: milliseconds
+   * per pass, textures and bytes in the pool, lights, accumulated frames.
    */
   vtkSetMacro(CollectStatistics, bool);
   vtkGetMacro(CollectStatistics, bool);
@@ -150,13 +148,13 @@ public:
   ///@}
 
   /**
-   * What the techniques had to say of the last frame, a sentence a line, or "": lights left without
-   * shadow, for instance.
+   * The techniques' notes about the last frame, one sentence per line, or "". For example, how many lights cast no
+   * shadow.
    */
   const char* GetNotes();
 
   /**
-   * The sentence that says why the last Render() drew nothing of its own, or "" where all is well.
+   * The reason why the last Render() fell back to VTK's own drawing, or "" if it did not.
    */
   const char* GetLastError();
 

@@ -8,10 +8,10 @@ namespace penumbra
 {
 namespace
 {
-// Among the passes that modify the picture: over what is lit, before anti-aliasing.
+// Order among the passes that modify the picture: after lighting, before anti-aliasing.
 constexpr int ShowOrder = 750;
 
-// Of a cell: at most 0.4 off its place, a baked probe's ball stays in its cell.
+// Radius in cells. A baked probe is at most 0.4 cells off its grid point, so its ball stays in its cell.
 constexpr double ShownRadius = 0.09;
 }
 

@@ -9,10 +9,10 @@ namespace penumbra
 {
 namespace
 {
-// In cells. A little off the middle: scenes are made of round numbers, and a probe within a surface sees nothing well.
-const glm::dvec3 Off(0.047, 0.053, 0.059);
+// Offset in cells from a centred grid. Scenes are made of round numbers, and a probe must not lie exactly on a surface.
+const glm::dvec3 GridOffset(0.047, 0.053, 0.059);
 
-glm::dvec3 Middle(const std::array<double, 6>& bounds)
+glm::dvec3 CenterOf(const std::array<double, 6>& bounds)
 {
   return 0.5 * glm::dvec3(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
 }
@@ -30,15 +30,15 @@ glm::dvec3 CellsOf(const glm::dvec3& size, double cell)
   return glm::max(glm::ceil(size / cell - 1e-9), glm::dvec3(1.0));
 }
 
-ProbeGrid OfCells(const std::array<double, 6>& bounds, const glm::dvec3& cells)
+ProbeGrid FromCells(const std::array<double, 6>& bounds, const glm::dvec3& cells)
 {
   ProbeGrid grid;
   grid.Counts = glm::ivec3(cells + 2.0);
   grid.Spacing = SizeOf(bounds) / cells;
-  // Along a thin side of the scene cells are as long as along the others.
+  // Cells along a thin side of the scene are not much shorter than along the others.
   const double longest = std::max({ grid.Spacing.x, grid.Spacing.y, grid.Spacing.z });
   grid.Spacing = glm::max(grid.Spacing, glm::dvec3(0.5 * longest));
-  grid.First = Middle(bounds) + grid.Spacing * (Off - 0.5 * glm::dvec3(grid.Counts - 1));
+  grid.First = CenterOf(bounds) + grid.Spacing * (GridOffset - 0.5 * glm::dvec3(grid.Counts - 1));
   return grid;
 }
 }
@@ -51,47 +51,47 @@ ProbeGrid ProbeGrid::Around(const std::array<double, 6>& bounds, int probes)
   {
     const glm::dvec3 cells = CellsOf(size, cell);
     const glm::dvec3 counts = cells + 2.0;
-    if (counts.x * counts.y * counts.z <= std::max(probes, LeastAround))
+    if (counts.x * counts.y * counts.z <= std::max(probes, MinimumAround))
     {
-      return OfCells(bounds, cells);
+      return FromCells(bounds, cells);
     }
     cell *= 1.02;
   }
 }
 
-ProbeGrid ProbeGrid::Spaced(const std::array<double, 6>& bounds, double spacing, int most)
+ProbeGrid ProbeGrid::Spaced(const std::array<double, 6>& bounds, double spacing, int maximum)
 {
   const glm::dvec3 cells = CellsOf(SizeOf(bounds), spacing);
   const glm::dvec3 counts = cells + 2.0;
-  return counts.x * counts.y * counts.z <= most ? OfCells(bounds, cells) : ProbeGrid();
+  return counts.x * counts.y * counts.z <= maximum ? FromCells(bounds, cells) : ProbeGrid();
 }
 
 ProbeGrid ProbeGrid::Part(const glm::dvec3& low, const glm::dvec3& high, int probes) const
 {
-  // As glsl/probes/field.glsl tells which sides of a part are out of the scene.
+  // glsl/probes/field.glsl decides in the same way which sides of a part lie outside of the scene.
   const glm::dvec3 lowest = this->First + 0.5 * this->Spacing;
   const glm::dvec3 highest = this->Last() - 0.5 * this->Spacing;
   const glm::dvec3 slack = 0.02 * this->Spacing;
   const glm::bvec3 first = glm::lessThan(low, lowest + slack);
-  const glm::bvec3 last = glm::greaterThan(high, highest - Off * this->Spacing - slack);
+  const glm::bvec3 last = glm::greaterThan(high, highest - GridOffset * this->Spacing - slack);
   const glm::dvec3 from = glm::mix(low, glm::min(low, lowest), first);
   const glm::dvec3 to = glm::mix(high, glm::max(high, highest), last);
   const glm::dvec3 before = glm::mix(glm::dvec3(1.0), glm::dvec3(0.5), first);
-  const glm::dvec3 behind = glm::mix(glm::dvec3(1.0), glm::dvec3(0.5), last);
+  const glm::dvec3 after = glm::mix(glm::dvec3(1.0), glm::dvec3(0.5), last);
   const glm::dvec3 size = to - from;
   double cell = std::cbrt(std::max(size.x * size.y * size.z, 1e-300) / probes);
   for (;;)
   {
     const glm::dvec3 cells = CellsOf(size, cell);
-    const glm::dvec3 counts = cells + glm::ceil(before + behind) + 1.0;
-    if (counts.x * counts.y * counts.z <= std::max(probes, LeastPart))
+    const glm::dvec3 counts = cells + glm::ceil(before + after) + 1.0;
+    if (counts.x * counts.y * counts.z <= std::max(probes, MinimumPart))
     {
       ProbeGrid grid;
       grid.Counts = glm::ivec3(counts);
-      grid.Spacing = glm::max(size / (counts - 1.0 - before - behind), glm::dvec3(0.5 * cell));
+      grid.Spacing = glm::max(size / (counts - 1.0 - before - after), glm::dvec3(0.5 * cell));
       grid.First = 0.5 *
-        (from - before * grid.Spacing + to + behind * grid.Spacing - grid.Spacing * (counts - 1.0));
-      grid.First += grid.Spacing * Off;
+        (from - before * grid.Spacing + to + after * grid.Spacing - grid.Spacing * (counts - 1.0));
+      grid.First += grid.Spacing * GridOffset;
       return grid;
     }
     cell *= 1.02;
@@ -100,7 +100,7 @@ ProbeGrid ProbeGrid::Part(const glm::dvec3& low, const glm::dvec3& high, int pro
 
 bool ProbeGrid::Suits(const std::array<double, 6>& bounds) const
 {
-  constexpr double filled = 0.7; // along each side
+  constexpr double minimumFill = 0.7; // along each side
   const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
   const glm::dvec3 from = this->First;
@@ -111,7 +111,7 @@ bool ProbeGrid::Suits(const std::array<double, 6>& bounds) const
     const bool inside =
       low[axis] >= from[axis] - slack[axis] && high[axis] <= to[axis] + slack[axis];
     const double fitted = this->Counts[axis] > 3 ? (to - from)[axis] - this->Spacing[axis] : 0.0;
-    if (!inside || high[axis] - low[axis] < filled * fitted)
+    if (!inside || high[axis] - low[axis] < minimumFill * fitted)
     {
       return false;
     }

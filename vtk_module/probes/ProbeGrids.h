@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Several grids of probes for one scene, as glsl/probes/field.glsl walks through them: the first is around all of it, each
- * later one is a part of it, and tells of a point before those that come earlier.
+ * Several grids of probes for one scene, in the order of glsl/probes/field.glsl. The first surrounds the whole scene.
+ * Each later one covers a part of it, and takes precedence over earlier ones there.
  */
 #pragma once
 
@@ -23,18 +23,18 @@ public:
     : List{ first }
   {
   }
-  /// At most Most, the finest last; not empty.
+  /// list: at least one grid and at most Most, finest last.
   explicit ProbeGrids(std::vector<ProbeGrid> list);
 
   int Count() const { return static_cast<int>(this->List.size()); }
   const ProbeGrid& Get(int number) const { return this->List[number]; }
-  /// Probes in all. They lie in a row, grid by grid.
+  /// Total number of probes. They are numbered grid by grid.
   int Size() const { return this->Begin(this->Count()); }
   /// Number of a grid's first probe.
   int Begin(int number) const;
-  /// Number of the grid that a probe is of.
+  /// Number of the grid that a probe belongs to.
   int Of(int probe) const;
-  /// The finest grid's ProbeGrid::Detail().
+  /// ProbeGrid::Detail() of the finest grid.
   double Detail() const;
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What every shader that asks probes needs to know of their grids, see glsl/probes/field.glsl.
+ * Uniforms of shaders that look up the light of probes, see glsl/probes/field.glsl.
  */
 #pragma once
 
@@ -13,18 +13,18 @@ namespace penumbra
 struct ProbeUniforms
 {
   ProbeGrids Grids;
-  glm::dvec3 Origin{ 0.0 }; ///< of the shaders' coordinates, world
+  glm::dvec3 Origin{ 0.0 }; ///< origin of the shaders' coordinates, in the world
   double Bias = 0.0;        ///< in cells
 
-  /// For shaders that ask probes.
   Arguments ShaderArguments() const;
 
-  /// Of shaders that ask probes.
+  /// Shader variant for the number of grids.
   Defines Variant() const;
 
-  /// Maps in a row of the textures that hold so many: in a square, as textures are limited by their sides.
+  /// Number of maps per row of a texture with one map per probe. The texture is nearly square, because its width and
+  /// height are limited.
   static int Columns(int probes);
-  /// Rows that so many maps take.
+  /// Number of rows of a texture for a number of maps.
   static int Rows(int maps, int columns);
 };
 }

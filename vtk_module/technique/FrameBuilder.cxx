@@ -15,23 +15,23 @@ namespace penumbra
 {
 RayProps& FrameBuilder::Rays(const std::string& consequence)
 {
-  if (!this->WorldReady)
+  if (!this->TracedSceneReady)
   {
-    this->World.Update(this->GetRenderer());
-    this->WorldReady = true;
-    if (this->World.WithoutNormals() > 0)
+    this->TracedScene.Update(this->GetRenderer());
+    this->TracedSceneReady = true;
+    if (this->TracedScene.WithoutNormals() > 0)
     {
-      this->AddNote("points of " + std::to_string(this->World.WithoutNormals()) +
+      this->AddNote("points of " + std::to_string(this->TracedScene.WithoutNormals()) +
         " surfaces have normals that are zero or no numbers: they are lit by the normals of their "
         "cells");
     }
   }
-  if (this->World.LeftOut() > 0)
+  if (this->TracedScene.LeftOut() > 0)
   {
-    this->AddNote("rays do not see " + std::to_string(this->World.LeftOut()) +
+    this->AddNote("rays do not see " + std::to_string(this->TracedScene.LeftOut()) +
       " props of kinds that cannot be traced yet: " + consequence);
   }
-  return this->World;
+  return this->TracedScene;
 }
 
 MotionTable& FrameBuilder::Motion()
@@ -47,15 +47,15 @@ MotionTable& FrameBuilder::Motion()
 
 void FrameBuilder::RequestLitRadiance()
 {
-  this->LitRadianceWanted = true;
+  this->LitRadianceRequested = true;
   this->RequestSurroundings();
 }
 
 void FrameBuilder::AddIndirectLight(IndirectLight light)
 {
-  const auto later = std::upper_bound(this->Indirect.begin(), this->Indirect.end(), light,
+  const auto position = std::upper_bound(this->Indirect.begin(), this->Indirect.end(), light,
     [](const IndirectLight& a, const IndirectLight& b) { return a.Kind < b.Kind; });
-  this->Indirect.insert(later, std::move(light));
+  this->Indirect.insert(position, std::move(light));
   this->RequestSurroundings();
 }
 
@@ -79,7 +79,7 @@ ForwardLight FrameBuilder::GetForwardLight() const
 
 void FrameBuilder::RequestSurroundings()
 {
-  // Environments light PBR only, and PBR needs the extended set.
+  // Only PBR materials are lit by the environment, and they need the extended set of targets.
   if (this->GetRenderer()->GetUseImageBasedLighting() && this->GetRenderer()->GetEnvironmentTexture() &&
     this->Scene.IsExtended())
   {

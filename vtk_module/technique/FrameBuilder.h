@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where techniques add their work to a frame: what they may ask about the scene, and what they
- * tell each other about light.
+ * A frame as techniques see it: the scene, the lights, and the light that techniques contribute.
  */
 #pragma once
 
@@ -19,65 +18,63 @@ class MotionTable;
 class RayProps;
 class SceneCapture;
 
-/// Where a technique adds its work.
 class FrameBuilder : public Frame
 {
 public:
   FrameBuilder(FrameGraph& graph, View& view, LightTable& lights, SceneCapture& scene,
-    RayProps& rays, MotionTable& motion, penumbra::ViewState& states,
-    const LightingPlan& plan, vtkOpenGLRenderer* renderer, ResourcePool& pool,
-    const std::string& viewName)
+    RayProps& rays, MotionTable& motion, penumbra::ViewState& states, const LightingPlan& plan,
+    vtkOpenGLRenderer* renderer, ResourcePool& pool, const std::string& viewName)
     : Frame(graph, view, renderer, pool, viewName)
     , CurrentLights(lights)
     , Scene(scene)
-    , World(rays)
+    , TracedScene(rays)
     , Motions(motion)
     , States(states)
     , CurrentPlan(plan)
   {
   }
-  /// What lights this frame: complete when the first technique adds a pass.
+  /// The lighting of this frame. It is complete before the first technique adds a pass.
   const LightingPlan& Plan() const { return this->CurrentPlan; }
   LightTable& Lights() { return this->CurrentLights; }
   SceneCapture& Capture() { return this->Scene; }
-  /// The scene for rays, brought up to date when first asked for in a frame. consequence: what becomes of props that rays
-  /// do not see, for a note where there are some ("they cast no shadow").
+  /// The scene for rays, updated on the first call in a frame. consequence: what happens to props that rays do not see
+  /// ("they cast no shadow"), for a note if there are any.
   RayProps& Rays(const std::string& consequence);
 
-  /// Where things were in the frame before, recorded while the frame is captured. Any number of techniques may ask.
+  /// Positions in the previous frame, recorded while this frame is captured. May be called several times.
   MotionTable& Motion();
 
-  /// What the owner, a technique, remembers of this view from frame to frame; it lives as long as the view.
+  /// The state that the owner, a technique, keeps for this view. It lives as long as the view.
   template <typename T>
   T& ViewState(const void* owner)
   {
     return this->States.Of<T>(owner);
   }
 
-  /// Other noise every frame, also while things change: a technique averages over them.
+  /// Use different noise in every frame, even while the scene changes, because a technique averages over frames.
   void ChangeNoise()
   {
     this->CurrentView.Sequence = this->CurrentView.FrameNumber - this->CurrentView.FirstFrame;
   }
 
-  /// Shift this frame's picture by a part of a pixel.
+  /// Shift this frame's picture by a fraction of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
-  /// Have resource::LitRadiance written, and resource::Surroundings where the environment lights.
+  /// Have resource::LitRadiance written, and resource::Surroundings if there is environment light.
   void RequestLitRadiance();
-  bool WantsLitRadiance() const { return this->LitRadianceWanted; }
+  bool WantsLitRadiance() const { return this->LitRadianceRequested; }
 
-  /// A technique knows indirect light, with that of the environment: lights keep their strength.
+  /// Add a technique's indirect light, which includes the environment's. Lights then keep their full strength.
   void AddIndirectLight(IndirectLight light);
-  /// In the order of their kinds.
+  /// In order of preference.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
-  /// Have translucent surfaces and volumes, which VTK draws, lit by what is known of the shadowed lights:
-  /// functions giVisibility(), see forward/lights.glsl.
+  /// Apply the visibility of lights to translucent surfaces and volumes, which VTK draws: functions giVisibility(), see
+  /// forward/lights.glsl.
   void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }
-  /// That, and what is known of indirect light there, or else the share of the lights that is spread.
+  /// This visibility with the indirect light, or with the spread share of the lights if there is no indirect light.
   ForwardLight GetForwardLight() const;
 
-  /// Tell the user something about this frame, in one sentence.
+  /// Add a note about this frame for the user, in one sentence.
   void AddNote(const std::string& sentence) { this->Notes.push_back(sentence); }
   const std::vector<std::string>& GetNotes() const { return this->Notes; }
 
@@ -86,13 +83,13 @@ private:
 
   LightTable& CurrentLights;
   SceneCapture& Scene;
-  RayProps& World;
+  RayProps& TracedScene;
   MotionTable& Motions;
   penumbra::ViewState& States;
   const LightingPlan& CurrentPlan;
-  bool WorldReady = false;
+  bool TracedSceneReady = false;
   bool MotionReady = false;
-  bool LitRadianceWanted = false;
+  bool LitRadianceRequested = false;
   ForwardPart Visibility;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What lights a frame, decided before any technique adds a pass: no answer depends on the order of techniques.
+ * The lighting of a frame. It is decided before any technique adds a pass, so that the order of techniques does not
+ * matter.
  */
 #pragma once
 
@@ -16,44 +17,47 @@ namespace penumbra
 class LightingPlan
 {
 public:
-  /// Take a share of the lights' strength, 0 to 1, and spread it evenly over all directions. Indirect light that is
-  /// known replaces it.
+  /// Take a share of the lights' strength, 0 to 1, and spread it evenly over all directions, unless there is indirect
+  /// light.
   void SpreadLight(double share) { this->Share = share; }
-  double SpreadShare() const { return this->Known.empty() ? this->Share : 0.0; }
+  double SpreadShare() const { return this->Indirect.empty() ? this->Share : 0.0; }
 
-  /// Surfaces that hide one another from ambient light reflect it, too, by this share of their colour, 0 to 1.
+  /// Fraction of their reflectance, 0 to 1, with which occluders of ambient light reflect it.
   void SetInterreflection(double share) { this->InterreflectionShare = share; }
   double Interreflection() const { return this->InterreflectionShare; }
 
-  /// A technique will add indirect light (FrameBuilder::AddIndirectLight).
-  /// detail: what is nearer than this hides light without the technique's knowledge, world units.
-  void KnowIndirectLight(IndirectKind kind, double detail) { this->Known.push_back({ kind, detail }); }
-  bool KnowsIndirectLight() const { return !this->Known.empty(); }
-  /// Whether light is known around surfaces, not only at their points.
-  bool KnowsLightAround() const
+  /// Announce indirect light that a technique will add (FrameBuilder::AddIndirectLight).
+  /// detail: distance in world units below which the light does not resolve occluders.
+  void AnnounceIndirectLight(IndirectKind kind, double detail)
   {
-    return std::any_of(this->Known.begin(), this->Known.end(),
+    this->Indirect.push_back({ kind, detail });
+  }
+  bool HasIndirectLight() const { return !this->Indirect.empty(); }
+  /// Whether any of it is known in space, not only on surfaces.
+  bool HasLightInSpace() const
+  {
+    return std::any_of(this->Indirect.begin(), this->Indirect.end(),
       [](const Source& source) { return source.Kind != IndirectKind::BakedOnSurfaces; });
   }
-  /// The coarsest detail of what is known; infinity where nothing is.
+  /// The coarsest detail of all indirect light; infinity if there is none.
   double IndirectDetail() const
   {
-    double detail = this->Known.empty() ? std::numeric_limits<double>::infinity() : 0.0;
-    for (const Source& source : this->Known)
+    double detail = this->Indirect.empty() ? std::numeric_limits<double>::infinity() : 0.0;
+    for (const Source& source : this->Indirect)
     {
       detail = std::max(detail, source.Detail);
     }
     return detail;
   }
 
-  /// Baked light no longer fits: a technique whose light follows the scene should stand in.
-  void RequestLiveLight() { this->LiveLightWanted = true; }
+  /// Ask for a technique whose light follows the scene, because a bake no longer fits.
+  void RequestLiveLight() { this->LiveLightRequested = true; }
   bool NeedsLiveLight() const
   {
-    return this->LiveLightWanted && this->Known.empty() && !this->ByRays;
+    return this->LiveLightRequested && this->Indirect.empty() && !this->ByRays;
   }
 
-  /// Rays draw all that they see, translucent props too, and average still frames themselves.
+  /// Rays draw everything that they see, including translucent props, and average still frames themselves.
   void DrawByRays() { this->ByRays = true; }
   bool IsDrawnByRays() const { return this->ByRays; }
 
@@ -63,10 +67,10 @@ private:
     IndirectKind Kind;
     double Detail;
   };
-  std::vector<Source> Known;
+  std::vector<Source> Indirect;
   double Share = 0.0;
   double InterreflectionShare = 0.0;
-  bool LiveLightWanted = false;
+  bool LiveLightRequested = false;
   bool ByRays = false;
 };
 }

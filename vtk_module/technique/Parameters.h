@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a technique's generated parameter table holds.
+ * Entries of a technique's generated tables of parameters and presets.
  */
 #pragma once
 
@@ -21,19 +21,19 @@ enum class ParameterType
 
 struct ParameterInfo
 {
-  const char* Name; ///< as in scripts: "slope-bias"
+  const char* Name; ///< the name in scripts: "slope-bias"
   ParameterType Type;
   const char* Unit;
   const char* Documentation;
   double Default;
   double Minimum;
   double Maximum;
-  std::vector<const char*> Values; ///< an enum's values, by number
+  std::vector<const char*> Values; ///< names of an enum's values
   double (*Get)(vtkGITechnique*);
   void (*Set)(vtkGITechnique*, double);
 };
 
-/// One line of a preset: parameter nullptr stands for the technique's own switch.
+/// One value of a preset. A parameter of nullptr stands for the technique's own switch.
 struct PresetValue
 {
   const char* Preset;

@@ -8,7 +8,7 @@ namespace penumbra
 {
 namespace
 {
-// The Halton sequence: evenly spread however many frames there will be.
+// The Halton sequence, which is evenly distributed for any number of frames.
 double Halton(int index, int base)
 {
   double result = 0.0;
@@ -19,9 +19,9 @@ double Halton(int index, int base)
   return result;
 }
 
-// What VTK draws next is not shifted: give it the depth of the frame that was not shifted either.
-// A window drawn to directly holds it in its depth buffer; another one is presented it later.
-void SteadyDepth(FrameContext& context, const History& kept)
+// Restore the depth of the first, unshifted frame, because what VTK draws next is not shifted either. It goes to the
+// depth buffer if the window is drawn to directly, otherwise to the texture that is presented later.
+void RestoreDepth(FrameContext& context, const History& kept)
 {
   const Texture* buffer = context.Input(resource::Depth);
   const Texture* depth = buffer->IsBorrowed() ? buffer : context.Input(resource::WindowDepth);
@@ -44,6 +44,6 @@ void ShiftStillFrame(FrameBuilder& frame, int index)
     .Read(resource::Color)
     .UpdateHistory(kept)
     .SideEffect()
-    .Execute([&kept](FrameContext& context) { SteadyDepth(context, kept); });
+    .Execute([&kept](FrameContext& context) { RestoreDepth(context, kept); });
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Still frames that are averaged: each is drawn with another shift of a part of a pixel.
+ * Jitter of still frames that are averaged.
  */
 #pragma once
 
@@ -9,7 +9,7 @@ namespace penumbra
 {
 class FrameBuilder;
 
-/// Shift this frame, and give what VTK draws next the depth of the first one since the scene changed.
-/// index: of the frame among those that are averaged; the first is not shifted. Call once a frame.
+/// Shift this frame by a fraction of a pixel, and restore the depth of the first frame since the scene changed for what
+/// VTK draws next. index: of the frame among those that are averaged; the first is not shifted. Call once per frame.
 void ShiftStillFrame(FrameBuilder& frame, int index);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * One new object of every technique the module holds. Generated from the list of parameter files.
+ * Creates one object of every technique in the module. Generated from the list of parameter files.
  */
 #pragma once
 

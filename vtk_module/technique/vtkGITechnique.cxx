@@ -18,7 +18,11 @@ vtkGITechnique::~vtkGITechnique()
 void vtkGITechnique::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << this->GetTitle() << ": buys " << this->GetTerm() << "\n";
+  os << indent << this->GetTitle() << "\n";
+  os << indent << "Computes: " << this->GetTerm() << "\n";
+  os << indent << "Method: " << this->GetVerb() << "\n";
+  os << indent << "Dynamic scenes: " << this->GetDynamic() << "\n";
+  os << indent << "Source: " << this->GetSource() << "\n";
   os << indent << "Enabled: " << (this->Enabled ? "yes" : "no") << "\n";
   for (const auto& parameter : this->ParameterTable())
   {
@@ -74,9 +78,9 @@ std::string CamelCase(const char* kebab)
   std::string camel;
   for (const char* c = kebab; *c; ++c)
   {
-    const bool starts = *c == '-';
-    c += starts ? 1 : 0;
-    camel += starts ? static_cast<char>(std::toupper(static_cast<unsigned char>(*c))) : *c;
+    const bool startsWord = *c == '-';
+    c += startsWord ? 1 : 0;
+    camel += startsWord ? static_cast<char>(std::toupper(static_cast<unsigned char>(*c))) : *c;
   }
   return camel;
 }
@@ -101,7 +105,7 @@ int vtkGITechnique::GetNumberOfParameters()
   return static_cast<int>(this->ParameterTable().size());
 }
 
-// The accessors by index differ only in what they return of the entry.
+// The accessors by index differ only in the member that they return.
 #define PENUMBRA_PARAMETER(index, expression, otherwise)                                           \
   const auto& table = this->ParameterTable();                                                      \
   if ((index) < 0 || (index) >= static_cast<int>(table.size()))                                    \
@@ -170,13 +174,13 @@ const penumbra::ParameterInfo* vtkGITechnique::FindParameter(const char* name)
       return &parameter;
     }
   }
-  std::string known;
+  std::string names;
   for (const auto& parameter : this->ParameterTable())
   {
-    known += std::string(known.empty() ? "" : ", ") + parameter.Name;
+    names += std::string(names.empty() ? "" : ", ") + parameter.Name;
   }
   this->SetLastError((std::string(this->GetName()) + " has no parameter '" + (name ? name : "") +
-    "'; it has: " + known + ".")
+    "'; it has: " + names + ".")
                        .c_str());
   return nullptr;
 }
@@ -275,29 +279,29 @@ void vtkGITechnique::SetDefaults()
 
 bool vtkGITechnique::ApplyPreset(const char* preset)
 {
-  bool known = false;
-  for (const auto& line : this->PresetTable())
+  bool exists = false;
+  for (const auto& value : this->PresetTable())
   {
-    known |= preset && std::strcmp(line.Preset, preset) == 0;
+    exists |= preset && std::strcmp(value.Preset, preset) == 0;
   }
-  if (!known)
+  if (!exists)
   {
     return false;
   }
   this->SetDefaults();
-  for (const auto& line : this->PresetTable())
+  for (const auto& value : this->PresetTable())
   {
-    if (std::strcmp(line.Preset, preset) != 0)
+    if (std::strcmp(value.Preset, preset) != 0)
     {
       continue;
     }
-    if (line.Parameter)
+    if (value.Parameter)
     {
-      this->SetParameter(line.Parameter, line.Value);
+      this->SetParameter(value.Parameter, value.Value);
     }
     else
     {
-      this->SetEnabled(line.Value != 0.0);
+      this->SetEnabled(value.Value != 0.0);
     }
   }
   return true;

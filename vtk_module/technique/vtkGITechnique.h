@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGITechnique
- * @brief   one way of buying a term of the rendering equation
+ * @brief   base class of techniques, each of which computes a term of the rendering equation
  *
- * A technique states which term it buys, by which verb (precompute, approximate, amortise), and
- * whether it follows a moving scene. It adds its work to a frame by declaring what it reads and
- * writes; vtkGIPass orders the techniques by these declarations and knows none of them by name.
+ * A technique states which term it computes, by which method, and whether it supports dynamic scenes. It adds passes to
+ * a frame and declares what they read and write. vtkGIPass orders the passes by these declarations, and knows no
+ * technique by name.
  *
- * Its parameters are declared once, in vtk_module/parameters/<Name>.json, from which the typed
- * accessors of each subclass and the table behind SetParameter() are generated.
+ * Parameters are declared once, in vtk_module/techniques/<name>/<Name>.json, from which the typed accessors of each
+ * subclass and the table behind SetParameter() are generated.
  *
  * @sa vtkGIPass
  */
@@ -51,9 +51,9 @@ public:
 
   ///@{
   /**
-   * The row of the technique table: the name used in scripts and on the command line
-   * ("shadow-maps"), a title for people, the term it buys, the verb it buys it by, whether it
-   * follows a moving scene, and the publication it comes from.
+   * The description of the technique: the name used in scripts and on the command line ("shadow-maps"), a title for
+   * people, what it computes (GetTerm()), its method (GetVerb()), whether it supports dynamic scenes, and its source
+   * in the literature.
    */
   virtual const char* GetName() = 0;
   virtual const char* GetTitle() = 0;
@@ -66,7 +66,7 @@ public:
   ///@{
   /**
    * The parameters, by index: name ("slope-bias"), type ("bool", "int", "double" or "enum"), unit,
-   * one line of documentation, default, range (bounds included), and for an enum its values.
+   * one line of documentation, default, range (inclusive), and the values of an enum.
    * An index out of range gives nullptr or 0.
    */
   int GetNumberOfParameters();
@@ -84,8 +84,8 @@ public:
   ///@{
   /**
    * Set or get a parameter by name. Setting fails, with an error that names the parameter and the
-   * remedy, where the technique has no such parameter or the value is outside its range; the
-   * typed setters (SetSlopeBias...) clamp instead, as VTK's do.
+   * remedy, if the technique has no such parameter or the value is outside its range. The typed
+   * setters (SetSlopeBias...) clamp instead, as VTK's do.
    */
   bool SetParameter(const char* name, double value);
   bool SetParameterFromText(const char* name, const char* text);
@@ -93,15 +93,14 @@ public:
   ///@}
 
   /**
-   * The text of the last error of SetParameter() or SetParameterFromText(), or "" where the last
-   * call succeeded.
+   * The error of the last SetParameter(), SetParameterFromText() or GetParameter(), or "" if it succeeded.
    */
   vtkGetStringMacro(LastError);
 
   ///@{
   /**
-   * Give every parameter its default, or the values of a preset ("off", "fast", "balanced",
-   * "high"); a preset also switches the technique on or off. Returns false for an unknown preset.
+   * Set every parameter to its default or to the value of a preset ("off", "fast", "balanced", "high", "reference").
+   * A preset also switches the technique on or off. Returns false for an unknown preset.
    */
   void SetDefaults();
   bool ApplyPreset(const char* preset);
@@ -109,10 +108,10 @@ public:
 
   ///@{
   /**
-   * The resource, by its name in the frame graph, that this technique writes and only one may write in a frame;
-   * nullptr for none. Of several that are enabled and offer the same, the one of the highest rank takes part, and of
-   * equal rank the first by name; a note names those that stand back. Ranks rise with what a technique can see: 0 what
-   * is on the screen, 1 what maps hold, 2 what rays find.
+   * The name of a resource of the frame graph that this technique writes and that only one technique may write in a
+   * frame; nullptr for none. If several enabled techniques offer the same resource, the one with the highest rank takes
+   * part, or the first by name if ranks are equal; a note names the others. The rank tells what a technique sees: 0 the
+   * screen, 1 maps, 2 everything that rays find.
    */
   virtual const char* GetOfferedResource() { return nullptr; }
   virtual int GetRank() { return 0; }
@@ -131,59 +130,60 @@ public:
   ///@}
 
   /**
-   * Say how the technique will light a frame that it takes part in. All of them are asked before any contributes.
+   * Tell the plan how the technique will light a frame that it takes part in. Called for all techniques before any
+   * contributes.
    */
   virtual void Plan(penumbra::LightingPlan&, penumbra::FrameBuilder&) {}
 
   /**
-   * Whether the technique takes part in a frame though it is not enabled, in place of others that know less than
-   * they should.
+   * Whether the technique takes part in a frame although it is not enabled, in place of others that cannot supply
+   * their light.
    */
   virtual bool StandsIn(const penumbra::LightingPlan&) { return false; }
 
   ///@{
   /**
-   * Whether the technique took part in the last frame of its pass, enabled or standing in. Set by the pass; no change
-   * of the technique.
+   * Whether the technique took part in the last frame of its pass, enabled or standing in. Set by the pass, without a
+   * modified event.
    */
   void SetTookPart(bool yes) { this->TookPart = yes; }
   vtkGetMacro(TookPart, bool);
   ///@}
 
   /**
-   * Whether the technique changes how surfaces are lit. Where none does, the picture is VTK's own.
+   * Whether the technique changes how surfaces are lit. If none does, the picture is VTK's own.
    */
   virtual bool ChangesLight() { return true; }
 
   /**
-   * The parameters as the technique's shaders may have them: uniforms named like the parameters, in camel case
-   * ("slopeBias"), enums by the number of their value.
+   * The parameters as uniforms for the technique's shaders, with their names in camel case ("slopeBias"), and enums as
+   * numbers.
    */
   penumbra::Arguments GetShaderParameters();
 
   /**
-   * Add this technique's work to a frame: declare passes with what they read and write.
+   * Add the technique's passes to a frame, and declare what they read and write.
    */
   virtual void Contribute(penumbra::FrameBuilder& frame) = 0;
 
   /**
-   * How many frames of a still scene the technique's picture needs; 1 where every frame is complete.
+   * Number of frames of a still scene that the picture needs; 1 if every frame is complete.
    */
   virtual int GetRequiredFrames() { return 1; }
 
   /**
-   * Whether further frames of a renderer that stands still would change its picture no more, or by
-   * less than was asked for.
+   * Whether further frames of a still scene would not change a renderer's picture, or only by less than the requested
+   * error.
    */
   virtual bool IsFinished(vtkRenderer*) { return true; }
 
   /**
-   * Where the technique finds what it remembers of views, between frames. Set by the pass.
+   * The directory where the technique finds its state of a view between frames. Set by the pass.
    */
   void SetViews(const penumbra::ViewDirectory* views) { this->Views = views; }
 
   /**
-   * Free what the technique holds on the GPU outside the frame graph's pool.
+   * Free the technique's GPU resources outside the frame graph's pool.
    */
   virtual void ReleaseGraphicsResources(vtkWindow*) {}
 

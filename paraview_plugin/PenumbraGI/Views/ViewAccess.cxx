@@ -24,18 +24,21 @@ namespace penumbra
 {
 namespace
 {
-// A derived class may name its base's protected members.
+// A derived class can name protected members of its base.
 struct ViewMembers : public vtkPVRenderView
 {
-  static vtkPVSynchronizedRenderer* Passes(vtkPVRenderView* view)
+  static vtkPVSynchronizedRenderer* GetSynchronizedRenderer(vtkPVRenderView* view)
   {
     return view->*(&ViewMembers::SynchronizedRenderers);
   }
-  static bool Captured(vtkPVView* view)
+  static bool IsInScreenshot(vtkPVView* view)
   {
     return (view->*(&ViewMembers::GetInCaptureScreenshot))();
   }
-  static vtkPVSession* Session(vtkPVView* view) { return (view->*(&ViewMembers::GetSession))(); }
+  static vtkPVSession* GetSessionOf(vtkPVView* view)
+  {
+    return (view->*(&ViewMembers::GetSession))();
+  }
 };
 
 #ifdef PENUMBRA_VTK_HAS_GLEW
@@ -53,17 +56,17 @@ struct WindowMembers : public vtkOpenGLRenderWindow
 #endif
 }
 
-vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view)
+vtkPVSynchronizedRenderer* SynchronizedRendererOf(vtkPVRenderView* view)
 {
-  return ViewMembers::Passes(view);
+  return ViewMembers::GetSynchronizedRenderer(view);
 }
 
 bool IsCaptured(vtkPVView* view)
 {
-  return ViewMembers::Captured(view);
+  return ViewMembers::IsInScreenshot(view);
 }
 
-bool IsAlone()
+bool IsSingleProcess()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   return !controller || controller->GetNumberOfProcesses() < 2;
@@ -71,24 +74,24 @@ bool IsAlone()
 
 bool IsConnected(vtkPVView* view)
 {
-  vtkPVSession* session = ViewMembers::Session(view);
+  vtkPVSession* session = ViewMembers::GetSessionOf(view);
   return session && !session->HasProcessRole(vtkPVSession::CLIENT_AND_SERVERS);
 }
 
 bool IsClient(vtkPVView* view)
 {
-  vtkPVSession* session = ViewMembers::Session(view);
+  vtkPVSession* session = ViewMembers::GetSessionOf(view);
   return !session || session->HasProcessRole(vtkPVSession::CLIENT);
 }
 
-// pvbatch and pvserver draw each view in a window of its own that borrows the context of the process's
-// window. Before its first frame it would ask GLEW for OpenGL's functions again, which looks for an X
-// display and gives up without one, although the process's window loaded every function. So all that is
-// done then is done a moment earlier, when the window announces the frame, without GLEW.
+// pvbatch and pvserver draw each view in a separate window that borrows the context of the process's window. Before its
+// first frame that window initializes GLEW again, which looks for an X display and fails without one, although the
+// process's window has already loaded all functions. Therefore the window is initialized a moment earlier, when it
+// announces the frame, without GLEW.
 #ifdef PENUMBRA_VTK_HAS_GLEW
 namespace
 {
-void BeforeFrame(vtkObject* caller, unsigned long, void*, void*)
+void InitializeWithoutGlew(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* borrower = static_cast<vtkOpenGLRenderWindow*>(caller);
   auto* context = vtkHeadlessRenderWindow::SafeDownCast(vtkPVProcessWindow::GetRenderWindow());
@@ -115,7 +118,7 @@ void PrepareWindow(vtkRenderWindow* window)
   if (borrower && borrower != context && vtkHeadlessRenderWindow::SafeDownCast(context))
   {
     vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(BeforeFrame);
+    command->SetCallback(InitializeWithoutGlew);
     window->AddObserver(vtkViewLayout::RequestUpdateLayoutEvent, command);
   }
 #else
@@ -125,12 +128,13 @@ void PrepareWindow(vtkRenderWindow* window)
 
 namespace
 {
-void Registered(vtkObject*, unsigned long, void*, void* data)
+void OnProxyRegistered(vtkObject*, unsigned long, void*, void* data)
 {
   using Information = vtkSMProxyManager::RegisteredProxyInformation;
   const auto* registered = static_cast<const Information*>(data);
-  const bool proxy = registered->Type == Information::PROXY && registered->Proxy;
-  auto* view = proxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
+  const bool isProxy = registered->Type == Information::PROXY && registered->Proxy;
+  auto* view =
+    isProxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
   if (view)
   {
     PrepareWindow(view->GetRenderWindow());
@@ -141,7 +145,7 @@ void Registered(vtkObject*, unsigned long, void*, void* data)
 void PrepareNewWindows()
 {
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(Registered);
+  command->SetCallback(OnProxyRegistered);
   vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, command);
 }
 }

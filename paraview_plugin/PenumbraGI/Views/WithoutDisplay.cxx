@@ -16,17 +16,17 @@ namespace
 {
 bool& SkipsDisplayTests(vtkRemotingCoreConfiguration* configuration);
 
-// ParaView sets this only from its command line (--disable-xdisplay-test), and the member is private; what
-// is named in an explicit instantiation may be.
+// ParaView sets this option only from its command line (--disable-xdisplay-test), and the member is private. Access
+// checks do not apply to the arguments of an explicit instantiation.
 template <bool vtkRemotingCoreConfiguration::*Member>
-struct Open
+struct MemberAccess
 {
   friend bool& SkipsDisplayTests(vtkRemotingCoreConfiguration* configuration)
   {
     return configuration->*Member;
   }
 };
-template struct Open<&vtkRemotingCoreConfiguration::DisableXDisplayTests>;
+template struct MemberAccess<&vtkRemotingCoreConfiguration::DisableXDisplayTests>;
 }
 
 void AllowDrawingWithoutDisplay()

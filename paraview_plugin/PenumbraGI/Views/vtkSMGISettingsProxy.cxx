@@ -23,7 +23,8 @@ void vtkSMGISettingsProxy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
-// Not as soon as the property is set: a widget that sets it does not listen to it meanwhile.
+// The preset is applied here and not as soon as the property is set, because the widget that sets the property ignores
+// changes of it meanwhile.
 void vtkSMGISettingsProxy::UpdateVTKObjects()
 {
   if (this->GetObjectsCreated())
@@ -41,7 +42,7 @@ void vtkSMGISettingsProxy::UpdateVTKObjects()
 
 void vtkSMGISettingsProxy::ApplyPreset(int index)
 {
-  vtkNew<vtkGIPass> pass; // never drawn: it knows the values
+  vtkNew<vtkGIPass> pass; // used only for the preset's values
   if (!pass->SetPreset(vtkGIPass::GetPresetName(index)))
   {
     return;

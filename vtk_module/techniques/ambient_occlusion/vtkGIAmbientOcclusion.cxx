@@ -13,8 +13,8 @@ using namespace penumbra;
 namespace
 {
 constexpr const char* Raw = "ambient-occlusion.raw";
-constexpr const char* Places = "ambient-occlusion.depth";
-constexpr const char* AlongRows = "ambient-occlusion.along-rows";
+constexpr const char* DepthCopy = "ambient-occlusion.depth";
+constexpr const char* FilteredRows = "ambient-occlusion.along-rows";
 constexpr const char* Smoothed = "ambient-occlusion.smoothed";
 
 enum Methods
@@ -23,10 +23,10 @@ enum Methods
   Hemisphere
 };
 
-// Part of the scene's diagonal that the automatic radius takes. A wider one is hardly nearer to
-// openness of any reach, as what is farther is often not on the screen.
+// Automatic radius, as a fraction of the scene's diagonal. A wider one brings the result hardly closer to
+// occlusion of unlimited distance, because occluders that are farther away are often off the screen.
 constexpr double AutomaticRadius = 0.15;
-// Part of it that things are deep.
+// Automatic thickness of objects, as a fraction of the scene's diagonal.
 constexpr double AutomaticThickness = 0.07;
 
 // The van der Corput sequence in base 2.
@@ -40,32 +40,33 @@ double RadicalInverse(unsigned int i)
   return result;
 }
 
-// Directions spread as the cosine to the normal (z) weighs them, so that every sample counts
-// alike; lengths grow quadratically, as near occluders hide more (Filion and McNaughton 2008).
+// Cosine-distributed directions around the normal (z), so that all samples have the same weight. Lengths
+// grow quadratically, because near occluders hide more (Filion and McNaughton 2008).
 shared::OcclusionData MakeKernel(int samples)
 {
   shared::OcclusionData data;
   for (int i = 0; i < samples; ++i)
   {
     const double radius = std::sqrt((i + 0.5) / samples);
-    const double turn = i * 2.39996323;
+    const double angle = i * 2.39996323;
     const double t = RadicalInverse(static_cast<unsigned int>(i) + 1);
     const double length = 0.05 + 0.95 * t * t;
-    data.Kernel[i] = glm::vec4(radius * std::cos(turn) * length, radius * std::sin(turn) * length,
+    data.Kernel[i] = glm::vec4(radius * std::cos(angle) * length, radius * std::sin(angle) * length,
       std::sqrt(1.0 - radius * radius) * length, length);
   }
   return data;
 }
 
-// Of the samples of the horizon method, so many lie in one slice, half of them to each side: the
-// filter averages slices over pixels, so that places along a slice are worth more than slices.
+// Number of samples of the horizon method in one slice, half of them to each side. The filter averages
+// slices over neighbouring pixels, so more steps along a slice are worth more than more slices.
 constexpr int SamplesPerSlice = 32;
-// Of the places to one side, one in so many looks for the end of the highest thing.
-constexpr int PlacesPerRefinement = 4;
+// One in this many steps to a side is spent on refining the edge of the highest occluder.
+constexpr int StepsPerRefinement = 4;
 
-// What is not drawn is on no surface: neighbours would else take for one what another frame left there.
-const glm::vec4 Open(1.0f, 0.5f, 0.5f, 0.5f);
-const glm::uvec4 Nowhere(glm::floatBitsToUint(1e30f), 0u, 0u, 0u); // a depth near no surface's plane
+// Clear values for pixels without a surface. Otherwise the filters would read what an earlier frame left there.
+const glm::vec4 FullyOpen(1.0f, 0.5f, 0.5f, 0.5f);
+const glm::uvec4 NoSurface(
+  glm::floatBitsToUint(1e30f), 0u, 0u, 0u); // a depth far from any surface's plane
 }
 
 struct vtkGIAmbientOcclusion::Resources
@@ -99,7 +100,7 @@ void vtkGIAmbientOcclusion::Plan(LightingPlan& plan, FrameBuilder&)
 
 void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
 {
-  // Occlusion further off is in indirect light that is known.
+  // Indirect light that another technique supplies already contains more distant occlusion.
   const double radius = this->Radius > 0.0
     ? this->Radius
     : std::min(AutomaticRadius * frame.GetView().Diagonal, frame.Plan().IndirectDetail());
@@ -111,11 +112,10 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     this->Thickness > 0.0 ? this->Thickness : AutomaticThickness * frame.GetView().Diagonal;
   if (thickness >= 2.0 * radius)
   {
-    thickness = 0.0; // as good as endless, at less cost
+    thickness = 0.0; // treated as infinite, which looks the same and is cheaper
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const bool bent =
-    this->BentNormals && this->Method == Horizon && frame.Plan().KnowsLightAround();
+  const bool bent = this->BentNormals && this->Method == Horizon && frame.Plan().HasLightInSpace();
   Defines variant = { { "GI_STRIDE", std::to_string(stride) } };
   if (bent)
   {
@@ -124,27 +124,27 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
   TextureDesc raw = frame.WindowTexture(bent ? GL_RGBA32UI : GL_RG32UI);
   raw.Width = (raw.Width + stride - 1) / stride;
   raw.Height = (raw.Height + stride - 1) / stride;
-  const TextureDesc whole = frame.WindowTexture(bent ? GL_RGBA16 : GL_R16);
-  // A whole target has the window's depth to test against, and what it does not cover is cleared.
-  const Drawing sampled =
-    stride > 1 ? Drawing{ false, stride, {} } : Drawing{ true, 1, Nowhere };
+  const TextureDesc fullSize = frame.WindowTexture(bent ? GL_RGBA16 : GL_R16);
+  // A full-size target is tested against the window's depth, and pixels without a surface are cleared.
+  const Drawing samplingDrawing =
+    stride > 1 ? Drawing{ false, stride, {} } : Drawing{ true, 1, NoSurface };
 
   frame.AddPass("ambient-occlusion-depth")
     .Read(resource::WindowDepth)
-    .Write(Places, frame.WindowTexture(GL_R32F))
+    .Write(DepthCopy, frame.WindowTexture(GL_R32F))
     .Draw("ambient_occlusion/depth.frag", {}, {});
   auto& sample = frame.AddPass("ambient-occlusion")
-                   .Read(Places, "depthTexture")
+                   .Read(DepthCopy, "depthTexture")
                    .Read(resource::Depth)
                    .Read(resource::Normal)
                    .Write(Raw, raw);
   if (this->Method == Hemisphere)
   {
-    this->DeclareHemisphere(sample, variant, radius, sampled);
+    this->DeclareHemisphere(sample, variant, radius, samplingDrawing);
   }
   else
   {
-    this->DeclareHorizon(sample, variant, radius, thickness, sampled);
+    this->DeclareHorizon(sample, variant, radius, thickness, samplingDrawing);
   }
   const char* input = Raw;
   if (this->Filter)
@@ -155,9 +155,9 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     frame.AddPass("ambient-occlusion-filter-rows")
       .Read(Raw, "rawTexture")
       .Read(resource::Depth)
-      .Write(AlongRows, raw)
-      .Draw("ambient_occlusion/filter.frag", rows, {}, sampled);
-    input = AlongRows;
+      .Write(FilteredRows, raw)
+      .Draw("ambient_occlusion/filter.frag", rows, {}, samplingDrawing);
+    input = FilteredRows;
   }
   Defines columns = variant;
   if (this->Filter)
@@ -168,12 +168,13 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
   {
     columns["GI_PACKED"] = "1";
   }
-  const Drawing final = { true, 1, Open };
+  const Drawing finalDrawing = { true, 1, FullyOpen };
   frame.AddPass("ambient-occlusion-filter")
     .Read(input, "rawTexture")
     .Read(resource::Depth)
-    .Write(stride > 1 ? Smoothed : resource::AmbientVisibility, stride > 1 ? raw : whole)
-    .Draw("ambient_occlusion/filter.frag", columns, {}, stride > 1 ? sampled : final);
+    .Write(stride > 1 ? Smoothed : resource::AmbientVisibility, stride > 1 ? raw : fullSize)
+    .Draw(
+      "ambient_occlusion/filter.frag", columns, {}, stride > 1 ? samplingDrawing : finalDrawing);
   if (stride > 1)
   {
     variant.erase("GI_AVERAGED");
@@ -182,8 +183,8 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
       .Read(resource::Depth)
       .Read(resource::WindowDepth)
       .Read(resource::Normal)
-      .Write(resource::AmbientVisibility, whole)
-      .Draw("ambient_occlusion/upsample.frag", variant, {}, final);
+      .Write(resource::AmbientVisibility, fullSize)
+      .Draw("ambient_occlusion/upsample.frag", variant, {}, finalDrawing);
   }
 }
 
@@ -213,12 +214,12 @@ void vtkGIAmbientOcclusion::DeclareHorizon(PassDeclaration& pass, Defines varian
     variant["GI_THICKNESS"] = "1";
   }
   const int slices = std::max(1, this->Samples / SamplesPerSlice);
-  const int places = std::max(1, this->Samples / (2 * slices));
-  const int refinements = places / PlacesPerRefinement;
+  const int stepsPerSide = std::max(1, this->Samples / (2 * slices));
+  const int refinements = stepsPerSide / StepsPerRefinement;
   pass.Draw("ambient_occlusion/horizon.frag", variant,
     Arguments()
       .Set("slices", slices)
-      .Set("steps", places - refinements)
+      .Set("steps", stepsPerSide - refinements)
       .Set("refinements", refinements)
       .Set("radius", radius)
       .Set("thickness", thickness),

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIAmbientOcclusion
- * @brief   how open a surface is to light from all around, from the depth buffer
+ * @brief   visibility of ambient light, approximated from the depth buffer
  *
- * By horizons: in planes around the view direction, how high the surroundings rise over a pixel's
- * surface, and in closed form the light above. Or by points in the hemisphere over it, each hidden
- * or not. At full or half resolution; filters aware of depth and normal average the noise away. The
- * result multiplies ambient and indirect light
- * only, never direct light or emission. Occluders off the screen, or behind what is seen, are not
- * known.
+ * The horizon method finds, in slices around the view direction, how high the surroundings rise above
+ * a pixel's surface, and integrates the light above them in closed form. The hemisphere method counts
+ * how many points in the hemisphere above the surface are hidden. Both work at full or half resolution;
+ * filters that respect depth and normals average the noise. The result multiplies ambient and indirect
+ * light, never direct light or emission. Occluders that are off the screen or behind visible surfaces
+ * are missed.
  */
 #ifndef vtkGIAmbientOcclusion_h
 #define vtkGIAmbientOcclusion_h
 
 #include "vtkGIAmbientOcclusionParameters.h"
 
-#include <map>    // for variants of shaders
+#include <map>    // for shader variants
 #include <memory> // for the resources
-#include <string> // for variants of shaders
+#include <string> // for shader variants
 
 namespace penumbra
 {
@@ -45,7 +45,7 @@ private:
   vtkGIAmbientOcclusion(const vtkGIAmbientOcclusion&) = delete;
   void operator=(const vtkGIAmbientOcclusion&) = delete;
 
-  // Fill in the pass that samples. variant: what its shader is compiled with.
+  // Complete the sampling pass. variant: the defines of its shader.
   void DeclareHemisphere(penumbra::PassDeclaration& pass,
     std::map<std::string, std::string> variant, double radius, const penumbra::Drawing& drawing);
   void DeclareHorizon(penumbra::PassDeclaration& pass, std::map<std::string, std::string> variant,

@@ -29,30 +29,30 @@ enum Modes
 constexpr int AccumulateOrder = 800;
 constexpr int EdgeFilterOrder = 810;
 
-// Below this many averaged frames the edge filter still improves on the average.
+// Number of averaged frames from which the edge filter no longer improves the average.
 constexpr int FramesToFilter = 8;
 
-// What is averaged in a view, by resource. Radiance may be asked for later than the picture.
+// Averages of a view. Each resource counts its own frames, because radiance may be requested later than the picture.
 struct Sums
 {
-  std::map<std::string, int> Frames; ///< summed since the scene changed
+  std::map<std::string, int> Frames; ///< number summed since the scene changed, by resource
 
-  // Whether the sum of a resource is whole, so that further frames change nothing.
-  bool IsWhole(const char* name, int maximum) const
+  // Whether a resource has all its frames, so that further ones change nothing.
+  bool IsComplete(const char* name, int maximum) const
   {
     const auto found = this->Frames.find(name);
     return found != this->Frames.end() && found->second >= maximum;
   }
 };
 
-// Add this frame to the sum of the frames before, and show the average.
+// Add this frame to the sum of the previous frames, and show the average.
 void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource,
   int maximum)
 {
   History& sum = frame.Keep(std::string("sum.") + resource, frame.WindowTexture(GL_RGBA32F));
   pass.UpdateHistory(sum, "sums").Execute([&sums, &sum, resource, maximum](FrameContext& context) {
     const bool first = !sum.Written || context.GetView().StillFrames == 0;
-    const bool frozen = !first && sums.IsWhole(resource, maximum);
+    const bool frozen = !first && sums.IsComplete(resource, maximum);
     int& frames = sums.Frames[resource];
     frames = first ? 1 : frozen ? frames : frames + 1;
     context.Draw("anti_aliasing/accumulate.frag",
@@ -75,9 +75,9 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   {
     const int maximum = this->MaximumFrames;
     Sums& sums = frame.ViewState<Sums>(this);
-    const bool whole = sums.IsWhole(resource::Color, maximum) &&
-      (!view.KeepsRadiance || sums.IsWhole(resource::Radiance, maximum));
-    ShiftStillFrame(frame, whole ? 0 : view.StillFrames);
+    const bool complete = sums.IsComplete(resource::Color, maximum) &&
+      (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));
+    ShiftStillFrame(frame, complete ? 0 : view.StillFrames);
     AddAverage(frame.AddPass("accumulate").Modify(resource::Color, AccumulateOrder), frame, sums,
       resource::Color, maximum);
     if (view.KeepsRadiance)

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIAntiAliasing
- * @brief   smooth edges: filtered on the first frame, averaged over still ones
+ * @brief   smooth edges: an edge filter on the first frame, then the average of jittered frames
  *
- * While nothing changes each frame is drawn with another shift of a part of a pixel, and the
- * window shows the average: it converges to supersampling, noise of stochastic techniques
- * included. A changed scene starts anew with a filter of its edges. Annotations, translucent props
- * and volumes are drawn over the result, unshifted and unfiltered.
+ * While nothing changes, each frame is drawn with a different subpixel jitter, and the window shows the
+ * average. It converges to supersampling, and the noise of stochastic techniques averages out with it.
+ * After a change it starts again from the edge filter. Annotations, translucent props and volumes are
+ * drawn over the result, without jitter or filter.
  */
 #ifndef vtkGIAntiAliasing_h
 #define vtkGIAntiAliasing_h

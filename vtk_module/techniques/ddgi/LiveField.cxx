@@ -15,96 +15,101 @@ namespace penumbra
 {
 namespace
 {
-// Distances are kept as they are after so many updates of geometry that stands still.
-constexpr int AllDistances = 8;
+// Number of distance updates of all probes after geometry changed. From then on one probe in
+// DistanceStride is updated at a time, and after the maximum none.
+constexpr int InitialDistanceUpdates = 8;
 constexpr int DistanceStride = 4;
-constexpr int MostDistances = AllDistances + 64 * DistanceStride;
+constexpr int MaximumDistanceUpdates = InitialDistanceUpdates + 64 * DistanceStride;
 
-// For so many updates after a change each one's share stays as large as hysteresis lets it be: light bounces
-// once in an update, so that much of a change takes several to arrive.
-constexpr int Agile = 48;
+// Number of updates after a change in which the share of each stays as large as hysteresis allows: light
+// bounces once per update, so a change takes several updates to arrive.
+constexpr int AdaptationUpdates = 48;
 
-// Meanwhile it is judged in one of so many updates where probes should stand, from a certain one on.
-constexpr int Judgement = 8;
-constexpr int FirstJudgement = 3;
+// Meanwhile probes are relocated in one of this many updates, from the given one on.
+constexpr int RelocationInterval = 8;
+constexpr int FirstRelocation = 3;
 
-// Of the next update, after so many since a change.
-double ShareOf(int updates, double hysteresis)
+// Share of the next update in the probes' light, after a number of updates since a change.
+double BlendShare(int updates, double hysteresis)
 {
-  const double most = 1.0 - hysteresis;
-  return updates < Agile ? most : 1.0 / (1.0 / most + 0.5 * (updates - Agile));
+  const double maximum = 1.0 - hysteresis;
+  return updates < AdaptationUpdates ? maximum
+                                     : 1.0 / (1.0 / maximum + 0.5 * (updates - AdaptationUpdates));
 }
 
-// How far off the eye that is which the camera looks at, within the scene.
-double LooksAt(const View& view, vtkCamera* camera)
+// Distance from the eye to the camera's focal point, at most to where the line of sight leaves the scene.
+double FocusDistance(const View& view, vtkCamera* camera)
 {
   const glm::dvec3 ahead = -glm::dvec3(view.ViewToWorld[2]);
-  double leaves = std::numeric_limits<double>::infinity();
+  double exit = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double wall = view.Bounds[2 * axis + (ahead[axis] > 0.0 ? 1 : 0)];
+    const double bound = view.Bounds[2 * axis + (ahead[axis] > 0.0 ? 1 : 0)];
     const double slope = std::abs(ahead[axis]) > 1e-12 ? ahead[axis] : 1e-12;
-    leaves = std::min(leaves, (wall - view.ViewToWorld[3][axis]) / slope);
+    exit = std::min(exit, (bound - view.ViewToWorld[3][axis]) / slope);
   }
-  return leaves > 0.0 ? std::min(camera->GetDistance(), leaves) : camera->GetDistance();
+  return exit > 0.0 ? std::min(camera->GetDistance(), exit) : camera->GetDistance();
 }
 
-// How wide or high a part of the scene fills the picture there.
-double ShownSize(const View& view, vtkCamera* camera)
+// Larger side of the part of the scene that fills the picture at that distance.
+double VisibleExtent(const View& view, vtkCamera* camera)
 {
   const glm::dvec2 size(view.Viewport.z, view.Viewport.w);
-  const double wider = std::max(size.x / std::max(size.y, 1.0), 1.0);
-  const double high = view.Parallel
+  const double aspect = std::max(size.x / std::max(size.y, 1.0), 1.0);
+  const double height = view.Parallel
     ? camera->GetParallelScale()
-    : LooksAt(view, camera) * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
-  return 2.0 * high * wider;
+    : FocusDistance(view, camera) * std::tan(0.5 * glm::radians(camera->GetViewAngle()));
+  return 2.0 * height * aspect;
 }
 
-glm::dvec3 PlaceLookedAt(const View& view, vtkCamera* camera)
+glm::dvec3 FocusPoint(const View& view, vtkCamera* camera)
 {
   const glm::dvec3 low(view.Bounds[0], view.Bounds[2], view.Bounds[4]);
   const glm::dvec3 high(view.Bounds[1], view.Bounds[3], view.Bounds[5]);
   const glm::dvec3 ahead = -glm::dvec3(view.ViewToWorld[2]);
-  return glm::clamp(glm::dvec3(view.ViewToWorld[3]) + LooksAt(view, camera) * ahead, low, high);
+  return glm::clamp(
+    glm::dvec3(view.ViewToWorld[3]) + FocusDistance(view, camera) * ahead, low, high);
 }
 }
 
-int LiveField::Settings::ProbesPerFrame(int most) const
+int LiveField::Settings::ProbesPerFrame(int maximum) const
 {
-  const int afforded = this->RaysBudget > 0 ? this->RaysBudget / this->Rays : most;
-  return std::max(1, std::min(afforded, most));
+  const int affordable = this->RaysBudget > 0 ? this->RaysBudget / this->Rays : maximum;
+  return std::max(1, std::min(affordable, maximum));
 }
 
-void LiveField::Prepare(const View& view, const Settings& settings, vtkMTimeType parameters)
+void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeType parameters)
 {
-  this->Now = settings;
-  const std::array<int, 2> asked = { settings.Probes, settings.Grids };
-  if (view.StandsAlone || asked != this->Asked || !this->Grids().Get(0).Suits(view.Bounds))
+  this->Current = settings;
+  const std::array<int, 2> requestedLayout = { settings.Probes, settings.Grids };
+  if (view.StandsAlone || requestedLayout != this->RequestedLayout ||
+    !this->Grids().Get(0).Suits(view.Bounds))
   {
     *this = LiveField();
-    this->Now = settings;
-    this->Asked = asked;
-    this->MakeGrids(view);
+    this->Current = settings;
+    this->RequestedLayout = requestedLayout;
+    this->CreateGrids(view);
   }
   const SceneChanges& changes = view.Changes;
   if (changes.Lights || changes.Props || changes.Looks || this->Parameters != parameters)
   {
-    this->Known = this->Done = 0;
+    this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
   }
   if (changes.Props)
   {
-    this->Seen = std::min(this->Seen, AllDistances);
-    this->Looked = std::min(this->Looked, AllDistances);
-    this->Moved = true;
-    this->Unconnected = this->Grids().Size();
+    this->DistanceUpdates = std::min(this->DistanceUpdates, InitialDistanceUpdates);
+    this->DistanceUpdatesSinceMove =
+      std::min(this->DistanceUpdatesSinceMove, InitialDistanceUpdates);
+    this->GeometryMoved = true;
+    this->UnconnectedProbes = this->Grids().Size();
   }
   this->Parameters = parameters;
 }
 
-void LiveField::MakeGrids(const View& view)
+void LiveField::CreateGrids(const View& view)
 {
-  const int probes = this->Now.Probes / this->Now.Grids;
-  this->Nested = NestedGrids(ProbeGrid::Around(view.Bounds, probes), this->Now.Grids, probes);
+  const int probes = this->Current.Probes / this->Current.Grids;
+  this->Nested = NestedGrids(ProbeGrid::Around(view.Bounds, probes), this->Current.Grids, probes);
   this->Update.Uniforms.Grids = this->Nested.List();
 }
 
@@ -113,22 +118,23 @@ void LiveField::Follow(Frame& frame)
   NestedGrids& grids = this->Nested;
   const View& view = frame.GetView();
   vtkCamera* camera = frame.GetRenderer()->GetActiveCamera();
-  const bool fixed = this->Now.Refinement > 0.0;
-  const bool others =
-    grids.Refine(fixed ? std::max(this->Now.Refinement, NestedGrids::LeastRefinement)
-                       : grids.RefinementFor(ShownSize(view, camera)));
-  const glm::dvec3 looked = PlaceLookedAt(view, camera);
+  const bool fixed = this->Current.Refinement > 0.0;
+  const bool rescaled =
+    grids.SetRefinement(fixed ? std::max(this->Current.Refinement, NestedGrids::LeastRefinement)
+                              : grids.RefinementFor(VisibleExtent(view, camera)));
+  const glm::dvec3 focus = FocusPoint(view, camera);
   for (int number = 1; number < grids.Count(); ++number)
   {
     const ProbeGrid grid = grids.Get(number);
-    const glm::ivec3 moved = grids.Follow(number, looked, this->Unknown || others);
+    const glm::ivec3 moved = grids.Follow(number, focus, this->Uninitialized || rescaled);
     this->Update.Uniforms.Grids = grids.List();
-    if (!this->Unknown && (others || moved != glm::ivec3(0)))
+    if (!this->Uninitialized && (rescaled || moved != glm::ivec3(0)))
     {
-      this->Update.Scroll(frame, this->Textures, number, others ? grid.Counts : moved);
-      this->Done = 0;
-      this->Looked = std::min(this->Looked, AllDistances);
-      this->Unconnected = this->Grids().Size();
+      this->Update.Scroll(frame, this->ProbeMaps, number, rescaled ? grid.Counts : moved);
+      this->UpdatesSinceChange = 0;
+      this->DistanceUpdatesSinceMove =
+        std::min(this->DistanceUpdatesSinceMove, InitialDistanceUpdates);
+      this->UnconnectedProbes = this->Grids().Size();
     }
   }
 }
@@ -136,13 +142,15 @@ void LiveField::Follow(Frame& frame)
 void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights)
 {
   const int size = this->Grids().Size();
-  this->Textures = LiveProbeMaps::Of(frame, size, this->Now.Rays);
-  this->Unknown |= this->Textures.AreFresh();
-  if (this->Unknown)
+  this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays);
+  this->Uninitialized |= this->ProbeMaps.AreEmpty();
+  if (this->Uninitialized)
   {
-    this->Textures.Clear(frame);
-    this->Next = this->Total = this->Known = this->Done = this->Seen = this->Looked = 0;
-    this->Unconnected = size;
+    this->ProbeMaps.Clear(frame);
+    this->NextProbe = this->TotalUpdates = 0;
+    this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
+    this->DistanceUpdates = this->DistanceUpdatesSinceMove = 0;
+    this->UnconnectedProbes = size;
   }
   this->Trace(frame, rays, lights);
   if (!frame.GetView().StandsAlone)
@@ -150,9 +158,10 @@ void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights)
     this->Blend(frame);
     return;
   }
-  // No frame follows in which light could arrive. What comes after these updates averages noise.
-  const int updates = std::min(this->Now.Updates, Agile);
-  while (this->Done < updates - 1 || (this->Done < updates && !this->IsLastPart()))
+  // Light has to arrive within this frame. Updates beyond these would only average noise.
+  const int updates = std::min(this->Current.Updates, AdaptationUpdates);
+  while (this->UpdatesSinceChange < updates - 1 ||
+    (this->UpdatesSinceChange < updates && !this->ReachesLastProbe()))
   {
     this->Blend(frame);
     this->Trace(frame, rays, lights);
@@ -165,63 +174,68 @@ void LiveField::Trace(Frame& frame, RayProps& rays, LightTable& lights)
   const int size = this->Grids().Size();
   LiveProbeUpdate& update = this->Update;
   update.Uniforms.Origin = rays.Origin();
-  update.Uniforms.Bias = this->Now.Bias;
+  update.Uniforms.Bias = this->Current.Bias;
   update.Rays = &rays;
   update.Lights = &lights;
-  update.RayCount = this->Now.Rays;
-  update.Number = this->Total;
-  update.First = this->Next;
-  update.Last = this->Next + this->Now.ProbesPerFrame(size - this->Next);
+  update.RayCount = this->Current.Rays;
+  update.UpdateNumber = this->TotalUpdates;
+  update.First = this->NextProbe;
+  update.Last = this->NextProbe + this->Current.ProbesPerFrame(size - this->NextProbe);
   this->Follow(frame);
-  this->Unknown = false;
-  if (this->Rests())
+  this->Uninitialized = false;
+  if (this->IsResting())
   {
     return;
   }
-  const bool judged = this->Next == 0 && this->Total % Judgement == FirstJudgement &&
-    this->Done < Agile && this->Now.Relocate;
-  if (judged)
+  const bool relocates = this->NextProbe == 0 &&
+    this->TotalUpdates % RelocationInterval == FirstRelocation &&
+    this->UpdatesSinceChange < AdaptationUpdates && this->Current.Relocate;
+  if (relocates)
   {
-    update.Relocate(frame, this->Textures, this->Moved);
-    this->Moved = false;
-    update.Connect(frame, this->Textures, 0, size);
-    this->Unconnected = 0;
+    update.Relocate(frame, this->ProbeMaps, this->GeometryMoved);
+    this->GeometryMoved = false;
+    update.Connect(frame, this->ProbeMaps, 0, size);
+    this->UnconnectedProbes = 0;
   }
-  if (this->Unconnected > 0)
+  if (this->UnconnectedProbes > 0)
   {
-    update.Connect(frame, this->Textures, update.First, update.Last);
-    this->Unconnected -= update.Last - update.First;
+    update.Connect(frame, this->ProbeMaps, update.First, update.Last);
+    this->UnconnectedProbes -= update.Last - update.First;
   }
-  update.Trace(frame, this->Textures);
+  update.Trace(frame, this->ProbeMaps);
 }
 
 void LiveField::Blend(Frame& frame)
 {
-  if (this->Rests())
+  if (this->IsResting())
   {
     return;
   }
-  // After the first updates, a few of the probes at a time: distances take long to blend.
-  const bool all = this->Seen < AllDistances;
-  const int seen = all ? this->Seen : AllDistances + (this->Seen - AllDistances) / DistanceStride;
-  const int stride = all ? 1 : (this->Looked < MostDistances ? DistanceStride : 0);
-  this->Update.BlendDistances(frame, this->Textures, seen, stride);
-  this->Update.BlendLight(frame, this->Textures, ShareOf(this->Known, this->Now.Hysteresis));
+  // After the first updates only some probes at a time, because blending distances is expensive.
+  const bool all = this->DistanceUpdates < InitialDistanceUpdates;
+  const int previousUpdates = all
+    ? this->DistanceUpdates
+    : InitialDistanceUpdates + (this->DistanceUpdates - InitialDistanceUpdates) / DistanceStride;
+  const int stride =
+    all ? 1 : (this->DistanceUpdatesSinceMove < MaximumDistanceUpdates ? DistanceStride : 0);
+  this->Update.BlendDistances(frame, this->ProbeMaps, previousUpdates, stride);
+  this->Update.BlendLight(
+    frame, this->ProbeMaps, BlendShare(this->UpdatesSinceSceneChange, this->Current.Hysteresis));
   this->Advance();
 }
 
-// After a frame's probes, to the next; after the last, the update is done.
+// Continue with the probes after those of this frame. The last probe completes the update.
 void LiveField::Advance()
 {
-  this->Next = this->Update.Last;
-  if (this->Next >= this->Grids().Size())
+  this->NextProbe = this->Update.Last;
+  if (this->NextProbe >= this->Grids().Size())
   {
-    this->Next = 0;
-    ++this->Total;
-    ++this->Known;
-    ++this->Done;
-    ++this->Seen;
-    ++this->Looked;
+    this->NextProbe = 0;
+    ++this->TotalUpdates;
+    ++this->UpdatesSinceSceneChange;
+    ++this->UpdatesSinceChange;
+    ++this->DistanceUpdates;
+    ++this->DistanceUpdatesSinceMove;
   }
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The live probes of one view: where their grids stand, and when they are updated how.
+ * The live probes of one view: the placement of their grids, and the schedule of their updates.
  */
 #pragma once
 
@@ -20,57 +20,59 @@ struct View;
 class LiveField
 {
 public:
-  /// What a view's field follows in all of its frames.
+  /// Parameters of vtkGIDDGI.
   struct Settings
   {
-    int Probes = 0; ///< in all grids
+    int Probes = 0; ///< in all grids together
     int Grids = 1;
-    double Refinement = 0.0; ///< 0: by what the camera shows
-    int Rays = 0;            ///< of a probe in an update
-    int RaysBudget = 0;      ///< in a frame; 0: no limit
-    int Updates = 0;         ///< after which it rests
+    double Refinement = 0.0; ///< 0: derived from what the camera shows
+    int Rays = 0;            ///< per probe and update
+    int RaysBudget = 0;      ///< per frame; 0: no limit
+    int Updates = 0;         ///< number of updates of a still scene after which the probes rest
     double Hysteresis = 0.0;
     double Bias = 0.0;
     bool Relocate = false;
 
-    int ProbesPerFrame(int most) const;
+    int ProbesPerFrame(int maximum) const;
   };
 
-  /// Before each frame: grids that suit the scene, and what is no longer true. parameters: when any was changed.
-  void Prepare(const View& view, const Settings& settings, vtkMTimeType parameters);
+  /// Fit the grids to the scene, and restart what a change invalidated. Call before each frame.
+  /// parameters: modification time of the technique's parameters.
+  void BeginFrame(const View& view, const Settings& settings, vtkMTimeType parameters);
 
-  /// Add a frame's part of an update, or several updates to a frame that stands alone; nothing once the probes rest.
+  /// Add one frame's part of an update, or several updates if the frame stands alone; nothing once the probes rest.
   void AddUpdates(Frame& frame, RayProps& rays, LightTable& lights);
 
   const ProbeGrids& Grids() const { return this->Update.Uniforms.Grids; }
   const ProbeUniforms& Uniforms() const { return this->Update.Uniforms; }
-  const LiveProbeMaps& Maps() const { return this->Textures; }
-  int UpdatesDone() const { return this->Done; }
+  const LiveProbeMaps& Maps() const { return this->ProbeMaps; }
+  int UpdatesDone() const { return this->UpdatesSinceChange; }
 
 private:
-  bool Rests() const { return this->Done >= this->Now.Updates; }
-  bool IsLastPart() const { return this->Update.Last >= this->Grids().Size(); }
+  bool IsResting() const { return this->UpdatesSinceChange >= this->Current.Updates; }
+  bool ReachesLastProbe() const { return this->Update.Last >= this->Grids().Size(); }
   void Trace(Frame& frame, RayProps& rays, LightTable& lights);
   void Blend(Frame& frame);
-  void MakeGrids(const View& view);
+  void CreateGrids(const View& view);
   void Follow(Frame& frame);
   void Advance();
 
-  Settings Now;
+  Settings Current;
   NestedGrids Nested;
-  std::array<int, 2> Asked{}; ///< of the settings, that the grids were made for
-  vtkMTimeType Parameters = 0;
-  LiveProbeMaps Textures;
+  /// Numbers of probes and grids that the grids were created for.
+  std::array<int, 2> RequestedLayout{};
+  vtkMTimeType Parameters = 0; ///< modification time of the parameters in use
+  LiveProbeMaps ProbeMaps;
   LiveProbeUpdate Update;
-  bool Unknown = true; ///< nothing is known yet
-  bool Moved = false;  ///< geometry, since it was judged where probes should stand
-  int Next = 0;        ///< probe to be updated
-  int Unconnected = 0; ///< of them, from Next on: sight of each other may have changed
-  // Updates,
-  int Total = 0;  ///< since the grids were made
-  int Known = 0;  ///< since the scene changed
-  int Done = 0;   ///< since that or since a grid moved
-  int Seen = 0;   ///< of distances, since geometry changed
-  int Looked = 0; ///< since that or since a grid moved
+  bool Uninitialized = true;  ///< the probes hold no light yet
+  bool GeometryMoved = false; ///< since the last relocation
+  int NextProbe = 0;          ///< next probe to update
+  /// Number of probes from NextProbe on whose visibility of each other may have changed.
+  int UnconnectedProbes = 0;
+  int TotalUpdates = 0; ///< since the grids were created
+  int UpdatesSinceSceneChange = 0;
+  int UpdatesSinceChange = 0;       ///< since the scene changed or a grid moved
+  int DistanceUpdates = 0;          ///< since geometry changed
+  int DistanceUpdatesSinceMove = 0; ///< since geometry changed or a grid moved
 };
 }

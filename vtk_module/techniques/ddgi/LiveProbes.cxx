@@ -16,17 +16,17 @@ namespace
 constexpr int LightTexels = GI_FIELD_LIGHT;
 constexpr int DistanceTexels = GI_FIELD_DISTANCE;
 
-// Along a spiral, neighbours in the table being neighbours on the sphere (Bauer 2000, Distribution of Points on
-// a Sphere with Application to Star Catalogs).
+// Directions along a spiral, so that neighbours in the table are neighbours on the sphere (Bauer 2000, Distribution
+// of Points on a Sphere with Application to Star Catalogs).
 std::vector<glm::vec4> EvenDirections(int count)
 {
   std::vector<glm::vec4> directions;
   for (int i = 0; i < count; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / count;
-    const double turn = std::sqrt(glm::pi<double>() * count) * std::acos(z);
+    const double angle = std::sqrt(glm::pi<double>() * count) * std::acos(z);
     const double radius = std::sqrt(1.0 - z * z);
-    directions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z, 0.0);
+    directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z, 0.0);
   }
   return directions;
 }
@@ -46,7 +46,7 @@ void FillAll(const Texture& texture, const glm::vec4& value)
 }
 }
 
-LiveProbeMaps LiveProbeMaps::Of(Frame& frame, int probes, int rays)
+LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
 {
   const int columns = ProbeUniforms::Columns(probes);
   const int rows = ProbeUniforms::Rows(probes, columns);
@@ -54,14 +54,14 @@ LiveProbeMaps LiveProbeMaps::Of(Frame& frame, int probes, int rays)
     return &frame.Keep(name, { format, columns * side, rowCount * side, 0 });
   };
   LiveProbeMaps maps;
-  maps.Found = &frame.Keep("ddgi.rays", { GL_RGBA32F, rays, probes, 0 });
+  maps.RayResults = &frame.Keep("ddgi.rays", { GL_RGBA32F, rays, probes, 0 });
   maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 1, 0 });
   maps.Light = keep("ddgi.light", GL_RGBA32F, LightTexels + 2, rows);
-  // And of places that probes left.
+  // A second map per probe, for the grid point that a relocated probe left.
   maps.Distance =
     keep("ddgi.distance", GL_RG32F, DistanceTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
   maps.Probes = keep("ddgi.probes", GL_RGBA32F, 1, rows);
-  maps.Places = keep("ddgi.places", GL_RGBA32F, 1, rows);
+  maps.NextOffsets = keep("ddgi.places", GL_RGBA32F, 1, rows);
   maps.States = keep("ddgi.states", GL_RGBA32F, 1, rows);
   if (!maps.Directions->Written)
   {
@@ -73,11 +73,12 @@ LiveProbeMaps LiveProbeMaps::Of(Frame& frame, int probes, int rays)
   return maps;
 }
 
-bool LiveProbeMaps::AreFresh() const
+bool LiveProbeMaps::AreEmpty() const
 {
-  const auto kept = { this->Light, this->Distance, this->Probes, this->Places, this->States };
+  const auto histories = { this->Light, this->Distance, this->Probes, this->NextOffsets,
+    this->States };
   return std::any_of(
-    kept.begin(), kept.end(), [](const History* history) { return !history->Written; });
+    histories.begin(), histories.end(), [](const History* history) { return !history->Written; });
 }
 
 void LiveProbeMaps::Clear(Frame& frame) const
@@ -86,7 +87,7 @@ void LiveProbeMaps::Clear(Frame& frame) const
     .WriteHistory(*this->Light)
     .WriteHistory(*this->Distance)
     .WriteHistory(*this->Probes)
-    .WriteHistory(*this->Places)
+    .WriteHistory(*this->NextOffsets)
     .WriteHistory(*this->States)
     .Execute([maps = *this](FrameContext&) {
       for (History* history : { maps.Light, maps.Distance })
@@ -96,7 +97,7 @@ void LiveProbeMaps::Clear(Frame& frame) const
         FillAll(history->Storage, glm::vec4(0.0f));
       }
       FillAll(maps.Probes->Storage, glm::vec4(0.0f));
-      FillAll(maps.Places->Storage, glm::vec4(0.0f));
+      FillAll(maps.NextOffsets->Storage, glm::vec4(0.0f));
       FillAll(maps.States->Storage, glm::vec4(0.0f, 0.0f, 1.0f, 0.0f));
     });
 }
@@ -119,7 +120,7 @@ void LiveProbeUpdate::Scroll(
   this->AddPass(frame, "ddgi-scroll")
     .UpdateHistory(*maps.Probes, "probes")
     .UpdateHistory(*maps.Distance, "distances")
-    .UpdateHistory(*maps.Places, "places")
+    .UpdateHistory(*maps.NextOffsets, "places")
     .UpdateHistory(*maps.States, "states")
     .Compute("ddgi/scroll.comp", this->Uniforms.Variant(),
       Arguments().Set("number", number).Set("moved", moved),
@@ -132,7 +133,7 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
   variant.merge(this->Uniforms.Variant());
   auto& pass = this->AddPass(frame, "ddgi-trace")
                  .ReadHistory(*maps.Directions, "fieldDirections")
-                 .UpdateHistory(*maps.Found, "found")
+                 .UpdateHistory(*maps.RayResults, "found")
                  .UpdateHistory(*maps.States, "states");
   maps.ReadField(pass);
   pass.Offer(this->Rays->ShaderArguments())
@@ -142,10 +143,10 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
     .Compute("ddgi/trace.comp", variant,
       Arguments()
         .Set("rays", this->RayCount)
-        .Set("update", this->Number)
+        .Set("update", this->UpdateNumber)
         .Set("firstProbe", this->First)
         .Set("lastProbe", this->Last)
-        .Set("lit", this->Number > 0),
+        .Set("lit", this->UpdateNumber > 0),
       Work::Items(this->RayCount * (this->Last - this->First)));
 }
 
@@ -153,9 +154,9 @@ void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geo
 {
   const int probes = this->Uniforms.Grids.Size();
   auto& pass = this->AddPass(frame, "ddgi-relocate")
-                 .ReadHistory(*maps.Found, "foundTexture")
+                 .ReadHistory(*maps.RayResults, "foundTexture")
                  .ReadHistory(*maps.Directions, "fieldDirections")
-                 .UpdateHistory(*maps.Places, "places")
+                 .UpdateHistory(*maps.NextOffsets, "places")
                  .UpdateHistory(*maps.States, "states");
   maps.ReadField(pass);
   pass.Offer(this->Rays->ShaderArguments())
@@ -163,42 +164,41 @@ void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geo
       Arguments()
         .Set("probeCount", probes)
         .Set("rays", this->RayCount)
-        .Set("update", this->Number - 1)
+        .Set("update", this->UpdateNumber - 1)
         .Set("geometryMoves", geometryMoves),
       Work::Items(probes));
   this->AddPass(frame, "ddgi-take-over")
     .ReadHistory(*maps.Probes, "fieldProbes")
-    .UpdateHistory(*maps.Places, "places")
+    .UpdateHistory(*maps.NextOffsets, "places")
     .UpdateHistory(*maps.Distance, "distances")
     .UpdateHistory(*maps.Light, "map")
     .UpdateHistory(*maps.States, "states")
-    .Compute(
-      "ddgi/take_over.comp", {}, Arguments().Set("probeCount", probes), Work::Items(probes));
+    .Compute("ddgi/take_over.comp", {}, Arguments().Set("probeCount", probes), Work::Items(probes));
 }
 
 void LiveProbeUpdate::Connect(Frame& frame, const LiveProbeMaps& maps, int first, int last) const
 {
   this->AddPass(frame, "ddgi-connect")
-    .ReadHistory(*maps.Places, "fieldProbes")
+    .ReadHistory(*maps.NextOffsets, "fieldProbes")
     .UpdateHistory(*maps.Probes, "probes")
     .Offer(this->Rays->ShaderArguments())
     .Compute("ddgi/connect.comp", this->Rays->ShaderDefines(),
       Arguments().Set("firstProbe", first).Set("lastProbe", last), Work::Items(last - first));
 }
 
-void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double least) const
+void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double leastShare) const
 {
-  this->Blend(frame, maps, false, least, std::numeric_limits<int>::max(), 0);
+  this->Blend(frame, maps, false, leastShare, std::numeric_limits<int>::max(), 0);
 }
 
 void LiveProbeUpdate::BlendDistances(
-  Frame& frame, const LiveProbeMaps& maps, int most, int stride) const
+  Frame& frame, const LiveProbeMaps& maps, int mostUpdates, int stride) const
 {
-  this->Blend(frame, maps, true, 0.0, most, stride);
+  this->Blend(frame, maps, true, 0.0, mostUpdates, stride);
 }
 
-void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distances, double least,
-  int most, int stride) const
+void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distances,
+  double leastShare, int mostUpdates, int stride) const
 {
   Defines variant;
   if (distances)
@@ -206,16 +206,16 @@ void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distan
     variant["GI_BLEND_DISTANCE"] = "1";
   }
   this->AddPass(frame, distances ? "ddgi-blend-distances" : "ddgi-blend")
-    .ReadHistory(*maps.Found, "foundTexture")
+    .ReadHistory(*maps.RayResults, "foundTexture")
     .ReadHistory(*maps.Directions, "fieldDirections")
     .UpdateHistory(distances ? *maps.Distance : *maps.Light, "map")
     .UpdateHistory(*maps.States, "states")
     .Compute("ddgi/blend.comp", variant,
       Arguments()
         .Set("rays", this->RayCount)
-        .Set("update", this->Number)
-        .Set("least", least)
-        .Set("most", static_cast<double>(most))
+        .Set("update", this->UpdateNumber)
+        .Set("least", leastShare)
+        .Set("most", static_cast<double>(mostUpdates))
         .Set("firstProbe", this->First)
         .Set("stride", stride),
       Work::Groups(this->Last - this->First));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Probes that rays update: what is kept of them, and the work of an update (glsl/ddgi).
+ * Probes that rays update: their histories, and the passes of an update (glsl/ddgi).
  */
 #pragma once
 
@@ -15,58 +15,61 @@ class PassDeclaration;
 class RayProps;
 struct History;
 
-/// Kept from frame to frame.
+/// The textures of the probes, which are histories of a view.
 struct LiveProbeMaps
 {
-  History* Directions = nullptr; ///< of rays, not turned yet
-  History* Found = nullptr;      ///< by the rays of the last update
+  History* Directions = nullptr; ///< directions of the rays, before an update's rotation
+  /// Radiance and distance found by the last update, a row per probe.
+  History* RayResults = nullptr;
   History* Light = nullptr;
   History* Distance = nullptr;
-  History* Probes = nullptr;
-  History* Places = nullptr; ///< to come into Probes
+  History* Probes = nullptr; ///< offset from the grid point, and which neighbours are visible
+  /// Offsets that relocation chose, before Connect() moves the probes.
+  History* NextOffsets = nullptr;
   History* States = nullptr;
 
-  static LiveProbeMaps Of(Frame& frame, int probes, int rays);
-  /// Whether some hold nothing yet.
-  bool AreFresh() const;
-  /// Probes at their grids' places that know nothing.
+  static LiveProbeMaps Keep(Frame& frame, int probes, int rays);
+  /// Whether any of them holds nothing yet.
+  bool AreEmpty() const;
+  /// Put all probes back on their grid points, without light.
   void Clear(Frame& frame) const;
-  /// For a pass whose shader asks the probes.
+  /// Declare the reads of a pass whose shader looks up the probes' light.
   void ReadField(PassDeclaration& pass) const;
 };
 
-/// An update, or the part of one that a frame does: adds passes for its steps.
+/// An update of all probes, or one frame's part of it. Each function adds the passes of one step.
 struct LiveProbeUpdate
 {
   ProbeUniforms Uniforms;
   RayProps* Rays = nullptr;
   LightTable* Lights = nullptr;
-  int RayCount = 0; ///< of a probe
-  int Number = 0;   ///< of the update, for the rays' directions
-  int First = 0;    ///< of its probes, those that this frame updates
-  int Last = 0;     ///< one past them
+  int RayCount = 0;     ///< per probe
+  int UpdateNumber = 0; ///< selects the rotation of the rays' directions
+  int First = 0;        ///< first probe that this frame updates
+  int Last = 0;         ///< one past the last
 
   void Trace(Frame& frame, const LiveProbeMaps& maps) const;
 
-  /// After a grid moved by so many cells: probes are new where it had none before.
+  /// Clear the probes that a grid gained when it moved. number: of the grid. moved: in cells.
   void Scroll(
     Frame& frame, const LiveProbeMaps& maps, int number, const glm::ivec3& moved) const;
 
-  /// Where each probe should stand goes to Places, and light there to those that move.
+  /// Choose the offset of each probe, and give light from a neighbour to those that will move.
   void Relocate(Frame& frame, const LiveProbeMaps& maps, bool geometryMoves) const;
 
-  /// Probes from one to another, that one not counted, go to their Places and learn whom they see from there.
+  /// Move the probes in [first, last) to their new offsets, and find which neighbours they see from there.
   void Connect(Frame& frame, const LiveProbeMaps& maps, int first, int last) const;
 
-  /// What the rays found, into the maps of light; least: share of this update in them.
-  void BlendLight(Frame& frame, const LiveProbeMaps& maps, double least) const;
+  /// Blend the rays' radiance into the maps of light. leastShare: minimum share of this update.
+  void BlendLight(Frame& frame, const LiveProbeMaps& maps, double leastShare) const;
 
-  /// Into those of distances; most: as so many updates before count, at most; stride: see glsl/ddgi/blend.comp.
-  void BlendDistances(Frame& frame, const LiveProbeMaps& maps, int most, int stride) const;
+  /// Blend the rays' distances into the maps of distances. mostUpdates: number of previous updates that are taken
+  /// into account, at most. stride: see glsl/ddgi/blend.comp.
+  void BlendDistances(Frame& frame, const LiveProbeMaps& maps, int mostUpdates, int stride) const;
 
 private:
   PassDeclaration& AddPass(Frame& frame, const char* name) const;
-  void Blend(Frame& frame, const LiveProbeMaps& maps, bool distances, double least,
-    int most, int stride) const;
+  void Blend(Frame& frame, const LiveProbeMaps& maps, bool distances, double leastShare,
+    int mostUpdates, int stride) const;
 };
 }

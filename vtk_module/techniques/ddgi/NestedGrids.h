@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Grids of probes within each other: the first around the scene, each later one of smaller cells, around what is looked
- * at. They follow it by whole cells, so that probes stay where they are (Majercik et al. 2021, Scaling Probe-Based
- * Real-Time Dynamic Global Illumination for Production, JCGT 10:2).
+ * Nested grids of probes: the first encloses the scene, each further one has smaller cells and surrounds the point that
+ * the camera looks at. They follow that point by whole cells, so that probes keep their positions (Majercik et al.
+ * 2021, Scaling Probe-Based Real-Time Dynamic Global Illumination for Production, JCGT 10:2).
  */
 #pragma once
 
@@ -20,32 +20,32 @@ public:
   static constexpr double MostRefinement = 8.0;
 
   NestedGrids() = default;
-  /// The finer ones have at most so many probes each, about as many along each axis.
+  /// count: number of grids. probes: maximum number in each finer grid, similar along each axis.
   NestedGrids(const ProbeGrid& first, int count, int probes);
 
-  int Count() const { return this->Number; }
+  int Count() const { return this->GridCount; }
   ProbeGrid Get(int number) const;
-  /// As they stand now.
+  /// All grids at their current positions.
   ProbeGrids List() const;
 
-  /// By how much the cells of each grid are smaller than those of the one before.
-  double Refinement() const { return this->Finer; }
-  /// Returns whether it is another than before: then no probe of the finer grids is where it was.
-  bool Refine(double refinement);
-  /// The refinement with which the finest grid's longest side is a little longer than that, in steps of 19 %. Stays as
-  /// it is where it nearly suits.
+  /// Ratio of cell sizes between each grid and the next finer one.
+  double Refinement() const { return this->Ratio; }
+  /// Returns whether the refinement changed, which moves all probes of the finer grids.
+  bool SetRefinement(double refinement);
+  /// The refinement that makes the longest side of the finest grid a little longer than size, in steps of 19 %.
+  /// The current one is kept while it is close enough.
   double RefinementFor(double size) const;
 
-  /// Have a finer grid stand around a point, no farther out of the scene than half a cell, where it is more than a
-  /// cell off or at once. Returns by how many of its cells it moved.
-  glm::ivec3 Follow(int number, const glm::dvec3& center, bool atOnce);
+  /// Center a finer grid around a point, at most half a cell outside the scene, if it is more than one cell off or
+  /// if immediately is true. Returns the number of its cells by which it moved.
+  glm::ivec3 Follow(int number, const glm::dvec3& center, bool immediately);
 
 private:
   ProbeGrid First;
-  glm::ivec3 Counts{ 0 }; ///< of the finer ones
-  int Number = 1;
-  double Finer = LeastRefinement;
-  /// Of their first probes, in their own cells: zero is half a cell within the bounds that the first grid is around.
+  glm::ivec3 Counts{ 0 }; ///< counts of the finer grids
+  int GridCount = 1;
+  double Ratio = LeastRefinement;
+  /// Position of each grid's first probe in its own cells; zero is half a cell inside the bounds of the scene.
   std::array<glm::ivec3, ProbeGrids::Most> Bases{};
 };
 }

@@ -28,7 +28,7 @@ LiveField::Settings SettingsOf(vtkGIDDGI& technique)
   return settings;
 }
 
-// For translucent surfaces and volumes.
+// Sets the probes' inputs for translucent surfaces and volumes.
 void BindForward(ForwardProgram& program, const LiveField& field)
 {
   program.Set(field.Uniforms().ShaderArguments());
@@ -37,7 +37,7 @@ void BindForward(ForwardProgram& program, const LiveField& field)
   program.SetTexture("fieldProbes", field.Maps().Probes->Storage.Get());
 }
 
-ForwardPart ForwardOf(const LiveField& field, std::function<void(ForwardProgram&)> bind)
+ForwardPart MakeForwardPart(const LiveField& field, std::function<void(ForwardProgram&)> bind)
 {
   ForwardPart part;
   part.Source = "ddgi/forward.glsl";
@@ -47,8 +47,8 @@ ForwardPart ForwardOf(const LiveField& field, std::function<void(ForwardProgram&
   return part;
 }
 
-// For shaders that ask the probes about what is in the picture.
-void Read(PassDeclaration& pass, const LiveField& field, const View& view)
+// Declares what a pass reads whose shader looks up the probes' light at the surfaces of the picture.
+void ReadField(PassDeclaration& pass, const LiveField& field, const View& view)
 {
   field.Maps().ReadField(pass);
   pass.Offer(field.Uniforms().ShaderArguments()).Offer(view.ToScene(field.Uniforms().Origin));
@@ -64,8 +64,8 @@ void vtkGIDDGI::Plan(LightingPlan& plan, FrameBuilder& frame)
   if (view.Diagonal > 0.0)
   {
     LiveField& field = frame.ViewState<LiveField>(this);
-    field.Prepare(view, SettingsOf(*this), this->GetMTime());
-    plan.KnowIndirectLight(IndirectKind::LiveProbes, field.Grids().Detail());
+    field.BeginFrame(view, SettingsOf(*this), this->GetMTime());
+    plan.AnnounceIndirectLight(IndirectKind::LiveProbes, field.Grids().Detail());
   }
 }
 
@@ -87,16 +87,16 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       .Read(resource::Albedo)
       .Read(resource::Normal)
       .Offer(this->GetShaderParameters());
-    Read(pass, field, view);
+    ReadField(pass, field, view);
   };
   light.Draw = [&field](FrameContext& context) {
-    Arguments given;
-    Defines variant = OpenDirection(context, given);
+    Arguments arguments;
+    Defines variant = OpenDirection(context, arguments);
     variant.merge(field.Uniforms().Variant());
-    context.DrawBound("ddgi/gather.frag", variant, given);
+    context.DrawBound("ddgi/gather.frag", variant, arguments);
   };
   light.Forward =
-    ForwardOf(field, [this, &field, toWorld = view.ViewToWorld](ForwardProgram& program) {
+    MakeForwardPart(field, [this, &field, toWorld = view.ViewToWorld](ForwardProgram& program) {
       BindForward(program, field);
       program.SetField(toWorld, field.Uniforms().Origin, this->Intensity);
     });
@@ -104,7 +104,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   if (this->Show)
   {
     AddProbeBalls(frame, "ddgi-balls", "ddgi/show.frag", [&](PassDeclaration& pass) {
-      Read(pass, field, view);
+      ReadField(pass, field, view);
       pass.UpdateHistory(*field.Maps().States, "states");
     });
   }
@@ -148,11 +148,11 @@ void vtkGIDDGI::GetGrid(vtkRenderer* renderer, int counts[3])
 void vtkGIDDGI::GetGridBounds(vtkRenderer* renderer, int number, double bounds[6])
 {
   const LiveField* field = this->Find(renderer);
-  const bool known = field && number >= 0 && number < field->Grids().Count();
-  const ProbeGrid grid = known ? field->Grids().Get(number) : ProbeGrid();
+  const bool exists = field && number >= 0 && number < field->Grids().Count();
+  const ProbeGrid grid = exists ? field->Grids().Get(number) : ProbeGrid();
   for (int axis = 0; axis < 3; ++axis)
   {
-    bounds[2 * axis] = known ? grid.First[axis] : 1.0;
-    bounds[2 * axis + 1] = known ? grid.Last()[axis] : -1.0;
+    bounds[2 * axis] = exists ? grid.First[axis] : 1.0;
+    bounds[2 * axis + 1] = exists ? grid.Last()[axis] : -1.0;
   }
 }

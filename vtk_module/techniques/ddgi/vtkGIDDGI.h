@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIDDGI
- * @brief   diffuse indirect light by probes that rays update every frame
+ * @brief   diffuse indirect light from probes that rays update every frame
  *
- * A grid of probes fills the bounds of the visible props. In every update each probe traces some rays,
- * whose ends are lit by the lights and by the probes themselves, so that light bounces without end; what
- * the rays find is blended into two small maps of the probe, of light and of distances. A surface takes
- * its indirect light from the eight probes around it, as far as they see it. Lights, geometry, colours and
- * time steps may change at any time. Lights stay as they are: ambient occlusion takes no share of them
- * where indirect light is known.
+ * A grid of probes fills the bounds of the visible props. In every update each probe traces some rays.
+ * The surfaces they hit are lit by the lights and by the probes themselves, which adds one bounce per
+ * update. The results are blended into two small maps of each probe, one of irradiance and one of
+ * distances. A surface takes its indirect light from those of the eight probes around it that see it.
+ * Lights, geometry, colours and time steps may change at any time. Lights keep their full strength:
+ * where indirect light is available, ambient occlusion does not spread a share of it.
  */
 #ifndef vtkGIDDGI_h
 #define vtkGIDDGI_h
@@ -34,14 +34,15 @@ public:
   void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
 
-  /// Where a bake no longer fits, see vtkGILightmap::LiveFallback and vtkGISHProbes::LiveFallback.
+  /// True if a bake no longer fits, see vtkGILightmap::LiveFallback and vtkGISHProbes::LiveFallback.
   bool StandsIn(const penumbra::LightingPlan& plan) override;
   int GetRequiredFrames() override;
   bool IsFinished(vtkRenderer* renderer) override;
 
   /**
-   * Of a renderer's last frame: the probes of each grid along x, y and z; updates since the scene changed or a grid
-   * moved; where the outermost probes of one of the grids stand, as VTK's bounds, empty where there is no such grid.
+   * State of the probes after a renderer's last frame. GetGrid(): the number of probes of the first grid along x, y and
+   * z. GetGridBounds(): the positions of a grid's outermost probes, as VTK's bounds, which are empty if there is no
+   * such grid. GetUpdatesDone(): the number of updates since the scene changed or a grid moved.
    */
   void GetGrid(vtkRenderer* renderer, int counts[3]);
   void GetGridBounds(vtkRenderer* renderer, int number, double bounds[6]);

@@ -21,11 +21,11 @@ namespace penumbra
 {
 namespace
 {
-constexpr int LargestSide = 16384; // of a texture that every OpenGL 4.3 has
+constexpr int LargestSide = 16384; // texture size that every OpenGL 4.3 implementation supports
 
-// How far behind the depth that VTK left a surface may be, which another program rounds otherwise: fractions of a pixel
-// on a slope, steps of the depth buffer. About as far as lightmap/surface.frag allows, which goes by the sum of the slopes
-// along both axes: this is of the steeper one alone.
+// Offset by which a surface may lie behind VTK's depth, because another shader program rounds differently: a fraction
+// of a pixel on slopes, and steps of the depth buffer. It is about the same as in lightmap/surface.frag, which uses
+// the sum of the slopes along both axes, while this applies to the steeper one only.
 constexpr GLfloat Pixels = 0.03f;
 constexpr GLfloat Digits = 4.0f;
 
@@ -77,7 +77,7 @@ void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
   this->Origin = 0.5 * (low + high);
   if (!std::isfinite(glm::length(high - low)))
   {
-    Refuse("it has no surfaces");
+    Fail("it has no surfaces");
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -104,7 +104,7 @@ void SurfaceMap::TakePicture(vtkImageData* bake)
   const int* size = bake->GetDimensions();
   if (size[0] > LargestSide || size[1] > LargestSide)
   {
-    Refuse("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
+    Fail("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
   }
   std::array<vtkDataArray*, lightmap_image::Layers.size()> layers{};
   for (std::size_t i = 0; i < layers.size(); ++i)
@@ -165,7 +165,7 @@ void SurfaceMap::Upload()
   }
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
-  // Light alone is never negative, as its moments are.
+  // RGB9_E5 has no sign, so it suits light, but not its moments.
   const GLenum format = this->Layers == 1 ? GL_RGB9_E5 : GL_RGBA16F;
   card.Light =
     std::make_unique<Texture>(TextureDesc{ format, this->Width, this->Height, this->Layers });
@@ -205,7 +205,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
       .Set("mapToClip", glm::mat4(view.ViewToClip * toView))
       .Set("viewToWorld", glm::mat3(glm::dmat3(view.ViewToWorld)))
       .Set("intensity", intensity));
-  // A side's triangles are seen from that side only.
+  // Triangles are visible only from the side that they were baked for.
   ScopedState scope(context.State());
   scope.Set(GL_CULL_FACE, true);
   context.State()->vtkglCullFace(GL_BACK);
@@ -213,7 +213,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
   {
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(GL_LEQUAL);
-    glEnable(GL_POLYGON_OFFSET_FILL); // which VTK's cache does not know
+    glEnable(GL_POLYGON_OFFSET_FILL); // VTK's state cache does not track it
     glPolygonOffset(-Pixels, -Digits);
   }
   glBindVertexArray(this->OnCard->Layout.Get());

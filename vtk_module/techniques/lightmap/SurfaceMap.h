@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Light in a picture that is laid over surfaces, drawn onto the pixels that show them.
+ * Light in a texture on surfaces, drawn over the pixels that show these surfaces.
  */
 #pragma once
 
@@ -28,15 +28,15 @@ public:
   explicit SurfaceMap(vtkImageData* bake);
 
   bool IsEmpty() const { return this->Corners.empty(); }
-  /// Whether it holds what arrives straight from lamps.
+  /// Whether it includes the direct light of lights.
   bool HasLamps() const { return this->Lamps; }
 
-  /// Draw as IndirectLight::Draw does, with the light multiplied by intensity. solid: nothing is seen through any of
-  /// its surfaces, so that none of them can be before what the picture shows.
+  /// Draw the light, multiplied by intensity, see IndirectLight::Draw. solid: all props are opaque and complete, so
+  /// none of the surfaces can lie in front of what the picture shows.
   void Draw(FrameContext& context, double intensity, bool solid);
 
   void Release();
-  /// Free another map's graphics resources at the next Draw(), when their context is current.
+  /// Take over another map's GPU resources, and free them at the next Draw(), when their context is current.
   void TakeOld(SurfaceMap& other);
 
 private:
@@ -44,15 +44,15 @@ private:
   {
     glm::vec3 Position; ///< relative to Origin
     glm::vec3 Normal;
-    glm::vec2 Place; ///< in the picture
+    glm::vec2 Place; ///< texture coordinates
   };
   struct Uploaded
   {
     Buffer Points;
     Buffer Corners;
     VertexArrayHandle Layout;
-    std::unique_ptr<Texture>
-      Light; ///< layers: irradiance, its moments; of the lamps' light the same
+    /// Layers: irradiance and its moments, then those of direct light.
+    std::unique_ptr<Texture> Light;
   };
   void TakeSurfaces(vtkFieldData* fields);
   void TakePicture(vtkImageData* bake);
@@ -60,7 +60,7 @@ private:
 
   glm::dvec3 Origin{ 0.0 };
   std::vector<Point> Points;
-  std::vector<std::uint32_t> Corners; ///< three a triangle
+  std::vector<std::uint32_t> Corners; ///< three per triangle
   int Width = 0;
   int Height = 0;
   int Layers = 0;

@@ -22,7 +22,7 @@ using namespace penumbra;
 struct vtkGILightmap::Internals
 {
   SurfaceMap Map;
-  BakedScene Scene; ///< of the bake
+  BakedScene Scene; ///< the scene that was baked
 };
 
 vtkGILightmap::vtkGILightmap()
@@ -44,7 +44,7 @@ bool vtkGILightmap::SetBake(vtkImageData* bake)
       next->Map = SurfaceMap(bake);
       next->Scene = BakedScene::FromText(GetText(bake->GetFieldData(), BakedSceneText));
     }
-    // What is on the graphics card is freed when its context is current.
+    // GPU resources are freed when their context is current.
     next->Map.TakeOld(this->Impl->Map);
     this->Impl = std::move(next);
   }
@@ -122,7 +122,7 @@ void vtkGILightmap::Plan(LightingPlan& plan, FrameBuilder& frame)
   fit.Check(frame, this->Impl->Scene, "the lightmap no longer fits");
   if (fit.Fits())
   {
-    plan.KnowIndirectLight(IndirectKind::BakedOnSurfaces, 0.0);
+    plan.AnnounceIndirectLight(IndirectKind::BakedOnSurfaces, 0.0);
   }
   else if (this->LiveFallback)
   {
@@ -145,6 +145,6 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   light.Draw = [this, solid = fit.IsSolid()](FrameContext& context) {
     this->Impl->Map.Draw(context, this->Intensity, solid);
   };
-  light.KnowsLamps = this->Impl->Map.HasLamps();
+  light.IncludesDirectLight = this->Impl->Map.HasLamps();
   frame.AddIndirectLight(std::move(light));
 }

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGILightmap
- * @brief   diffuse indirect light from a picture that was baked for the surfaces
+ * @brief   diffuse indirect light from a texture that was baked for the surfaces
  *
  * `penumbra bake lightmap` writes the picture; vtkGIBakeFile brings it here.
  * The baked triangles are drawn over the pixels that show them, with one fetch each. Props that the bake does not
  * know, moving ones for instance, get no light from it: another technique lights them. A map may hold the lamps' own
  * light too, shadows included, of which highlights alone are then left to each frame.
  *
- * The bake holds while the props that it knows, the lamps and the environment are what they were. In the
- * first frame where one is not, vtkGIPass::GetNotes() says which, and the map lights nothing.
+ * The bake is valid as long as the baked props, the lights and the environment do not change. From the first frame in
+ * which one did, vtkGIPass::GetNotes() names it, and the map lights nothing.
  */
 #ifndef vtkGILightmap_h
 #define vtkGILightmap_h
@@ -56,19 +56,19 @@ public:
   ///@}
 
   /**
-   * Whether there is a map, and whether it holds the light of lamps too.
+   * Whether there is a map, and whether it includes direct light.
    */
   bool HasBake();
   bool HasLampLight();
 
   /**
-   * What a map baked of the renderer's scene would depend on, as text: the visible props that rays see, with
-   * places, shapes and looks, lamps that do not follow the camera, and the environment.
+   * Describe everything that a bake of the renderer's scene depends on as text: the positions, shapes and appearance of
+   * the visible props that rays see, the lights that do not follow the camera, and the environment.
    */
   static std::string DescribeScene(vtkRenderer* renderer);
 
   /**
-   * What differs from the baked scene in the renderer's last frame, as in "light 1 moved"; "" where the map fits.
+   * The difference between the baked scene and the renderer's last frame, such as "light 1 moved"; "" if the map fits.
    */
   std::string GetMismatch(vtkRenderer* renderer);
 

@@ -27,7 +27,7 @@ vtkGIPathTracing::~vtkGIPathTracing() = default;
 
 namespace
 {
-// Among the passes that modify the picture: before anti-aliasing.
+// Order among the passes that modify the picture: before anti-aliasing.
 constexpr int TraceOrder = 700;
 
 constexpr std::array<const char*, 4> SumNames = { { "path-tracing.shown", "path-tracing.encoded",
@@ -39,13 +39,13 @@ struct PathTracer
   LightTable* Lights;
   std::array<History*, 4> Sums;
 
-  bool IsFresh() const
+  bool HasEmptySums() const
   {
     return std::any_of(this->Sums.begin(), this->Sums.end(),
       [](const History* sum) { return !sum->Written; });
   }
 
-  /// False where the image has another size.
+  /// Copy the sums of an image to the GPU. Returns false if the image has another size.
   bool Restore(vtkImageData* image) const
   {
     int size[3];
@@ -65,14 +65,16 @@ struct PathTracer
     return true;
   }
 
-  /// taken: samples in the sums already.
-  void Trace(FrameContext& context, int taken) const
+  /// Add one path per pixel. sampleIndex: number of samples in the sums so far.
+  void Trace(FrameContext& context, int sampleIndex) const
   {
-    // Without lights VTK draws surfaces as flat colours, which look like lines to us: rays see them.
+    // Without lights VTK draws surfaces as flat colours, which the capture cannot tell from lines. Rays then have to
+    // reach slightly beyond the drawn depth, so that they find these surfaces.
     constexpr double margin = 1e-3;
     context.Dispatch("path_tracing/trace.comp", this->Rays->ShaderDefines(),
-      Arguments().Set("sampleIndex", taken).Set(
-        "drawnReach", this->Lights->Lights().empty() ? 1.0 + margin : 1.0 - margin),
+      Arguments()
+        .Set("sampleIndex", sampleIndex)
+        .Set("drawnReach", this->Lights->Lights().empty() ? 1.0 + margin : 1.0 - margin),
       Work::Items(context.GetView().Viewport.z, context.GetView().Viewport.w));
   }
 
@@ -85,7 +87,7 @@ struct PathTracer
     glBindTexture(GL_TEXTURE_2D, 0);
   }
 
-  /// Relative standard error of the picture's mean luminance values, of this many samples.
+  /// Standard error of the pixels' mean luminance values, relative to the picture's mean luminance.
   double EstimateError(FrameContext& context, int samples) const
   {
     const glm::ivec2 size = context.GetView().WindowSize;
@@ -93,26 +95,26 @@ struct PathTracer
     std::vector<float> encoded(shown.size());
     this->Read(context, 0, shown);
     this->Read(context, 1, encoded);
-    double squares = 0.0;
+    double variances = 0.0;
     double total = 0.0;
     const glm::ivec4& area = context.GetView().Viewport;
     for (int y = area.y; y < area.y + area.w; ++y)
     {
       for (int x = area.x; x < area.x + area.z; ++x)
       {
-        const std::size_t at = 4 * (static_cast<std::size_t>(y) * size.x + x);
-        const double mean = Luminance(shown[at] + encoded[at], shown[at + 1] + encoded[at + 1],
-                              shown[at + 2] + encoded[at + 2]) /
+        const std::size_t i = 4 * (static_cast<std::size_t>(y) * size.x + x);
+        const double mean = Luminance(shown[i] + encoded[i], shown[i + 1] + encoded[i + 1],
+                              shown[i + 2] + encoded[i + 2]) /
           samples;
-        squares += std::max(0.0, encoded[at + 3] / samples - mean * mean) / (samples - 1);
+        variances += std::max(0.0, encoded[i + 3] / samples - mean * mean) / (samples - 1);
         total += mean;
       }
     }
     const double pixels = static_cast<double>(area.z) * area.w;
-    return total > 0.0 ? std::sqrt(squares / pixels) / (total / pixels) : 0.0;
+    return total > 0.0 ? std::sqrt(variances / pixels) / (total / pixels) : 0.0;
   }
 
-  /// For the pass that traces, too, which has them as images.
+  /// Draw the mean. The sums are given as textures, because the tracing pass declares them as images.
   void Show(FrameContext& context, bool radiance, int samples) const
   {
     Defines variant;
@@ -186,28 +188,28 @@ bool vtkGIPathTracing::GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkIm
 bool vtkGIPathTracing::SetProgress(vtkRenderer* renderer, vtkImageData* image)
 {
   vtkDataArray* count = image ? image->GetFieldData()->GetArray("samples") : nullptr;
-  bool whole =
+  bool complete =
     renderer && count && count->GetNumberOfValues() == 1 && count->GetComponent(0, 0) >= 1.0;
-  for (std::size_t i = 0; whole && i < SumNames.size(); ++i)
+  for (std::size_t i = 0; complete && i < SumNames.size(); ++i)
   {
     auto* sum = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(SumNames[i]));
-    whole = sum && sum->GetNumberOfComponents() == 4 &&
+    complete = sum && sum->GetNumberOfComponents() == 4 &&
       sum->GetNumberOfTuples() == image->GetNumberOfPoints();
   }
-  if (whole)
+  if (complete)
   {
-    // The arrays, not the image, which may come to hold something else.
-    auto taken = vtkSmartPointer<vtkImageData>::New();
-    taken->ShallowCopy(image);
-    this->TakeUp(renderer); // an earlier one is forgotten
-    this->ToTakeUp.emplace_back(renderer, taken);
+    // Keep the arrays, because the caller may put others into the image.
+    auto resumed = vtkSmartPointer<vtkImageData>::New();
+    resumed->ShallowCopy(image);
+    this->TakePendingProgress(renderer); // replaces an earlier one
+    this->PendingProgress.emplace_back(renderer, resumed);
   }
-  return whole;
+  return complete;
 }
 
 bool vtkGIPathTracing::IsFinished(const Progress& progress) const
 {
-  // A target of 0 spends all samples, even where those so far are all alike.
+  // A target of 0 takes all samples, even if the estimated error is 0.
   return progress.Samples >= this->Samples ||
     (this->TargetError > 0.0 && progress.Error <= this->TargetError);
 }
@@ -223,30 +225,30 @@ void vtkGIPathTracing::Plan(LightingPlan& plan, FrameBuilder&)
   plan.DrawByRays();
 }
 
-vtkSmartPointer<vtkImageData> vtkGIPathTracing::TakeUp(vtkRenderer* renderer)
+vtkSmartPointer<vtkImageData> vtkGIPathTracing::TakePendingProgress(vtkRenderer* renderer)
 {
-  vtkSmartPointer<vtkImageData> taken;
-  for (auto it = this->ToTakeUp.begin(); it != this->ToTakeUp.end();)
+  vtkSmartPointer<vtkImageData> resumed;
+  for (auto it = this->PendingProgress.begin(); it != this->PendingProgress.end();)
   {
-    taken = it->first == renderer ? it->second : taken;
-    it = it->first && it->first != renderer ? std::next(it) : this->ToTakeUp.erase(it);
+    resumed = it->first == renderer ? it->second : resumed;
+    it = it->first && it->first != renderer ? std::next(it) : this->PendingProgress.erase(it);
   }
-  return taken;
+  return resumed;
 }
 
 void vtkGIPathTracing::Contribute(FrameBuilder& frame)
 {
   RayProps& rays = frame.Rays("they are drawn without global illumination");
   Progress& progress = frame.ViewState<Progress>(this);
-  const vtkSmartPointer<vtkImageData> taken = this->TakeUp(frame.GetRenderer());
-  if (frame.GetView().StillFrames == 0 || taken)
+  const vtkSmartPointer<vtkImageData> resumed = this->TakePendingProgress(frame.GetRenderer());
+  if (frame.GetView().StillFrames == 0 || resumed)
   {
     progress = Progress();
   }
-  if (taken)
+  if (resumed)
   {
     progress.Samples =
-      static_cast<int>(taken->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
+      static_cast<int>(resumed->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
   }
   PathTracer tracer = { &rays, &frame.Lights(), {} };
   ShiftStillFrame(frame, this->IsFinished(progress) ? 0 : progress.Samples);
@@ -265,22 +267,23 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     .Offer(frame.Capture().Materials().ShaderArguments())
     .Offer(frame.Lights().InWorld(rays.Origin()))
     .Offer(frame.GetView().ToScene(rays.Origin()))
-    .Execute([this, &now = progress, tracer, taken](FrameContext& context) {
-      if (taken ? !tracer.Restore(taken) : tracer.IsFresh())
+    .Execute([this, &current = progress, tracer, resumed](FrameContext& context) {
+      if (resumed ? !tracer.Restore(resumed) : tracer.HasEmptySums())
       {
-        now = Progress();
+        current = Progress();
       }
-      if (!this->IsFinished(now))
+      if (!this->IsFinished(current))
       {
-        tracer.Trace(context, now.Samples);
-        ++now.Samples;
-        // Often enough to stop in time, seldom enough to cost little.
+        tracer.Trace(context, current.Samples);
+        ++current.Samples;
+        // Interval of about an eighth of the samples so far: it stops soon enough and costs little.
         constexpr int block = 8;
-        const int interval = std::max(block, now.Samples / block / block * block);
-        const bool estimates = now.Samples > block && now.Samples % interval == 0;
-        now.Error = estimates ? tracer.EstimateError(context, now.Samples) : now.Error;
+        const int interval = std::max(block, current.Samples / block / block * block);
+        const bool updateError = current.Samples > block && current.Samples % interval == 0;
+        current.Error =
+          updateError ? tracer.EstimateError(context, current.Samples) : current.Error;
       }
-      tracer.Show(context, false, now.Samples);
+      tracer.Show(context, false, current.Samples);
     });
   frame.AddPass("path-trace-radiance")
     .ReadHistory(*tracer.Sums[0], "sumShown")

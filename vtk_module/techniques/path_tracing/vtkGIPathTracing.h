@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIPathTracing
- * @brief   the ground truth: every term of the rendering equation, one path a pixel and frame
+ * @brief   the reference: the full rendering equation, with one path per pixel and frame
  *
- * While nothing changes each frame adds a path through every pixel, and the window shows the mean.
- * Surfaces are traced against (the notes of vtkGIPass count those that are not); lines, points, text
- * and volumes are drawn by VTK. Translucent surfaces let rays pass by chance, as their opacity says.
+ * While nothing changes, each frame adds a path through every pixel, and the window shows the mean.
+ * Paths see surfaces; the notes of vtkGIPass tell how many props they do not see. VTK draws lines,
+ * points, text and volumes. Translucent surfaces let rays pass at random, with a probability that
+ * follows from their opacity.
  */
 #ifndef vtkGIPathTracing_h
 #define vtkGIPathTracing_h
 
 #include "vtkGIPathTracingParameters.h"
-#include "vtkSmartPointer.h" // for what is to be gone on from
+#include "vtkSmartPointer.h" // for pending progress
 #include "vtkWeakPointer.h"  // for its renderer
 
-#include <utility> // for the two
+#include <utility> // for pairs of these
 #include <vector>  // for several renderers
 
 class vtkGIPass;
@@ -29,10 +30,10 @@ public:
 
   ///@{
   /**
-   * Paths traced through every pixel of a renderer since its scene changed, and the standard error
-   * of their mean over the whole picture, relative to its mean luminance; infinite before it is
-   * first estimated. The samples are spread more evenly than chance would, so that the true error is
-   * smaller.
+   * GetSamplesTaken(): number of paths traced through every pixel of a renderer since its scene changed.
+   * GetRelativeError(): standard error of their mean over the whole picture, relative to its mean luminance;
+   * infinite until the first estimate. It overestimates, because the samples are stratified and the estimate
+   * treats them as independent.
    */
   int GetSamplesTaken(vtkRenderer* renderer);
   double GetRelativeError(vtkRenderer* renderer);
@@ -40,12 +41,12 @@ public:
 
   ///@{
   /**
-   * What was traced of a renderer so far, to be gone on from later, in another program if need be: an
-   * image of the window's size with the arrays of four floats that GetBuffer() of the pass returns
-   * under the names path-tracing.shown, .encoded, .albedo and .normal, and the field array "samples".
-   * GetProgress() returns false where nothing was traced. SetProgress() takes effect with the next
-   * frame, which goes on as if it had traced those samples itself; the scene, the view and the
-   * parameters must be the same. It returns false, leaving all as it is, where arrays are missing.
+   * Save what was traced so far, and resume from it later, even in another process. The image has the window's
+   * size, the arrays of four floats that GetBuffer() of the pass returns under the names path-tracing.shown,
+   * .encoded, .albedo and .normal, and the field array "samples". GetProgress() returns false if nothing was
+   * traced yet. SetProgress() takes effect with the next frame, which continues as if it had traced those samples
+   * itself; the scene, the view and the parameters must be the same. It returns false and changes nothing if
+   * arrays are missing.
    */
   bool GetProgress(vtkGIPass* pass, vtkRenderer* renderer, vtkImageData* image);
   bool SetProgress(vtkRenderer* renderer, vtkImageData* image);
@@ -64,10 +65,11 @@ private:
   struct Progress;
   const Progress* Find(vtkRenderer* renderer) const;
   bool IsFinished(const Progress& progress) const;
-  vtkSmartPointer<vtkImageData> TakeUp(vtkRenderer* renderer);
+  vtkSmartPointer<vtkImageData> TakePendingProgress(vtkRenderer* renderer);
 
-  /// What renderers' next frames go on from.
-  std::vector<std::pair<vtkWeakPointer<vtkRenderer>, vtkSmartPointer<vtkImageData>>> ToTakeUp;
+  /// Progress from which the next frames of renderers resume.
+  std::vector<std::pair<vtkWeakPointer<vtkRenderer>, vtkSmartPointer<vtkImageData>>>
+    PendingProgress;
 
   vtkGIPathTracing(const vtkGIPathTracing&) = delete;
   void operator=(const vtkGIPathTracing&) = delete;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIRayTracedShadows
- * @brief   shadows of directional and positional lights by rays
+ * @brief   ray-traced shadows of directional and positional lights
  *
- * From each pixel's surface rays go to points of every light. Shadows are exact to the pixel and soft
- * where lights have a size; one ray a frame is noise that still frames average away. Where shadow maps
- * are switched on too, these are drawn and not the maps. Needs no bias.
+ * Rays go from each pixel's surface to points on every light. Shadows are accurate to the pixel, and soft
+ * if lights have a size. The noise of one ray per frame averages out over still frames. They take precedence
+ * over shadow maps, and need no bias.
  */
 #ifndef vtkGIRayTracedShadows_h
 #define vtkGIRayTracedShadows_h

@@ -23,29 +23,29 @@ constexpr const char* FoundLight = "screen-space-reflections.found";
 constexpr const char* Ends = "screen-space-reflections.ends";
 constexpr const char* LobeTable = "screen-space-reflections.lobes";
 
-// Among the passes that modify the picture: before those that average it.
+// Order among the passes that modify the picture: before those that average it.
 constexpr int CompositeOrder = 300;
 
-// Part of the scene's diagonal that the automatic thickness takes.
+// Automatic thickness, as a fraction of the scene's diagonal.
 constexpr double AutomaticThickness = 0.001;
 
 constexpr int TableSize = 32;
-constexpr int Neighbours = 12; // whose rays a pixel shares
+constexpr int Neighbours = 12; // number of neighbouring pixels whose rays a pixel shares
 
 enum FallbackValues
 {
   None,
   Environment,
-  ByRays
+  RayTraced
 };
 
-int GroupsOf(int size, int group)
+int CeilDivide(int size, int divisor)
 {
-  return (size + group - 1) / group;
+  return (size + divisor - 1) / divisor;
 }
 
-/// Where the levels of the depth pyramid lie in its texture: the first at the origin, the others in a
-/// column beside it. The last entry is the size of the texture.
+/// Positions of the levels of the depth pyramid in its texture: the first is at the origin, the others form
+/// a column beside it. The last entry is the size of the texture.
 std::array<glm::ivec2, GI_PYRAMID_LEVELS + 2> PyramidLayout(const glm::ivec4& viewport)
 {
   std::array<glm::ivec2, GI_PYRAMID_LEVELS + 2> layout{};
@@ -53,9 +53,9 @@ std::array<glm::ivec2, GI_PYRAMID_LEVELS + 2> PyramidLayout(const glm::ivec4& vi
   for (int level = 1; level <= GI_PYRAMID_LEVELS; ++level)
   {
     layout[level] = { viewport.z, height };
-    height += GroupsOf(viewport.w, 1 << level);
+    height += CeilDivide(viewport.w, 1 << level);
   }
-  layout.back() = { viewport.z + GroupsOf(viewport.z, 2), std::max(viewport.w, height) };
+  layout.back() = { viewport.z + CeilDivide(viewport.z, 2), std::max(viewport.w, height) };
   return layout;
 }
 
@@ -69,10 +69,10 @@ std::vector<glm::ivec2> LevelOffsets(const glm::ivec4& viewport)
 struct Reflections
 {
   FrameBuilder& Frame;
-  History& Table; ///< the shares of light that lobes reflect
+  History& Table; ///< reflectance of the lobes, see lobe_table.comp
   Defines Variant;
 
-  /// A pass that looks at the lobes of what is in the G-buffer.
+  /// A pass that evaluates the reflection lobes of the surfaces in the G-buffer.
   PassDeclaration& AddPass(const std::string& name) const
   {
     return this->Frame.AddPass(name)
@@ -89,7 +89,7 @@ struct Reflections
     return glm::vec3(this->Frame.Plan().SpreadShare() * this->Frame.Lights().TotalColor());
   }
 
-  /// Rays through the scene, for the pass that traces.
+  /// Let the tracing pass trace rays through the scene where the screen shows nothing.
   void FallBackToRays(PassDeclaration& pass, Defines& variant, RayProps& rays) const
   {
     variant.merge(rays.ShaderDefines());
@@ -102,7 +102,7 @@ struct Reflections
                .Set("ambientLight", this->AmbientLight()));
   }
 
-  /// Put what was found into a picture. ends: how rays ended, to be painted, or nullptr.
+  /// Blend the reflections into a picture. ends: how rays ended, for the debug view, or nullptr.
   void Composite(PassDeclaration& pass, const char* picture, bool keep, History* ends) const
   {
     Defines variant = this->Variant;
@@ -166,20 +166,20 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     .Write(Pyramid, { GL_RG32F, size.x, size.y, 0 }, "pyramid")
     .Compute("screen_space_reflections/depth_pyramid.comp", {},
       Arguments().Set("levelOffset", levels).Set("thickness", thickness),
-      // An invocation reduces 4 x 4 pixels.
-      Work::Items(GroupsOf(view.Viewport.z, 4), GroupsOf(view.Viewport.w, 4)));
+      // One invocation reduces 4 x 4 pixels.
+      Work::Items(CeilDivide(view.Viewport.z, 4), CeilDivide(view.Viewport.w, 4)));
   auto& trace = reflections.AddPass("reflection-trace")
                   .Read(Pyramid, "pyramidTexture")
                   .Read(resource::LitRadiance)
                   .Write(Rays, frame.WindowTexture(GL_RGBA32F, this->Samples), "rays")
                   .Write(FoundLight, frame.WindowTexture(GL_RGBA16F, this->Samples), "light");
   Defines variant = reflections.Variant;
-  if (this->Fallback == ByRays)
+  if (this->Fallback == RayTraced)
   {
     RayProps& rays = frame.Rays("reflections show them on the screen only");
     reflections.FallBackToRays(trace, variant, rays);
   }
-  // How rays ended is kept for those who ask vtkGIPass::GetBuffer for it.
+  // Kept as a history, so that vtkGIPass::GetBuffer can return it.
   History* ends = this->DebugView ? &frame.Keep(Ends, frame.WindowTexture(GL_RGBA32F)) : nullptr;
   if (ends)
   {

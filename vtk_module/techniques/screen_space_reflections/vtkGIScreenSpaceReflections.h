@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIScreenSpaceReflections
- * @brief   mirror and glossy reflection of what is on the screen
+ * @brief   mirror and glossy reflections of what is on the screen
  *
- * From each reflecting pixel rays go in directions that its material reflects to, through the depth
- * buffer, and bring back the light of the surface that they meet. Pixels share their neighbours' rays.
- * The result takes the place of the highlight's share of the surroundings' light, as far as the screen
- * shows what is reflected; elsewhere stands the fallback. Scenes without reflecting materials cost
- * nothing.
+ * Rays from each reflecting pixel are sampled from its material's lobe and traced through the depth
+ * buffer. They return the light of the surface that they hit, and pixels share their neighbours' rays.
+ * The result replaces the highlight's share of the environment's light where the screen shows the
+ * reflected point; elsewhere the fallback is used. Scenes without reflecting materials cost nothing.
  */
 #ifndef vtkGIScreenSpaceReflections_h
 #define vtkGIScreenSpaceReflections_h

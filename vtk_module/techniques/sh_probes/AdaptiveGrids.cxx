@@ -11,29 +11,30 @@ namespace penumbra
 {
 namespace
 {
-// Squared errors are taken to grow as this power of a cell's size, as those of interpolation between kinks do. What comes of it is tried.
+// Squared errors are assumed to grow as this power of the cell size, as do those of interpolation across kinks.
+// The grids that follow from it are tried before they are used (AdaptivePlacement).
 constexpr double Order = 2.0;
 
-// Along each axis, for the sides of boxes; and how many of them boxes are made of at first.
+// Number of slices along each axis, which bound the boxes. The first search takes this many slices at a time.
 constexpr int Slices = 48;
 constexpr int Stride = 4;
 
-// What is taken to err in any case, spread evenly: smaller errors are found by chance.
-constexpr double Everywhere = 0.002;
+// Error that is assumed in any case, spread evenly over the points. Smaller errors are noise.
+constexpr double BaseError = 0.002;
 
-// Of the error predicted: a box that leaves more is not worth its trouble.
-constexpr double LeastGain = 0.9;
+// A box is worth adding if it leaves less than this fraction of the predicted error.
+constexpr double WorthwhileError = 0.9;
 
-// The cell of a finer grid, of the first one's, at most.
-constexpr double Finer = 0.8;
+// Maximum ratio of a finer grid's cell size to the first grid's.
+constexpr double FinerCell = 0.8;
 
-// Of the probes, for the first grid: things may move where nothing errs yet.
-constexpr double LeastShare = 0.35;
+// Minimum share of the probes for the first grid, because props may move to places without errors so far.
+constexpr double MinimumShare = 0.35;
 
-// What several grids must leave at most of one grid's error.
+// Several grids must leave less than this fraction of a single grid's error.
 constexpr double ClearlyLess = 0.9;
 
-/// Slices from Low to High, that one not counted.
+/// The slices in [Low, High).
 struct Box
 {
   glm::ivec3 Low{ 0 };
@@ -46,17 +47,17 @@ struct Box
     return glm::all(glm::lessThanEqual(this->Low, o.Low)) &&
       glm::all(glm::greaterThanEqual(this->High, o.High));
   }
-  bool Meets(const Box& o) const
+  bool Overlaps(const Box& o) const
   {
     return glm::all(glm::lessThan(this->Low, o.High)) && glm::all(glm::lessThan(o.Low, this->High));
   }
 };
 
-/// Errors by slices of the scene, and their sums over any box (Crow 1984, Summed-Area Tables for Texture Mapping).
+/// Sums of errors over any box of slices (Crow 1984, Summed-Area Tables for Texture Mapping).
 class ErrorTable
 {
 public:
-  ErrorTable(const std::array<double, 6>& bounds, const std::vector<ErrorAt>& errors)
+  ErrorTable(const std::array<double, 6>& bounds, const std::vector<PointError>& errors)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -64,18 +65,18 @@ public:
     }
     const glm::ivec3 n = this->Counts() + 1;
     this->Sums.assign(static_cast<std::size_t>(n.x) * n.y * n.z, glm::dvec2(0.0));
-    const double even = Everywhere / static_cast<double>(std::max<std::size_t>(errors.size(), 1));
-    for (const ErrorAt& error : errors)
+    const double base = BaseError / static_cast<double>(std::max<std::size_t>(errors.size(), 1));
+    for (const PointError& error : errors)
     {
       glm::ivec3 cell;
       for (int axis = 0; axis < 3; ++axis)
       {
         const std::vector<double>& planes = this->Planes[axis];
         const auto above =
-          std::upper_bound(planes.begin() + 1, planes.end() - 1, error.Place[axis]);
+          std::upper_bound(planes.begin() + 1, planes.end() - 1, error.Position[axis]);
         cell[axis] = static_cast<int>(above - planes.begin()) - 1;
       }
-      this->At(cell + 1) += glm::dvec2(error.Error + even, error.Error * error.Error);
+      this->At(cell + 1) += glm::dvec2(error.Error + base, error.Error * error.Error);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -99,15 +100,15 @@ public:
   {
     return { this->Planes[0].size() - 1, this->Planes[1].size() - 1, this->Planes[2].size() - 1 };
   }
-  /// At least so much, whatever chance did: a standard deviation less than what was found.
+  /// A conservative estimate: one standard deviation below the error found.
   double SureError(const Box& box) const
   {
     const glm::dvec2 sums = this->Sum(box);
     return std::max(sums.x - std::sqrt(std::max(sums.y, 0.0)), 0.0);
   }
   double Error(const Box& box) const { return std::max(this->Sum(box).x, 0.0); }
-  glm::dvec3 Low(const Box& box) const { return this->Place(box.Low); }
-  glm::dvec3 High(const Box& box) const { return this->Place(box.High); }
+  glm::dvec3 Low(const Box& box) const { return this->Position(box.Low); }
+  glm::dvec3 High(const Box& box) const { return this->Position(box.High); }
 
 private:
   glm::dvec2 Sum(const Box& box) const
@@ -122,32 +123,32 @@ private:
     return sum;
   }
 
-  // A third of the slices even, the others so that the errors are spread evenly over them.
-  void Slice(int axis, double low, double high, const std::vector<ErrorAt>& errors)
+  // Places a third of the slices evenly, and the others so that each holds the same share of the errors.
+  void Slice(int axis, double low, double high, const std::vector<PointError>& errors)
   {
-    std::vector<std::pair<double, double>> along;
+    std::vector<std::pair<double, double>> points; // position along the axis, weight
     double all = 0.0;
-    for (const ErrorAt& error : errors)
+    for (const PointError& error : errors)
     {
       const double weight = std::max(error.Error, 0.0);
-      along.emplace_back(error.Place[axis], weight);
+      points.emplace_back(error.Position[axis], weight);
       all += weight;
     }
-    std::sort(along.begin(), along.end());
+    std::sort(points.begin(), points.end());
     std::vector<double> planes = { low, high };
-    constexpr int even = Slices / 3;
-    for (int i = 1; i < even; ++i)
+    constexpr int evenSlices = Slices / 3;
+    for (int i = 1; i < evenSlices; ++i)
     {
-      planes.push_back(low + (high - low) * i / even);
+      planes.push_back(low + (high - low) * i / evenSlices);
     }
     double sum = 0.0;
     int next = 1;
-    for (const auto& place : along)
+    for (const auto& point : points)
     {
-      sum += place.second;
-      for (; next < Slices - even && sum * (Slices - even) > all * next; ++next)
+      sum += point.second;
+      for (; next < Slices - evenSlices && sum * (Slices - evenSlices) > all * next; ++next)
       {
-        planes.push_back(std::clamp(place.first, low, high));
+        planes.push_back(std::clamp(point.first, low, high));
       }
     }
     std::sort(planes.begin(), planes.end());
@@ -157,7 +158,7 @@ private:
     this->Planes[axis] = planes;
   }
 
-  glm::dvec3 Place(const glm::ivec3& at) const
+  glm::dvec3 Position(const glm::ivec3& at) const
   {
     return { this->Planes[0][at.x], this->Planes[1][at.y], this->Planes[2][at.z] };
   }
@@ -169,16 +170,17 @@ private:
   const glm::dvec2& At(const glm::ivec3& at) const { return this->Sums[this->Index(at)]; }
 
   std::vector<double> Planes[3];
-  std::vector<glm::dvec2> Sums; ///< of errors and of their squares, all before a corner
+  /// Sums of errors and of their squares over everything below a corner.
+  std::vector<glm::dvec2> Sums;
 };
 
-/// The choice of boxes, and how the probes are shared among them. A grid of n probes in a volume V is predicted to
-/// leave E (V / n)^(Order / 3) of an error E. The least sum is left where n is in proportion to what Need() returns, and
-/// is, for one number of probes, the greater the sum of needs.
-class Choice
+/// Chooses boxes for finer grids, and distributes the probes among them. A grid of n probes in a volume V is predicted
+/// to leave E (V / n)^(Order / 3) of an error E. For a fixed total number of probes, the sum is smallest if each n is
+/// proportional to Need(), and it grows with the sum of all needs.
+class BoxSearch
 {
 public:
-  Choice(const ErrorTable& table, const ProbeGrid& around, int probes)
+  BoxSearch(const ErrorTable& table, const ProbeGrid& around, int probes)
     : Table(table)
     , Probes(probes)
   {
@@ -188,14 +190,15 @@ public:
     this->Boxes[0].Weight = std::pow(size.x * size.y * size.z, Order / 3.0);
   }
 
-  std::vector<Box> Boxes; ///< first the one around all
+  std::vector<Box> Boxes; ///< the first contains everything
 
-  /// Add the box that helps most, if any helps.
+  /// Add the box that reduces the error most, if any does.
   bool Add()
   {
     const double before = this->Total();
     this->Boxes.push_back(Box());
-    const bool better = this->Best(this->Boxes.back()) && this->Left(before) < LeastGain;
+    const bool better =
+      this->FindBest(this->Boxes.back()) && this->ErrorLeft(before) < WorthwhileError;
     if (!better)
     {
       this->Boxes.pop_back();
@@ -203,22 +206,21 @@ public:
     return better;
   }
 
-  /// Move each box to where it helps most beside the others.
+  /// Move each box to where it reduces the error most, given the others.
   void Improve()
   {
     for (std::size_t i = 1; i < this->Boxes.size(); ++i)
     {
-      this->Best(this->Boxes[i]);
+      this->FindBest(this->Boxes[i]);
     }
   }
 
-  /// Leave one out.
   void Remove(std::size_t number)
   {
     this->Boxes.erase(this->Boxes.begin() + static_cast<std::ptrdiff_t>(number));
   }
 
-  /// Of each box, its share of the probes.
+  /// The share of the probes for each box.
   std::vector<double> Shares() const
   {
     std::vector<double> needs;
@@ -239,7 +241,7 @@ private:
   double Weight(const Box& box) const
   {
     const glm::dvec3 size = this->Table.High(box) - this->Table.Low(box);
-    // A cell more on every side, where its light fades. As if a third of the probes were there.
+    // Enlarged by the cells over which the grid's light fades, as if a third of the probes were in it.
     const double longest = std::max({ size.x, size.y, size.z });
     glm::dvec3 sides = glm::max(size, glm::dvec3(0.1 * longest));
     for (int i = 0; i < 4; ++i)
@@ -249,7 +251,7 @@ private:
     return std::pow(sides.x * sides.y * sides.z, Order / 3.0);
   }
 
-  /// Nothing where it overlaps another in part.
+  /// Number that the box's probes should be proportional to; none if it partly overlaps another box.
   std::optional<double> Need(std::size_t number) const
   {
     const Box& box = this->Boxes[number];
@@ -257,7 +259,7 @@ private:
     for (std::size_t i = 0; i < this->Boxes.size(); ++i)
     {
       const Box& other = this->Boxes[i];
-      if (i == number || other.Contains(box) || !other.Meets(box))
+      if (i == number || other.Contains(box) || !other.Overlaps(box))
       {
         continue;
       }
@@ -265,7 +267,7 @@ private:
       {
         return std::nullopt;
       }
-      bool nearest = true; // no other is between them
+      bool nearest = true; // no third box lies between them
       for (std::size_t k = 0; k < this->Boxes.size(); ++k)
       {
         nearest = nearest &&
@@ -293,14 +295,14 @@ private:
     return sum;
   }
 
-  /// Error that is left, of that with a total before.
-  double Left(double before) const
+  /// Fraction of the error that is left, relative to a previous total.
+  double ErrorLeft(double before) const
   {
     return std::pow(this->Total() / std::max(before, 1e-300), 1.0 + Order / 3.0);
   }
 
-  /// Finds the box for one of Boxes with which the total is least. Returns whether any fits in.
-  bool Best(Box& box)
+  /// Set one of Boxes to the box with the smallest total. Returns whether any box fits.
+  bool FindBest(Box& box)
   {
     const glm::ivec3 n = this->Table.Counts();
     double least = std::numeric_limits<double>::infinity();
@@ -312,18 +314,18 @@ private:
       least = better ? total : least;
       return better;
     };
-    // First where it is,
+    // Start from the current box,
     attempt(glm::ivec3(box.Low), glm::ivec3(box.High));
-    // all boxes of several slices,
-    const glm::ivec3 some = (n + Stride - 1) / Stride;
-    for (glm::ivec3 low(0); low.z < some.z; Next(low, some))
+    // try all boxes on a coarser grid of slices,
+    const glm::ivec3 count = (n + Stride - 1) / Stride;
+    for (glm::ivec3 low(0); low.z < count.z; Advance(low, count))
     {
-      for (glm::ivec3 high = low + 1; high.z <= some.z; Next(high, some + 1, low + 1))
+      for (glm::ivec3 high = low + 1; high.z <= count.z; Advance(high, count + 1, low + 1))
       {
         attempt(low * Stride, glm::min(high * Stride, n));
       }
     }
-    // then side by side.
+    // then move single sides.
     for (bool better = std::isfinite(least); better;)
     {
       better = false;
@@ -344,10 +346,10 @@ private:
     return std::isfinite(least);
   }
 
-  /// With one of Boxes put there; infinite where it cannot be.
+  /// The total with one of Boxes changed; infinite if that box is not possible.
   double TotalWith(Box& box, const glm::ivec3& low, const glm::ivec3& high)
   {
-    constexpr double notable = 0.02; // of the errors
+    constexpr double notable = 0.02; // fraction of all errors
     box = { low, high };
     const bool any = glm::all(glm::lessThan(low, high)) && !box.Contains(this->Boxes[0]);
     box.Error = any ? this->Table.SureError(box) : 0.0;
@@ -359,7 +361,8 @@ private:
     return this->Total();
   }
 
-  static void Next(glm::ivec3& at, const glm::ivec3& end, const glm::ivec3& first = glm::ivec3(0))
+  static void Advance(
+    glm::ivec3& at, const glm::ivec3& end, const glm::ivec3& first = glm::ivec3(0))
   {
     ++at.x;
     for (int axis = 0; axis < 2 && at[axis] >= end[axis]; ++axis)
@@ -373,63 +376,63 @@ private:
   double Probes;
 };
 
-/// The grids of a choice, each around its box but the first; those that are of no use are empty.
-std::vector<ProbeGrid> GridsOf(const Choice& choice, const std::vector<double>& shares,
+/// The grids for the chosen boxes. The first contains everything; others that would be of no use are empty.
+std::vector<ProbeGrid> GridsOf(const BoxSearch& search, const std::vector<double>& shares,
   const ErrorTable& table, const std::array<double, 6>& bounds, int probes)
 {
-  const double first = std::max(shares[0], LeastShare);
+  const double first = std::max(shares[0], MinimumShare);
   const ProbeGrid around = ProbeGrid::Around(bounds, static_cast<int>(first * probes));
-  const double others = (probes - around.Size()) / std::max(1.0 - shares[0], 1e-9);
+  const double remaining = (probes - around.Size()) / std::max(1.0 - shares[0], 1e-9);
   std::vector<ProbeGrid> grids = { around };
   for (std::size_t i = 1; i < shares.size(); ++i)
   {
-    const auto some = static_cast<int>(others * shares[i]);
-    const ProbeGrid grid = some < ProbeGrid::LeastPart
+    const auto count = static_cast<int>(remaining * shares[i]);
+    const ProbeGrid grid = count < ProbeGrid::MinimumPart
       ? ProbeGrid()
-      : around.Part(table.Low(choice.Boxes[i]), table.High(choice.Boxes[i]), some);
-    grids.push_back(grid.Detail() < Finer * around.Detail() ? grid : ProbeGrid());
+      : around.Part(table.Low(search.Boxes[i]), table.High(search.Boxes[i]), count);
+    grids.push_back(grid.Detail() < FinerCell * around.Detail() ? grid : ProbeGrid());
   }
   return grids;
 }
 }
 
 ProbeGrids AdaptiveGrids(
-  const std::array<double, 6>& bounds, int probes, const std::vector<ErrorAt>& errors)
+  const std::array<double, 6>& bounds, int probes, const std::vector<PointError>& errors)
 {
-  const ProbeGrid alone = ProbeGrid::Around(bounds, probes);
+  const ProbeGrid single = ProbeGrid::Around(bounds, probes);
   const ErrorTable table(bounds, errors);
-  Choice choice(table, alone, probes);
-  while (static_cast<int>(choice.Boxes.size()) < ProbeGrids::Most && choice.Add())
+  BoxSearch search(table, single, probes);
+  while (static_cast<int>(search.Boxes.size()) < ProbeGrids::Most && search.Add())
   {
-    choice.Improve();
+    search.Improve();
   }
   std::vector<ProbeGrid> grids;
-  for (std::size_t useless = 1; useless > 0;)
+  for (std::size_t unused = 1; unused > 0;)
   {
-    const std::vector<double> shares = choice.Shares();
-    grids = GridsOf(choice, shares, table, bounds, probes);
-    useless = 0;
+    const std::vector<double> shares = search.Shares();
+    grids = GridsOf(search, shares, table, bounds, probes);
+    unused = 0;
     for (std::size_t i = 1; i < grids.size(); ++i)
     {
-      const bool worst = useless == 0 || shares[i] < shares[useless];
-      useless = grids[i].IsEmpty() && worst ? i : useless;
+      const bool worst = unused == 0 || shares[i] < shares[unused];
+      unused = grids[i].IsEmpty() && worst ? i : unused;
     }
-    // Its probes are for the others.
-    if (useless > 0)
+    // The others get its probes.
+    if (unused > 0)
     {
-      choice.Remove(useless);
+      search.Remove(unused);
     }
   }
   if (grids.size() == 1)
   {
-    return ProbeGrids(alone);
+    return ProbeGrids(single);
   }
   std::stable_sort(grids.begin() + 1, grids.end(),
     [](const ProbeGrid& a, const ProbeGrid& b) { return a.Detail() > b.Detail(); });
   return ProbeGrids(std::move(grids));
 }
 
-bool AreClearlyLess(const std::vector<ErrorAt>& others, const std::vector<ErrorAt>& errors)
+bool AreClearlyLess(const std::vector<PointError>& others, const std::vector<PointError>& errors)
 {
   double all = 0.0;
   double less = 0.0;
@@ -442,7 +445,7 @@ bool AreClearlyLess(const std::vector<ErrorAt>& others, const std::vector<ErrorA
     less += difference;
     squares += difference * difference;
   }
-  // Of the sum of so many differences that chance drew.
+  // Variance of the sum of these random differences.
   const double n = static_cast<double>(count);
   const double variance = count > 1 ? (squares - less * less / n) * n / (n - 1.0) : 0.0;
   return count > 1 && all > 0.0 && less > std::sqrt(std::max(variance, 0.0));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where finer grids of probes are worth most.
+ * Chooses where finer grids of probes reduce the error most.
  */
 #pragma once
 
@@ -12,21 +12,23 @@
 
 namespace penumbra
 {
-/// A place's share in the squared error of the light that a grid of probes gives.
-struct ErrorAt
+/// A point's share of the squared error of the light from a grid of probes.
+struct PointError
 {
-  glm::dvec3 Place{ 0.0 };
-  double Error = 0.0; ///< below zero by chance
+  glm::dvec3 Position{ 0.0 };
+  double Error = 0.0; ///< an unbiased estimate, which may be negative
 };
 
-/// Grids that share so many probes at most: one around bounds (as VTK's), and finer ones around the boxes in which errors
-/// of that grid alone, with as many probes, are concentrated. That grid alone where others would not make a difference.
+/// Grids that share a number of probes: one around bounds (in VTK's order), and finer ones around boxes in which the
+/// errors are concentrated. errors: those of a single grid with all the probes. That grid is the result if finer grids
+/// make no difference.
 ProbeGrids AdaptiveGrids(
-  const std::array<double, 6>& bounds, int probes, const std::vector<ErrorAt>& errors);
+  const std::array<double, 6>& bounds, int probes, const std::vector<PointError>& errors);
 
-/// With fewer probes AdaptiveGrids() knows but one grid.
-constexpr int LeastOfSeveral = ProbeGrid::LeastAround + ProbeGrid::LeastPart;
+/// Number of probes below which AdaptiveGrids() returns a single grid.
+constexpr int MinimumForSeveralGrids = ProbeGrid::MinimumAround + ProbeGrid::MinimumPart;
 
-/// Whether others are clearly less than errors, at the same places in the same order: by a tenth, and not by chance.
-bool AreClearlyLess(const std::vector<ErrorAt>& others, const std::vector<ErrorAt>& errors);
+/// Whether others are less than errors by at least a tenth, and by more than a standard deviation. Both are for the
+/// same points in the same order.
+bool AreClearlyLess(const std::vector<PointError>& others, const std::vector<PointError>& errors);
 }

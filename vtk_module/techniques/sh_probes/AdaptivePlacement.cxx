@@ -9,19 +9,19 @@ namespace penumbra
 {
 namespace
 {
-constexpr int BrightnessSamples = 32; // to tell a lit place from one that is not
+constexpr int BrightnessSamples = 32; // enough to tell lit positions from dark ones
 
-// At how many points of surfaces a field is judged.
-constexpr int LeastPoints = 16384;
-constexpr int MostPoints = 65536;
+// Limits for the number of surface points at which a field's error is measured.
+constexpr int MinimumPoints = 16384;
+constexpr int MaximumPoints = 65536;
 
-double Sum(const std::vector<ErrorAt>& errors)
+double Sum(const std::vector<PointError>& errors)
 {
   return std::accumulate(errors.begin(), errors.end(), 0.0,
-    [](double sum, const ErrorAt& error) { return sum + error.Error; });
+    [](double sum, const PointError& error) { return sum + error.Error; });
 }
 
-ProbeProgress PartOf(const ProbeProgress& progress, double from, double to)
+ProbeProgress SubProgress(const ProbeProgress& progress, double from, double to)
 {
   return [&progress, from, to](double done) { return progress(from + (to - from) * done); };
 }
@@ -45,11 +45,12 @@ std::optional<ProbeField> AdaptivePlacement::Place(const ProbeGrids& grids) cons
     const double last = static_cast<double>(grids.Begin(number + 1)) / grids.Size();
     const double middle = this->Relocate ? 0.5 * (first + last) : first;
     if (this->Relocate &&
-      !PlaceProbes(this->Stage, field, number, brightness, PartOf(this->Progress, first, middle)))
+      !PlaceProbes(
+        this->Stage, field, number, brightness, SubProgress(this->Progress, first, middle)))
     {
       return std::nullopt;
     }
-    if (!LookAround(this->Stage, field, number, PartOf(this->Progress, middle, last)))
+    if (!TraceVisibility(this->Stage, field, number, SubProgress(this->Progress, middle, last)))
     {
       return std::nullopt;
     }
@@ -61,47 +62,49 @@ std::optional<ProbeField> AdaptivePlacement::PlaceBest(
   const std::array<double, 6>& bounds, int probes, TriedGrids& tried) const
 {
   const ProbeGrid around = ProbeGrid::Around(bounds, probes);
-  if (probes < LeastOfSeveral)
+  if (probes < MinimumForSeveralGrids)
   {
     return this->Place(around);
   }
-  // Shares of the work, roughly.
-  const auto during = [this](double from, double to) {
-    return AdaptivePlacement{ this->Stage, this->Gather, PartOf(this->Progress, from, to),
+  // Rough shares of the work.
+  const auto withProgress = [this](double from, double to) {
+    return AdaptivePlacement{ this->Stage, this->Gather, SubProgress(this->Progress, from, to),
       this->Relocate };
   };
-  std::optional<ProbeField> one = during(0.0, 0.25).Place(around);
-  if (!one)
+  std::optional<ProbeField> single = withProgress(0.0, 0.25).Place(around);
+  if (!single)
   {
-    return one;
+    return single;
   }
   LightTrial trial;
   if (!trial.Prepare(
-        this->Stage, bounds, std::clamp(16 * probes, LeastPoints, MostPoints), this->Gather))
+        this->Stage, bounds, std::clamp(16 * probes, MinimumPoints, MaximumPoints), this->Gather))
   {
-    return this->Progress(1.0) ? one : std::nullopt; // nothing is lit
+    return this->Progress(1.0) ? single : std::nullopt; // nothing is lit
   }
-  const std::vector<ErrorAt> errors = trial.Judge(this->Stage, *one, this->Gather);
-  if (errors.empty() || !this->Progress(0.55))
+  const std::vector<PointError> singleErrors =
+    trial.MeasureErrors(this->Stage, *single, this->Gather);
+  if (singleErrors.empty() || !this->Progress(0.55))
   {
     return std::nullopt;
   }
-  const ProbeGrids grids = AdaptiveGrids(bounds, probes, errors);
+  const ProbeGrids grids = AdaptiveGrids(bounds, probes, singleErrors);
   if (grids.Count() == 1)
   {
-    return this->Progress(1.0) ? one : std::nullopt;
+    return this->Progress(1.0) ? single : std::nullopt;
   }
-  std::optional<ProbeField> several = during(0.55, 0.85).Place(grids);
+  std::optional<ProbeField> several = withProgress(0.55, 0.85).Place(grids);
   if (!several)
   {
     return several;
   }
-  const std::vector<ErrorAt> others = trial.Judge(this->Stage, *several, this->Gather);
-  if (others.empty() || !this->Progress(1.0))
+  const std::vector<PointError> severalErrors =
+    trial.MeasureErrors(this->Stage, *several, this->Gather);
+  if (severalErrors.empty() || !this->Progress(1.0))
   {
     return std::nullopt;
   }
-  tried = { grids.Count(), Sum(others) / Sum(errors) };
-  return AreClearlyLess(others, errors) ? several : one;
+  tried = { grids.Count(), Sum(severalErrors) / Sum(singleErrors) };
+  return AreClearlyLess(severalErrors, singleErrors) ? several : single;
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Probes where light needs them: placed, tried and judged on the scene's surfaces.
+ * Places probes where light needs them, by measuring the error of candidate grids on the scene's surfaces.
  */
 #pragma once
 
@@ -14,24 +14,25 @@ namespace penumbra
 {
 class GatherStage;
 
-/// Several grids that were tried in place of one.
+/// Result of trying several grids in place of a single one.
 struct TriedGrids
 {
-  int Count = 0;      ///< 0 where none were
-  double Error = 0.0; ///< what they left of one grid's squared error, roughly
+  int Count = 0;      ///< 0 if none were tried
+  double Error = 0.0; ///< their squared error, as a rough fraction of a single grid's
 };
 
-/// Puts fields of probes without light into a stage's scene. Results are empty where the work was ended.
+/// Places probes, without light yet, in a stage's scene. Results are empty if the work was aborted.
 struct AdaptivePlacement
 {
   GatherStage& Stage;
   LightTrial::Gather Gather;
-  ProbeProgress Progress; ///< of all the work
+  ProbeProgress Progress; ///< progress of the whole work
   bool Relocate;          ///< see PlaceProbes()
 
   std::optional<ProbeField> Place(const ProbeGrids& grids) const;
 
-  /// In one grid around bounds, and in several that share as many probes: the one whose light errs less.
+  /// Place probes in a single grid around bounds or in several that share as many probes, whichever has the smaller
+  /// error.
   std::optional<ProbeField> PlaceBest(
     const std::array<double, 6>& bounds, int probes, TriedGrids& tried) const;
 };

@@ -12,27 +12,27 @@ namespace penumbra
 namespace
 {
 constexpr int Count = 9;
-constexpr int Directions =
-  192; // in which values are looked at; the least is missed by less than 0.1 %
+// Number of directions in which signs are checked. They miss the minimum by less than 0.1 %.
+constexpr int Directions = 192;
 
-const std::vector<Harmonics>& EvenHarmonics()
+const std::vector<Harmonics>& SampleDirections()
 {
-  static const std::vector<Harmonics> all = [] {
+  static const std::vector<Harmonics> directions = [] {
     std::vector<Harmonics> values;
     for (int i = 0; i < Directions; ++i)
     {
-      // A spiral of even steps in height.
+      // A spiral with even steps in height.
       const double z = 1.0 - (2.0 * i + 1.0) / Directions;
-      const double turn = std::sqrt(glm::pi<double>() * Directions) * std::acos(z);
+      const double angle = std::sqrt(glm::pi<double>() * Directions) * std::acos(z);
       const double radius = std::sqrt(1.0 - z * z);
-      values.push_back(HarmonicsOf({ radius * std::cos(turn), radius * std::sin(turn), z }));
+      values.push_back(HarmonicsOf({ radius * std::cos(angle), radius * std::sin(angle), z }));
     }
     return values;
   }();
-  return all;
+  return directions;
 }
 
-double WindowOf(int band, double strength)
+double WindowWeight(int band, double strength)
 {
   const double laplacian = band * (band + 1.0);
   return 1.0 / (1.0 + strength * laplacian * laplacian);
@@ -40,14 +40,14 @@ double WindowOf(int band, double strength)
 
 bool IsNegative(const float* colors, double strength)
 {
-  for (const Harmonics& y : EvenHarmonics())
+  for (const Harmonics& y : SampleDirections())
   {
     for (int channel = 0; channel < 3; ++channel)
     {
       double sum = 0.0;
       for (int k = 0; k < Count; ++k)
       {
-        sum += y[k] * colors[3 * k + channel] * WindowOf(HarmonicBand(k), strength);
+        sum += y[k] * colors[3 * k + channel] * WindowWeight(HarmonicBand(k), strength);
       }
       if (sum < -1e-6 * std::abs(colors[channel]))
       {
@@ -113,25 +113,25 @@ double WindowHarmonics(float* colors)
   {
     return 0.0;
   }
-  double none = 0.0;
-  double enough = 1e-4;
-  while (IsNegative(colors, enough) && enough < 1e6)
+  double tooWeak = 0.0;
+  double sufficient = 1e-4;
+  while (IsNegative(colors, sufficient) && sufficient < 1e6)
   {
-    enough *= 4.0;
+    sufficient *= 4.0;
   }
   constexpr int halvings = 16;
   for (int i = 0; i < halvings; ++i)
   {
-    const double middle = 0.5 * (none + enough);
-    (IsNegative(colors, middle) ? none : enough) = middle;
+    const double middle = 0.5 * (tooWeak + sufficient);
+    (IsNegative(colors, middle) ? tooWeak : sufficient) = middle;
   }
   for (int k = 0; k < Count; ++k)
   {
     for (int channel = 0; channel < 3; ++channel)
     {
-      colors[3 * k + channel] *= static_cast<float>(WindowOf(HarmonicBand(k), enough));
+      colors[3 * k + channel] *= static_cast<float>(WindowWeight(HarmonicBand(k), sufficient));
     }
   }
-  return enough;
+  return sufficient;
 }
 }

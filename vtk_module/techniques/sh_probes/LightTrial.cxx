@@ -20,14 +20,15 @@ namespace penumbra
 {
 namespace
 {
-constexpr int Lines = 1 << 17;
+constexpr int Lines = 1 << 17; // traced through the scene to find points on surfaces
 constexpr int LineNumbers = GI_SURFACE_NUMBERS;
 
-// Paths, of each half of them. Errors of halves are multiplied, so that what chance does to them cancels out.
+// Numbers of paths in each of two independent halves. The product of both halves' errors is an unbiased estimate of the
+// squared error.
 constexpr int PointSamples = 16;
 constexpr int ProbeSamples = 64;
 
-// Cells of space along a scene's longest side.
+// Number of cells along the scene's longest side, by which points are weighted.
 constexpr double CellsAcross = 24.0;
 
 std::vector<float> FindSurfaces(GatherStage& stage, const glm::dvec3& middle, double radius)
@@ -45,9 +46,9 @@ std::vector<float> FindSurfaces(GatherStage& stage, const glm::dvec3& middle, do
 }
 }
 
-// Of the points found, so many, evenly by area. They count by how much area there is in their cell of space: who looks at
-// a scene looks at what is in it.
-void LightTrial::Pick(const std::vector<float>& found, const glm::dvec3& origin,
+// Pick about count of the points found, evenly by area. A point's weight is proportional to the area in its cell of
+// space, because viewers look at places with much to see.
+void LightTrial::SelectPoints(const std::vector<float>& found, const glm::dvec3& origin,
   const std::array<double, 6>& bounds, std::size_t count)
 {
   const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
@@ -76,13 +77,13 @@ void LightTrial::Pick(const std::vector<float>& found, const glm::dvec3& origin,
   for (const auto& cell : cells)
   {
     const std::vector<std::size_t>& lines = cell.second;
-    const double here = areas[cell.first];
-    const double wanted = std::ceil(static_cast<double>(count) * here / area);
-    // Evenly among the lines' numbers, which are spread evenly.
+    const double cellArea = areas[cell.first];
+    const double desired = std::ceil(static_cast<double>(count) * cellArea / area);
+    // The lines are distributed evenly, so any regular subset of them is, too.
     const std::size_t stride = std::max<std::size_t>(
-      1, static_cast<std::size_t>(static_cast<double>(lines.size()) / wanted));
+      1, static_cast<std::size_t>(static_cast<double>(lines.size()) / desired));
     double sum = 0.0;
-    const std::size_t before = this->Weights.size();
+    const std::size_t firstOfCell = this->Weights.size();
     for (std::size_t k = 0; k < lines.size(); k += stride)
     {
       const float* line = &found[lines[k]];
@@ -91,9 +92,9 @@ void LightTrial::Pick(const std::vector<float>& found, const glm::dvec3& origin,
       this->Weights.push_back(line[6]);
       sum += line[6];
     }
-    for (std::size_t k = before; k < this->Weights.size(); ++k)
+    for (std::size_t k = firstOfCell; k < this->Weights.size(); ++k)
     {
-      this->Weights[k] *= here * here / (sum * squares);
+      this->Weights[k] *= cellArea * cellArea / (sum * squares);
     }
   }
 }
@@ -104,7 +105,7 @@ bool LightTrial::Prepare(
   const glm::dvec3 low(bounds[0], bounds[2], bounds[4]);
   const glm::dvec3 high(bounds[1], bounds[3], bounds[5]);
   const double radius = 0.501 * glm::length(high - low);
-  this->Pick(FindSurfaces(stage, 0.5 * (low + high), radius), stage.Origin(), bounds,
+  this->SelectPoints(FindSurfaces(stage, 0.5 * (low + high), radius), stage.Origin(), bounds,
     static_cast<std::size_t>(points));
   std::vector<float> surroundings[2];
   for (int half = 0; half < 2 && !this->Points.empty(); ++half)
@@ -116,28 +117,28 @@ bool LightTrial::Prepare(
       return false;
     }
   }
-  return this->ForgetTheUnseen(surroundings);
+  return this->DiscardHidden(surroundings);
 }
 
-// What is within something solid, or faces the void around the scene, is not seen: no light comes there, and rays meet
-// backs of surfaces or nothing.
-bool LightTrial::ForgetTheUnseen(const std::vector<float>* surroundings)
+// Give weight 0 to points that are inside solid objects or face the void around the scene. They receive no light, and
+// rays from them hit backfaces or nothing.
+bool LightTrial::DiscardHidden(const std::vector<float>* surroundings)
 {
   double sum = 0.0;
   double weights = 0.0;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    double here = 0.0;
+    double light = 0.0;
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
     {
-      here += (this->Light[0][k] + this->Light[1][k]) / 6.0;
+      light += (this->Light[0][k] + this->Light[1][k]) / 6.0;
     }
-    const double backs = 0.5 * (surroundings[0][3 * i] + surroundings[1][3 * i]);
+    const double backfaces = 0.5 * (surroundings[0][3 * i] + surroundings[1][3 * i]);
     const double hits = 0.5 * (surroundings[0][3 * i + 1] + surroundings[1][3 * i + 1]);
-    const bool seen = here > 0.0 || (hits > 0.0 && backs < ManyBacks);
-    this->Weights[i] = seen ? this->Weights[i] : 0.0;
+    const bool visible = light > 0.0 || (hits > 0.0 && backfaces < SolidBackfaceRatio);
+    this->Weights[i] = visible ? this->Weights[i] : 0.0;
     weights += this->Weights[i];
-    sum += this->Weights[i] * here;
+    sum += this->Weights[i] * light;
   }
   for (double& weight : this->Weights)
   {
@@ -147,7 +148,7 @@ bool LightTrial::ForgetTheUnseen(const std::vector<float>* surroundings)
   return sum > 0.0;
 }
 
-std::vector<float> LightTrial::LightOf(GatherStage& stage, const ProbeField& field) const
+std::vector<float> LightTrial::ProbeLight(GatherStage& stage, const ProbeField& field) const
 {
   const ProbeTextures textures(field, false);
   std::vector<shared::GatherPoint> data(this->Points.size());
@@ -169,21 +170,21 @@ std::vector<float> LightTrial::LightOf(GatherStage& stage, const ProbeField& fie
   return light;
 }
 
-std::vector<ErrorAt> LightTrial::Judge(
+std::vector<PointError> LightTrial::MeasureErrors(
   GatherStage& stage, ProbeField field, const Gather& gather) const
 {
-  const std::vector<glm::dvec3> places = field.Positions(0, field.Grids.Size());
-  std::vector<float> given[2];
+  const std::vector<glm::dvec3> positions = field.Positions(0, field.Grids.Size());
+  std::vector<float> probeLight[2];
   for (int half = 0; half < 2; ++half)
   {
-    field.Light = gather(places, {}, half * ProbeSamples, ProbeSamples, nullptr);
+    field.Light = gather(positions, {}, half * ProbeSamples, ProbeSamples, nullptr);
     if (field.Light.empty())
     {
       return {};
     }
-    given[half] = this->LightOf(stage, field);
+    probeLight[half] = this->ProbeLight(stage, field);
   }
-  std::vector<ErrorAt> errors;
+  std::vector<PointError> errors;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
     if (this->Weights[i] == 0.0)
@@ -195,9 +196,9 @@ std::vector<ErrorAt> LightTrial::Judge(
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
     {
       const double lights[2] = { this->Light[0][k], this->Light[1][k] };
-      error += (given[0][k] - lights[0]) * (given[1][k] - lights[1]) / 3.0;
-      // With what the probes give, as single points' light is known but roughly.
-      mean += 0.25 * (lights[0] + lights[1] + given[0][k] + given[1][k]) / 3.0;
+      error += (probeLight[0][k] - lights[0]) * (probeLight[1][k] - lights[1]) / 3.0;
+      // Includes the probes' light, because the light of single points is noisy.
+      mean += 0.25 * (lights[0] + lights[1] + probeLight[0][k] + probeLight[1][k]) / 3.0;
     }
     const double share = this->Weights[i] / (mean * mean + 0.01 * this->MeanSquare);
     errors.push_back({ this->Points[i], share * error });

@@ -34,7 +34,7 @@ constexpr int MostProbes = vtkGIProbeBaker::MostProbes;
 const BakeArrays Sealed = { { BakeFormat, BakedSceneText }, { "samples", "light scale", "grids" },
   { "light", "distance", "offset", "sight", "backs" } };
 
-// Halves of numbers over their largest, so that no unit of light overflows them.
+// Largest magnitude. Half floats store values relative to it, so that no unit of light overflows them.
 double LargestOf(const std::vector<float>& values)
 {
   double most = 0.0;
@@ -80,7 +80,7 @@ Array* Find(vtkFieldData* data, const char* name, int components, vtkIdType tupl
     : nullptr;
 }
 
-[[noreturn]] void Lacks(const char* name)
+[[noreturn]] void ThrowMissing(const char* name)
 {
   throw std::invalid_argument(std::string("it lacks a valid array '") + name + "'");
 }
@@ -105,7 +105,7 @@ void ReadNumbers(
   }
   else
   {
-    Lacks(name);
+    ThrowMissing(name);
   }
   for (const float value : values)
   {
@@ -167,7 +167,7 @@ ProbeGrids ReadGrids(vtkImageData* image)
   if (!array || array->GetNumberOfComponents() != GridNumbers || count < 1 ||
     count > ProbeGrids::Most)
   {
-    Lacks("grids");
+    ThrowMissing("grids");
   }
   std::vector<ProbeGrid> grids;
   double points = 0.0;
@@ -309,7 +309,7 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
   auto* samples = Find<vtkIntArray>(fields, "samples", 1, 1);
   if (!scale || !samples)
   {
-    Lacks(scale ? "samples" : "light scale");
+    ThrowMissing(scale ? "samples" : "light scale");
   }
   field.Samples = samples->GetValue(0);
   if (field.Samples < 0)
@@ -326,15 +326,15 @@ ProbeField ProbeField::FromImage(vtkImageData* image)
   auto* backs = Find<vtkUnsignedCharArray>(image->GetPointData(), "backs", 1, count);
   if (!sight || !backs)
   {
-    Lacks(sight ? "backs" : "sight");
+    ThrowMissing(sight ? "backs" : "sight");
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto at = static_cast<std::size_t>(i);
-    field.Offsets[at] =
-      glm::clamp(glm::vec3(offsets[3 * at], offsets[3 * at + 1], offsets[3 * at + 2]), -0.5f, 0.5f);
-    field.Sight[at] = sight->GetValue(i);
-    field.Backs[at] = static_cast<float>(backs->GetValue(i)) / 255.0f;
+    const auto probe = static_cast<std::size_t>(i);
+    field.Offsets[probe] = glm::clamp(
+      glm::vec3(offsets[3 * probe], offsets[3 * probe + 1], offsets[3 * probe + 2]), -0.5f, 0.5f);
+    field.Sight[probe] = sight->GetValue(i);
+    field.Backs[probe] = static_cast<float>(backs->GetValue(i)) / 255.0f;
   }
   RequireSealed(image, Sealed);
   return field;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Probes and what was baked into them, apart from any graphics card; and as an image of VTK, for files and for users,
- * whose points are the grid's places, or where there are several grids all of their probes in a row.
+ * Baked probes in main memory, and their conversion to and from a VTK image, which users get and files store. The
+ * points of the image are the grid points, or all probes in a row if there are several grids.
  */
 #pragma once
 
@@ -18,36 +18,36 @@ namespace penumbra
 {
 struct ProbeField
 {
-  static constexpr int Harmonics = 27;      ///< nine, of red, green and blue each
-  static constexpr int DistanceTexels = GI_FIELD_DISTANCE; ///< across an octahedral map
+  static constexpr int Harmonics = 27; ///< nine coefficients of red, green and blue
+  static constexpr int DistanceTexels = GI_FIELD_DISTANCE; ///< width of an octahedral map
   static constexpr int Distances = 2 * DistanceTexels * DistanceTexels;
 
   ProbeGrids Grids;
-  /// Of each probe: how far it stands off its grid's place, in cells, less than half along each axis.
+  /// Offset of each probe from its grid point, in cells, less than half a cell along each axis.
   std::vector<glm::vec3> Offsets;
-  /// Harmonics numbers of each: of the radiance that arrives.
+  /// Incoming radiance: Harmonics numbers per probe.
   std::vector<float> Light;
-  /// Distances numbers of each: the mean and the standard deviation, in its grid's Reach().
+  /// Means and standard deviations of distances, in units of Reach(): Distances numbers per probe.
   std::vector<float> Distance;
-  std::vector<int> Sight;   ///< bits of neighbours, as glsl/probes/field.glsl has them
-  std::vector<float> Backs; ///< share of rays that meet backs of surfaces
-  std::string Scene;        ///< BakedScene::ToText() of what was baked
-  int Samples = 0;          ///< paths of each probe that Light is the mean of
+  std::vector<int> Sight;   ///< visible neighbours, as bits, see glsl/probes/field.glsl
+  std::vector<float> Backs; ///< backface ratio
+  std::string Scene;        ///< BakedScene::ToText() of the baked scene
+  int Samples = 0;          ///< number of paths per probe in Light
 
   explicit ProbeField(const ProbeGrids& grids = ProbeGrids());
   bool IsEmpty() const { return this->Grids.Size() == 0; }
   glm::dvec3 Position(int probe) const;
-  /// Of probes from one to another, that one not counted.
+  /// The positions of the probes in [first, last).
   std::vector<glm::dvec3> Positions(int first, int last) const;
-  /// Distances beyond it count as this.
+  /// Maximum distance that a grid's probes store; larger ones count as this.
   double Reach(int grid) const;
 
-  /// Throws std::invalid_argument, saying what is missing or wrong, where an image is none of ToImage()'s.
+  /// Throws std::invalid_argument, with what is missing or wrong, if ToImage() did not write the image.
   static ProbeField FromImage(vtkImageData* image);
-  /// compact: light and distances as half floats.
+  /// compact: store light and distances as half floats.
   void ToImage(vtkImageData* image, bool compact) const;
 };
 
-/// The offsets of the thirteen neighbours that a probe keeps a bit for.
+/// The offsets of the thirteen neighbours whose visibility a probe stores.
 std::array<glm::ivec3, 13> ProbeNeighbours();
 }

@@ -19,16 +19,17 @@ using Clock = std::chrono::steady_clock;
 constexpr int Texels = ProbeField::DistanceTexels;
 constexpr int MapTexels = Texels * Texels;
 
-// Rays of a texel: some to find the way, more for what is kept.
-constexpr int FewRays = 2;
-constexpr int ManyRays = 16;
+// Rays per texel: a few while probes are being placed, more for the maps that are kept.
+constexpr int PlacementRays = 2;
+constexpr int MapRays = 16;
 
-// In cells. A probe keeps so far from surfaces, and so close to its place in the grid.
+// Distance that a probe keeps from surfaces, and maximum offset from its grid point, in cells.
 constexpr double Margin = 0.25;
-constexpr double MostOffset = 0.4;
+constexpr double MaximumOffset = 0.4;
 constexpr int Moves = 3;
 
-// What lets so many times more light in is not the other side of a surface turned inside out.
+// A probe has left a solid object if this many times more light arrives. A smaller ratio may be due to a surface whose
+// winding is inverted.
 constexpr double MuchBrighter = 4.0;
 
 glm::vec3 TexelDirection(int texel)
@@ -42,7 +43,7 @@ glm::vec3 TexelDirection(int texel)
   return glm::normalize(n);
 }
 
-/// Mean, mean square and share of backs of each texel of each point's map.
+/// Trace the maps of points: mean distance, mean square and backface ratio of each texel. Returns false if aborted.
 bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int rays, double reach,
   std::vector<glm::vec3>& maps, const ProbeProgress& progress)
 {
@@ -73,7 +74,7 @@ bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int ra
     {
       maps[first * MapTexels + i] = { found[3 * i], found[3 * i + 1], found[3 * i + 2] };
     }
-    work.Took(count, std::chrono::duration<double>(Clock::now() - start).count());
+    work.Adapt(count, std::chrono::duration<double>(Clock::now() - start).count());
     first += count;
     if (!progress(static_cast<double>(first) / static_cast<double>(points.size())))
     {
@@ -83,29 +84,29 @@ bool TraceMaps(GatherStage& stage, const std::vector<glm::dvec3>& points, int ra
   return true;
 }
 
-/// What a probe sees, in short.
-struct Outlook
+/// Summary of a probe's map.
+struct MapSummary
 {
   int Nearest = 0; ///< texel
   double Backs = 0.0;
 };
 
-Outlook LookFrom(const glm::vec3* map)
+MapSummary Summarize(const glm::vec3* map)
 {
-  Outlook outlook;
+  MapSummary summary;
   for (int texel = 0; texel < MapTexels; ++texel)
   {
-    outlook.Backs += map[texel].z / MapTexels;
-    outlook.Nearest = map[texel].x < map[outlook.Nearest].x ? texel : outlook.Nearest;
+    summary.Backs += map[texel].z / MapTexels;
+    summary.Nearest = map[texel].x < map[summary.Nearest].x ? texel : summary.Nearest;
   }
-  return outlook;
+  return summary;
 }
 
-/// Of each pair of points, 1 where nothing is between them.
-std::vector<float> SeeEachOther(GatherStage& stage, const std::vector<shared::GatherPoint>& pairs)
+/// Visibility between the points of each pair: 1 or 0.
+std::vector<float> PairVisibility(GatherStage& stage, const std::vector<shared::GatherPoint>& pairs)
 {
-  constexpr std::size_t most = 1 << 20; // at once: buffers may be limited to 128 MB
-  std::vector<float> seen;
+  constexpr std::size_t most = 1 << 20; // per dispatch, as buffers may be limited to 128 MB
+  std::vector<float> visible;
   for (std::size_t first = 0; first < pairs.size(); first += most)
   {
     const std::size_t count = std::min(pairs.size() - first, most);
@@ -115,15 +116,15 @@ std::vector<float> SeeEachOther(GatherStage& stage, const std::vector<shared::Ga
     stage.Run("gathering/sight.comp", {}, Arguments().Set("pointCount", static_cast<int>(count)),
       (count + GI_GATHER_GROUP - 1) / GI_GATHER_GROUP);
     stage.Read(found);
-    seen.insert(seen.end(), found.begin(), found.end());
+    visible.insert(visible.end(), found.begin(), found.end());
   }
-  return seen;
+  return visible;
 }
 
-/// Bring an offset, in cells, back to where its probe may stand.
-glm::vec3 Kept(const glm::dvec3& offset)
+/// Limit an offset in cells to the allowed range.
+glm::vec3 ClampOffset(const glm::dvec3& offset)
 {
-  return glm::vec3(glm::clamp(offset, -MostOffset, MostOffset));
+  return glm::vec3(glm::clamp(offset, -MaximumOffset, MaximumOffset));
 }
 }
 
@@ -140,28 +141,28 @@ bool PlaceProbes(GatherStage& stage, ProbeField& field, int number,
   for (int move = 0; move < Moves; ++move)
   {
     const auto part = [&](double done) { return progress((move + done) / Moves); };
-    if (!TraceMaps(stage, field.Positions(first, last), FewRays, reach, maps, part))
+    if (!TraceMaps(stage, field.Positions(first, last), PlacementRays, reach, maps, part))
     {
       return false;
     }
-    std::vector<int> leaving; // something solid, perhaps
-    std::vector<glm::dvec3> places;
+    std::vector<int> leaving; // probes that may be inside a solid object
+    std::vector<glm::dvec3> positions;
     std::vector<glm::vec3> before = field.Offsets;
     for (int probe = first; probe < last; ++probe)
     {
       const glm::vec3* map = &maps[static_cast<std::size_t>(probe - first) * MapTexels];
-      const Outlook outlook = LookFrom(map);
-      const glm::dvec3 toward(TexelDirection(outlook.Nearest));
-      const double distance = map[outlook.Nearest].x;
-      const bool within = outlook.Backs > ManyBacks && map[outlook.Nearest].z > 0.5f;
+      const MapSummary summary = Summarize(map);
+      const glm::dvec3 toward(TexelDirection(summary.Nearest));
+      const double distance = map[summary.Nearest].x;
+      const bool inside = summary.Backs > SolidBackfaceRatio && map[summary.Nearest].z > 0.5f;
       glm::dvec3 step(0.0);
-      if (within)
+      if (inside)
       {
         step = toward * (distance + Margin * cell);
       }
       else if (distance < Margin * cell)
       {
-        // Not farther than half way to what is behind.
+        // At most half of the way to the surface behind.
         double behind = reach;
         for (int texel = 0; texel < MapTexels; ++texel)
         {
@@ -172,33 +173,35 @@ bool PlaceProbes(GatherStage& stage, ProbeField& field, int number,
           -toward * std::min(Margin * cell - distance, std::max(0.5 * (behind - distance), 0.0));
       }
       const glm::dvec3 moved = glm::dvec3(field.Offsets[probe]) + step / spacing;
-      if (within)
+      if (inside)
       {
-        // Out by a way that the grid allows, or not at all.
-        if (glm::all(glm::lessThanEqual(glm::abs(moved), glm::dvec3(MostOffset))))
+        // Leave only if the new position is within the allowed offset.
+        if (glm::all(glm::lessThanEqual(glm::abs(moved), glm::dvec3(MaximumOffset))))
         {
           leaving.push_back(probe);
-          places.push_back(field.Position(probe));
-          field.Offsets[probe] = Kept(moved);
-          places.push_back(field.Position(probe));
+          positions.push_back(field.Position(probe));
+          field.Offsets[probe] = ClampOffset(moved);
+          positions.push_back(field.Position(probe));
         }
       }
       else
       {
-        field.Offsets[probe] = Kept(moved);
+        field.Offsets[probe] = ClampOffset(moved);
       }
     }
-    const std::vector<double> light = places.empty() ? std::vector<double>() : brightness(places);
-    for (std::size_t i = 0; i < leaving.size() && light.size() == places.size(); ++i)
+    const std::vector<double> light =
+      positions.empty() ? std::vector<double>() : brightness(positions);
+    for (std::size_t i = 0; i < leaving.size() && light.size() == positions.size(); ++i)
     {
-      const bool freed = light[2 * i + 1] > MuchBrighter * light[2 * i];
-      field.Offsets[leaving[i]] = freed ? field.Offsets[leaving[i]] : before[leaving[i]];
+      const bool escaped = light[2 * i + 1] > MuchBrighter * light[2 * i];
+      field.Offsets[leaving[i]] = escaped ? field.Offsets[leaving[i]] : before[leaving[i]];
     }
   }
   return true;
 }
 
-bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbeProgress& progress)
+bool TraceVisibility(
+  GatherStage& stage, ProbeField& field, int number, const ProbeProgress& progress)
 {
   const ProbeGrid& grid = field.Grids.Get(number);
   const double reach = field.Reach(number);
@@ -206,7 +209,7 @@ bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbePr
   const int count = grid.Size();
   std::vector<glm::vec3> maps;
   const std::vector<glm::dvec3> points = field.Positions(first, first + count);
-  if (!TraceMaps(stage, points, ManyRays, reach, maps, progress))
+  if (!TraceMaps(stage, points, MapRays, reach, maps, progress))
   {
     return false;
   }
@@ -224,7 +227,7 @@ bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbePr
   for (int probe = 0; probe < count; ++probe)
   {
     field.Backs[first + probe] =
-      static_cast<float>(LookFrom(&maps[static_cast<std::size_t>(probe) * MapTexels]).Backs);
+      static_cast<float>(Summarize(&maps[static_cast<std::size_t>(probe) * MapTexels]).Backs);
     for (int bit = 0; bit < 13; ++bit)
     {
       const glm::ivec3 other = grid.Cell(probe) + neighbours[bit];
@@ -238,10 +241,10 @@ bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbePr
     }
   }
   std::fill_n(field.Sight.begin() + first, count, 0);
-  const std::vector<float> seen = SeeEachOther(stage, pairs);
+  const std::vector<float> visible = PairVisibility(stage, pairs);
   for (std::size_t i = 0; i < bits.size(); ++i)
   {
-    field.Sight[bits[i].first] |= seen[i] > 0.5f ? 1 << bits[i].second : 0;
+    field.Sight[bits[i].first] |= visible[i] > 0.5f ? 1 << bits[i].second : 0;
   }
   return true;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where baked probes stand, and what they see of the scene and of each other.
+ * Places baked probes, and finds what they see of the scene and of each other.
  */
 #pragma once
 
@@ -13,19 +13,20 @@ namespace penumbra
 {
 class GatherStage;
 
-/// Among so many backs, of all that is met, a place may be within something solid.
-constexpr double ManyBacks = 0.25;
+/// Backface ratio above which a position may be inside a solid object.
+constexpr double SolidBackfaceRatio = 0.25;
 
-/// Called with the part that is done; false ends the work.
+/// Called with the fraction of the work that is done. Returns false to abort.
 using ProbeProgress = std::function<bool(double)>;
 
-/// Move a grid's probes off surfaces that are close. Probes among the backs of surfaces are within something solid, where
-/// no light is, or the surfaces are turned inside out: those stay. brightness: what arrives at points, roughly.
-/// Returns false where it was ended.
+/// Move a grid's probes away from close surfaces. Probes that see many backfaces are inside a solid object, where it is
+/// dark, and leave it; or the surfaces have inverted windings, and the probes stay. brightness: estimates the light at
+/// points. Returns false if aborted.
 bool PlaceProbes(GatherStage& stage, ProbeField& field, int number,
   const std::function<std::vector<double>(const std::vector<glm::dvec3>&)>& brightness,
   const ProbeProgress& progress);
 
-/// Fill in Distance, Backs and Sight of a grid's probes. Returns false where it was ended.
-bool LookAround(GatherStage& stage, ProbeField& field, int number, const ProbeProgress& progress);
+/// Compute Distance, Backs and Sight of a grid's probes. Returns false if aborted.
+bool TraceVisibility(
+  GatherStage& stage, ProbeField& field, int number, const ProbeProgress& progress);
 }

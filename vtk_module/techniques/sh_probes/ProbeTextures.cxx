@@ -15,12 +15,12 @@ namespace
 {
 constexpr int LightTexels = GI_FIELD_HARMONICS;
 constexpr int Inner = ProbeField::DistanceTexels;
-constexpr int Outer = Inner + 2; // with its border
+constexpr int Outer = Inner + 2; // with the border
 
-// Every OpenGL that has compute shaders has textures of so many texels a side.
-constexpr int MostTexels = 16384;
-static_assert(
-  vtkGIProbeBaker::MostProbes == (MostTexels / Outer) * (MostTexels / Outer), "as many as fit");
+// Texture size that every OpenGL implementation with compute shaders supports.
+constexpr int MaximumTexels = 16384;
+static_assert(vtkGIProbeBaker::MostProbes == (MaximumTexels / Outer) * (MaximumTexels / Outer),
+  "as many as fit");
 
 void Fill(const Texture& texture, GLenum channels, const std::vector<float>& texels)
 {
@@ -30,8 +30,8 @@ void Fill(const Texture& texture, GLenum channels, const std::vector<float>& tex
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-/// The texel that one of a map with its border repeats: what lies across the fold.
-glm::ivec2 Source(glm::ivec2 texel)
+/// The inner texel that a texel of the map with its border shows: border texels repeat what lies across the fold.
+glm::ivec2 SourceTexel(glm::ivec2 texel)
 {
   texel -= 1;
   const bool acrossX = texel.x < 0 || texel.x >= Inner;
@@ -66,11 +66,11 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
   constexpr int n = ProbeField::Harmonics;
   const std::size_t width = static_cast<std::size_t>(this->Columns) * LightTexels * 4;
   std::vector<float> texels(width * this->Rows, 0.0f);
-  std::vector<float> all = field.Light;
+  std::vector<float> light = field.Light;
   double most = 0.0;
   for (int probe = 0; probe < this->Grids.Size(); ++probe)
   {
-    float* colors = &all[static_cast<std::size_t>(probe) * n];
+    float* colors = &light[static_cast<std::size_t>(probe) * n];
     ToIrradiance(colors);
     if (window)
     {
@@ -88,7 +88,7 @@ void ProbeTextures::FillLight(const ProbeField& field, bool window)
       static_cast<std::size_t>(probe % this->Columns) * LightTexels * 4];
     for (int k = 0; k < n; ++k)
     {
-      target[k] = static_cast<float>(all[static_cast<std::size_t>(probe) * n + k] / this->Scale);
+      target[k] = static_cast<float>(light[static_cast<std::size_t>(probe) * n + k] / this->Scale);
     }
   }
   Fill(this->LightTexture, GL_RGBA, texels);
@@ -106,14 +106,14 @@ void ProbeTextures::FillDistance(const ProbeField& field)
     for (int i = 0; i < Outer * Outer; ++i)
     {
       const glm::ivec2 texel(i % Outer, i / Outer);
-      const glm::ivec2 from = Source(texel);
+      const glm::ivec2 from = SourceTexel(texel);
       const float mean = map[2 * (from.y * Inner + from.x)] * reach;
       const float deviation = map[2 * (from.y * Inner + from.x) + 1] * reach;
-      const std::size_t at = 2 *
+      const std::size_t index = 2 *
         (static_cast<std::size_t>(corner.y + texel.y) * width +
           static_cast<std::size_t>(corner.x + texel.x));
-      texels[at] = mean;
-      texels[at + 1] = mean * mean + deviation * deviation;
+      texels[index] = mean;
+      texels[index + 1] = mean * mean + deviation * deviation;
     }
   }
   this->DistanceTexture.SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);

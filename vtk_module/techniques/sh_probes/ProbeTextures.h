@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A baked field of probes on the graphics card, as glsl/sh_probes/light.glsl reads it.
+ * Textures of a baked field of probes, as glsl/sh_probes/light.glsl reads them.
  */
 #pragma once
 
@@ -18,17 +18,17 @@ class Program;
 class ProbeTextures
 {
 public:
-  /// The context must be current. window: smooth harmonics that go below zero.
+  /// The context must be current. window: smooth harmonics that are negative in some direction.
   ProbeTextures(const ProbeField& field, bool window);
 
   const Texture* Light() const { return &this->LightTexture; }
   const Texture* Distance() const { return &this->DistanceTexture; }
   const Texture* Probes() const { return &this->ProbeTexture; }
 
-  /// For shaders that ask these probes, with coordinates relative to a place in the world.
+  /// Arguments of shaders that look up these probes. origin: of the shaders' coordinates, in the world.
   Arguments ShaderArguments(double bias, const glm::dvec3& origin) const;
   const glm::dvec3& Origin() const { return this->Grids.Get(0).First; }
-  /// Of shaders that ask these probes.
+  /// Variant of such shaders.
   Defines Variant() const { return this->Uniforms(0.0).Variant(); }
 
 private:

@@ -42,10 +42,10 @@ std::string SceneText(vtkRenderer* renderer)
 void RequireSameScene(const ProbeField& field, vtkRenderer* renderer)
 {
   BakedSceneCache cache;
-  const BakedScene now = BakedScene::Of(renderer, cache);
-  if (now.ToText() != field.Scene)
+  const BakedScene current = BakedScene::Of(renderer, cache);
+  if (current.ToText() != field.Scene)
   {
-    const std::string difference = BakedScene::FromText(field.Scene).DifferenceTo(now);
+    const std::string difference = BakedScene::FromText(field.Scene).DifferenceTo(current);
     throw std::invalid_argument("the probes were placed in another scene: " +
       (difference.empty() ? std::string("a prop came") : difference));
   }
@@ -72,14 +72,14 @@ struct vtkGIProbeBaker::Internals
   vtkNew<vtkGILightGatherer> Gatherer;
   std::string Error;
   TriedGrids Tried;
-  /// What the gatherer's progress is a part of.
-  double From = 0.0;
-  double To = 1.0;
-  /// And what a call is of Bake().
-  double Before = 0.0;
-  double Behind = 1.0;
+  /// Range of a call's progress that the gatherer's progress covers.
+  double GatherBegin = 0.0;
+  double GatherEnd = 1.0;
+  /// Range of Bake()'s progress that a call covers.
+  double CallBegin = 0.0;
+  double CallEnd = 1.0;
 
-  /// Light at points, with normals or without (empty); empty where it was ended. Throws where it failed.
+  /// Gather light at points, with normals or without (empty). The result is empty if aborted. Throws if it failed.
   std::vector<float> Gather(vtkRenderer* renderer, const vtkGIProbeBaker& settings,
     const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals, int firstSample,
     int samples, std::vector<float>* surroundings)
@@ -106,13 +106,13 @@ struct vtkGIProbeBaker::Internals
     return done ? Numbers(light) : std::vector<float>();
   }
 
-  template <typename Work>
-  bool Try(const Work& work)
+  template <typename Function>
+  bool CatchErrors(const Function& function)
   {
     this->Error.clear();
     try
     {
-      return work();
+      return function();
     }
     catch (const std::exception& error)
     {
@@ -125,7 +125,8 @@ struct vtkGIProbeBaker::Internals
 vtkGIProbeBaker::vtkGIProbeBaker()
   : Impl(new Internals)
 {
-  this->Impl->Gatherer->AddObserver(vtkCommand::ProgressEvent, this, &vtkGIProbeBaker::Forward);
+  this->Impl->Gatherer->AddObserver(
+    vtkCommand::ProgressEvent, this, &vtkGIProbeBaker::ForwardProgress);
 }
 
 vtkGIProbeBaker::~vtkGIProbeBaker() = default;
@@ -142,9 +143,9 @@ void vtkGIProbeBaker::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Seed: " << this->Seed << "\n";
 }
 
-bool vtkGIProbeBaker::Tell(double progress)
+bool vtkGIProbeBaker::ReportProgress(double progress)
 {
-  progress = this->Impl->Before + (this->Impl->Behind - this->Impl->Before) * progress;
+  progress = this->Impl->CallBegin + (this->Impl->CallEnd - this->Impl->CallBegin) * progress;
   this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   return !this->Abort;
 }
@@ -152,7 +153,7 @@ bool vtkGIProbeBaker::Tell(double progress)
 bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
 {
   this->Abort = false;
-  return this->Impl->Try([&] {
+  return this->Impl->CatchErrors([&] {
     this->Impl->Tried = {};
     RequireImage(image);
     GatherStage stage;
@@ -169,8 +170,8 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
         return this->Impl->Gather(renderer, *this, points, normals, first, samples, surroundings);
       },
       [this](double done) {
-        this->Impl->From = this->Impl->To = done;
-        return this->Tell(done);
+        this->Impl->GatherBegin = this->Impl->GatherEnd = done;
+        return this->ReportProgress(done);
       },
       this->Relocate };
     std::optional<ProbeField> field;
@@ -202,7 +203,7 @@ bool vtkGIProbeBaker::Place(vtkRenderer* renderer, vtkImageData* image)
 bool vtkGIProbeBaker::AddSamples(vtkRenderer* renderer, vtkImageData* image, int samples)
 {
   this->Abort = false;
-  return this->Impl->Try([&] {
+  return this->Impl->CatchErrors([&] {
     ProbeField field = ProbeField::FromImage(image);
     if (!renderer)
     {
@@ -210,8 +211,8 @@ bool vtkGIProbeBaker::AddSamples(vtkRenderer* renderer, vtkImageData* image, int
     }
     RequireSameScene(field, renderer);
     vtkGILightGatherer* gatherer = this->Impl->Gatherer;
-    this->Impl->From = 0.0;
-    this->Impl->To = 1.0;
+    this->Impl->GatherBegin = 0.0;
+    this->Impl->GatherEnd = 1.0;
     const std::vector<float> found = this->Impl->Gather(
       renderer, *this, field.Positions(0, field.Grids.Size()), {}, field.Samples, samples, nullptr);
     if (found.empty())
@@ -230,10 +231,11 @@ bool vtkGIProbeBaker::AddSamples(vtkRenderer* renderer, vtkImageData* image, int
   });
 }
 
-void vtkGIProbeBaker::Forward(vtkObject*, unsigned long, void* progress)
+void vtkGIProbeBaker::ForwardProgress(vtkObject*, unsigned long, void* progress)
 {
-  const double part = *static_cast<double*>(progress);
-  if (!this->Tell(this->Impl->From + (this->Impl->To - this->Impl->From) * part))
+  const double done = *static_cast<double*>(progress);
+  if (!this->ReportProgress(
+        this->Impl->GatherBegin + (this->Impl->GatherEnd - this->Impl->GatherBegin) * done))
   {
     this->Impl->Gatherer->AbortOn();
   }
@@ -241,20 +243,20 @@ void vtkGIProbeBaker::Forward(vtkObject*, unsigned long, void* progress)
 
 bool vtkGIProbeBaker::Bake(vtkRenderer* renderer, vtkImageData* image)
 {
-  const auto part = [this](double before, double behind) {
-    this->Impl->Before = before;
-    this->Impl->Behind = behind;
+  const auto setRange = [this](double begin, double end) {
+    this->Impl->CallBegin = begin;
+    this->Impl->CallEnd = end;
   };
-  const bool isThere = this->Impl->Try([image] {
+  const bool hasImage = this->Impl->CatchErrors([image] {
     RequireImage(image);
     return true;
   });
   vtkNew<vtkImageData> field;
-  part(0.0, this->Adaptive ? 0.5 : 0.2);
-  bool done = isThere && this->Place(renderer, field);
-  part(this->Impl->Behind, 1.0);
+  setRange(0.0, this->Adaptive ? 0.5 : 0.2);
+  bool done = hasImage && this->Place(renderer, field);
+  setRange(this->Impl->CallEnd, 1.0);
   done = done && this->AddSamples(renderer, field, this->Samples) && this->Compact(field, field);
-  part(0.0, 1.0);
+  setRange(0.0, 1.0);
   if (done)
   {
     image->ShallowCopy(field);
@@ -264,7 +266,7 @@ bool vtkGIProbeBaker::Bake(vtkRenderer* renderer, vtkImageData* image)
 
 bool vtkGIProbeBaker::Compact(vtkImageData* field, vtkImageData* compact)
 {
-  return this->Impl->Try([&] {
+  return this->Impl->CatchErrors([&] {
     RequireImage(compact);
     ProbeField::FromImage(field).ToImage(compact, true);
     return true;
@@ -273,7 +275,7 @@ bool vtkGIProbeBaker::Compact(vtkImageData* field, vtkImageData* compact)
 
 bool vtkGIProbeBaker::Fits(vtkRenderer* renderer, vtkImageData* field)
 {
-  return this->Impl->Try([&] {
+  return this->Impl->CatchErrors([&] {
     if (!renderer)
     {
       throw std::runtime_error("there is no renderer to gather light in.");
@@ -286,7 +288,7 @@ bool vtkGIProbeBaker::Fits(vtkRenderer* renderer, vtkImageData* field)
 int vtkGIProbeBaker::CountGrids(vtkImageData* field)
 {
   int grids = 0;
-  this->Impl->Try([&] {
+  this->Impl->CatchErrors([&] {
     grids = ProbeField::FromImage(field).Grids.Count();
     return true;
   });
@@ -295,7 +297,7 @@ int vtkGIProbeBaker::CountGrids(vtkImageData* field)
 
 bool vtkGIProbeBaker::GetGrid(vtkImageData* field, int number, int counts[3], double bounds[6])
 {
-  return this->Impl->Try([&] {
+  return this->Impl->CatchErrors([&] {
     const ProbeGrids grids = ProbeField::FromImage(field).Grids;
     if (number < 0 || number >= grids.Count())
     {
@@ -327,7 +329,7 @@ double vtkGIProbeBaker::GetErrorOfTriedGrids()
 int vtkGIProbeBaker::CountSamples(vtkImageData* field)
 {
   int samples = -1;
-  this->Impl->Try([&] {
+  this->Impl->CatchErrors([&] {
     samples = ProbeField::FromImage(field).Samples;
     return true;
   });

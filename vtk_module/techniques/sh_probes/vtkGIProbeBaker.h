@@ -2,19 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIProbeBaker
- * @brief   puts probes into a renderer's scene and gathers the light that arrives there
+ * @brief   places probes in a renderer's scene and gathers the light that arrives there
  *
- * What it makes is for vtkGISHProbes: an image whose points are the places of a grid of probes, or where there are
- * several grids all of their probes in a row, grid by grid, x first; with these arrays at points: "light" (27 components: vtkGILightGatherer's harmonics of radiance), "distance" (512: the mean and
- * standard deviation of how far surfaces are, in an octahedral map of 16 x 16 directions, rows first, in units of
- * 1.5 diagonals of a cell, at most 1), "offset" (3: how far the probe stands off its place, in cells), "sight" (a
- * bit for each of 13 neighbours that it sees) and "backs" (0 to 255: the share of directions in which it sees
- * backs of surfaces); and field arrays "format", "scene" (what the bake depends on), "samples", "light scale", "checksum" (of
- * the grid and all of these: a field that was altered since is refused, unless that array is removed) and, of several
- * grids, "grids" (9: the first place, the spacing and the counts of each).
- * Compact() stores light and distance as half floats, light over "light scale".
+ * The result is a field for vtkGISHProbes: an image whose points are the points of a grid of probes, or all probes in a
+ * row, grid by grid, x first, if there are several grids. Its point arrays are:
+ * - "light", 27 components: radiance in spherical harmonics, see vtkGILightGatherer;
+ * - "distance", 512 components: the mean and standard deviation of distances to surfaces, in an octahedral map of
+ *   16 x 16 directions, row by row, in units of 1.5 diagonals of a cell, at most 1;
+ * - "offset", 3 components: offset of the probe from its grid point, in cells;
+ * - "sight": a bit for each of 13 neighbours that is visible;
+ * - "backs", 0 to 255: the share of directions in which the probe sees backfaces.
  *
- * ProgressEvent is invoked with the share of the work that is done, a double from 0 to 1; an observer may call
+ * Its field arrays are "format"; "scene", which describes what the bake depends on; "samples"; "light scale";
+ * "checksum", of the grid and all of these arrays (a field that was altered is refused, unless this array is removed);
+ * and with several grids "grids", 9 components: position of the first probe, spacing and counts of each grid.
+ * Compact() stores light and distances as half floats, light relative to "light scale".
+ *
+ * ProgressEvent is invoked with the fraction of the work that is done, a double from 0 to 1. An observer may call
  * AbortOn().
  */
 #ifndef vtkGIProbeBaker_h
@@ -37,7 +41,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * So many probes can be shown: what textures of 16384 texels a side hold, that all graphics cards have.
+   * Maximum number of probes: as many as fit into textures of 16384 x 16384 texels, which all GPUs support.
    */
   enum : int
   {
@@ -46,8 +50,8 @@ public:
 
   ///@{
   /**
-   * How many probes at most fill the bounds of the visible props, in grids of nearly cubic cells, the first of which
-   * reaches half a cell beyond; 27 to MostProbes, 1024 by default.
+   * Maximum number of probes that fill the bounds of the visible props, in grids of nearly cubic cells. The first grid
+   * extends half a cell beyond the bounds. 27 to MostProbes, 1024 by default.
    */
   vtkSetClampMacro(Probes, int, 27, MostProbes);
   vtkGetMacro(Probes, int);
@@ -55,7 +59,8 @@ public:
 
   ///@{
   /**
-   * Largest distance between neighbours, world units, in one grid; 0, the default, leaves it to Probes.
+   * Maximum distance between neighbouring probes of a single grid, in world units. 0, the default, derives it from
+   * Probes.
    */
   vtkSetClampMacro(Spacing, double, 0.0, 1e300);
   vtkGetMacro(Spacing, double);
@@ -63,9 +68,9 @@ public:
 
   ///@{
   /**
-   * Share the probes among a grid around all and finer ones, up to five, where the light of one grid errs most. That
-   * is found out with some paths at points of the surfaces; where several grids err hardly less, there is one. Off by
-   * default. Nothing where Spacing is set.
+   * Share the probes between a grid around the whole scene and up to five finer ones, placed where the light of a
+   * single grid has the largest errors. These are estimated with a few paths at points on surfaces. If several grids
+   * have hardly smaller errors, a single grid is used. Off by default; ignored if Spacing is set.
    */
   vtkSetMacro(Adaptive, bool);
   vtkGetMacro(Adaptive, bool);
@@ -74,7 +79,7 @@ public:
 
   ///@{
   /**
-   * Move probes off surfaces that are close, and out of what is solid. On by default.
+   * Move probes away from close surfaces, and out of solid objects. On by default.
    */
   vtkSetMacro(Relocate, bool);
   vtkGetMacro(Relocate, bool);
@@ -83,7 +88,7 @@ public:
 
   ///@{
   /**
-   * As vtkGILightGatherer's; Samples are what Bake() takes. 1024 samples, 64 bounces, seed 0 by default.
+   * The same as those of vtkGILightGatherer. Samples is used by Bake(). 1024 samples, 64 bounces and seed 0 by default.
    */
   vtkSetClampMacro(Samples, int, 1, 1 << 24);
   vtkGetMacro(Samples, int);
@@ -95,7 +100,7 @@ public:
 
   ///@{
   /**
-   * End the call that runs, soon. Each call switches it off as it begins.
+   * Abort the running call soon. Each call switches this off when it starts.
    */
   vtkSetMacro(Abort, bool);
   vtkGetMacro(Abort, bool);
@@ -104,11 +109,11 @@ public:
 
   ///@{
   /**
-   * Place probes in the scene as it is shown now, without light yet; then add the light of so many more samples,
-   * as often as wanted: the mean of all is kept, as if they had been taken at once. Or all of it, with Compact().
-   * They return false, with a sentence in GetLastError() and the field as it was, for a renderer without an
-   * OpenGL 4.3 window, a scene without bounds or too large, or a field that is not of this scene; and without a
-   * sentence where they were aborted.
+   * Place() puts probes into the scene as it is now, without light. AddSamples() adds the light of further samples, and
+   * may be called repeatedly: the mean over all calls is the same as of a single one. Bake() does both and Compact().
+   * They return false, with the reason in GetLastError() and the field unchanged, if the renderer has no OpenGL 4.3
+   * window, the scene has no bounds or is too large, or the field belongs to another scene; without a reason if they
+   * were aborted.
    */
   bool Place(vtkRenderer* renderer, vtkImageData* field);
   bool AddSamples(vtkRenderer* renderer, vtkImageData* field, int samples);
@@ -116,20 +121,20 @@ public:
   ///@}
 
   /**
-   * The same field with half floats. Returns false, with a sentence, where it is none.
+   * Convert a field to half floats. Returns false, with the reason in GetLastError(), if it is not a valid field.
    */
   bool Compact(vtkImageData* field, vtkImageData* compact);
 
   /**
-   * Whether a field was placed in the scene as it is shown now. If not, GetLastError() says what differs.
+   * Whether a field was placed in the scene as it is now. If not, GetLastError() says what differs.
    */
   bool Fits(vtkRenderer* renderer, vtkImageData* field);
 
   ///@{
   /**
-   * The grids of a field, 0 where it is none; and of one of them, the first being around all, how many probes it has
-   * along each axis and from where to where they stand (as VTK's bounds). Returns false, with a sentence in
-   * GetLastError(), where there is no such grid.
+   * CountGrids(): the number of grids of a field, 0 if it is not valid. GetGrid(): the number of probes of one grid
+   * along each axis, and the bounds of their positions; the first grid surrounds the whole scene. GetGrid() returns
+   * false, with the reason in GetLastError(), if there is no such grid.
    */
   int CountGrids(vtkImageData* field);
   bool GetGrid(vtkImageData* field, int number, int counts[3], double bounds[6]);
@@ -137,33 +142,33 @@ public:
 
   ///@{
   /**
-   * How many grids were tried in place of one when probes were last placed, 0 where none were, as where Adaptive is off
-   * or too little was to be gained; and what they left of one grid's squared error, as far as a few paths tell (below zero
-   * by chance where there is next to none).
+   * Number of grids that were tried in place of one when probes were last placed: 0 if none were, because Adaptive is
+   * off or little was to be gained. The error is their squared error as a fraction of the single grid's, estimated with
+   * a few paths, so that it may be negative if it is almost zero.
    */
   int GetNumberOfTriedGrids();
   double GetErrorOfTriedGrids();
   ///@}
 
   /**
-   * The samples that a field is the mean of, or -1 with a sentence in GetLastError() where it is none.
+   * Number of samples in a field, or -1, with the reason in GetLastError(), if it is not a valid field.
    */
   int CountSamples(vtkImageData* field);
 
   /**
-   * Of the last call: lamps that follow the camera and were left out, and visible props of kinds that rays do not
-   * see.
+   * Numbers of the last call: lights that were left out because they follow the camera, and visible props of kinds that
+   * rays do not see.
    */
   int GetNumberOfLampsLeftOut();
   int GetNumberOfPropsLeftOut();
 
   /**
-   * Why the last call returned false, or "".
+   * The reason why the last call returned false, or "".
    */
   const char* GetLastError();
 
   /**
-   * Free what is kept on the GPU. The render window lives on until then.
+   * Free GPU resources. They keep the render window alive until then.
    */
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -184,8 +189,8 @@ private:
   vtkGIProbeBaker(const vtkGIProbeBaker&) = delete;
   void operator=(const vtkGIProbeBaker&) = delete;
 
-  bool Tell(double progress);
-  void Forward(vtkObject* caller, unsigned long event, void* progress);
+  bool ReportProgress(double progress);
+  void ForwardProgress(vtkObject* caller, unsigned long event, void* progress);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -18,13 +18,13 @@ using namespace penumbra;
 struct vtkGISHProbes::Internals
 {
   ProbeField Field;
-  BakedScene Scene; ///< of the bake
+  BakedScene Scene; ///< the scene that was baked
   std::string Error;
   std::unique_ptr<ProbeTextures> Textures;
-  int Window = -1;   ///< as Textures have it
-  bool Stale = true; ///< Textures are of another field
+  int Window = -1;   ///< value of the parameter in Textures
+  bool Stale = true; ///< Textures belong to an earlier field
 
-  const ProbeTextures& Ready(int window)
+  const ProbeTextures& UpToDateTextures(int window)
   {
     if (!this->Textures || this->Stale || this->Window != window)
     {
@@ -35,15 +35,15 @@ struct vtkGISHProbes::Internals
     return *this->Textures;
   }
 
-  // For shaders that ask the probes about what is in the picture.
-  void Read(PassDeclaration& pass, const vtkGISHProbes& settings, const View& view)
+  // Declares what a pass reads whose shader looks up the probes' light at the surfaces of the picture.
+  void ReadField(PassDeclaration& pass, const vtkGISHProbes& settings, const View& view)
   {
-    const ProbeTextures& textures = this->Ready(settings.Window);
+    const ProbeTextures& textures = this->UpToDateTextures(settings.Window);
     pass.Offer(textures.ShaderArguments(settings.Bias, textures.Origin()))
       .Offer(view.ToScene(textures.Origin()));
   }
 
-  // For translucent surfaces and volumes.
+  // Lights translucent surfaces and volumes.
   ForwardPart Forward(const vtkGISHProbes& settings, const View& view)
   {
     ForwardPart part;
@@ -51,7 +51,7 @@ struct vtkGISHProbes::Internals
     part.OnSurfaces = part.InVolumes = ProbeUniforms{ this->Field.Grids }.Variant();
     part.Textures = 3;
     part.Bind = [this, &settings, toWorld = view.ViewToWorld](ForwardProgram& program) {
-      const ProbeTextures& textures = this->Ready(settings.Window);
+      const ProbeTextures& textures = this->UpToDateTextures(settings.Window);
       program.Set(textures.ShaderArguments(settings.Bias, textures.Origin()));
       program.SetTexture("probeLight", textures.Light()->Get());
       program.SetTexture("fieldDistance", textures.Distance()->Get());
@@ -84,7 +84,7 @@ bool vtkGISHProbes::SetBake(vtkImageData* image)
     impl.Error = error.what();
     return false;
   }
-  // Textures are freed where their context is current.
+  // Textures are replaced in the next frame, where their context is current.
   impl.Stale = true;
   this->Modified();
   return true;
@@ -123,7 +123,7 @@ void vtkGISHProbes::Plan(LightingPlan& plan, FrameBuilder& frame)
   fit.Check(frame, this->Impl->Scene, "the probes no longer fit");
   if (fit.Fits())
   {
-    plan.KnowIndirectLight(IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail());
+    plan.AnnounceIndirectLight(IndirectKind::BakedProbes, this->Impl->Field.Grids.Detail());
   }
   else if (this->LiveFallback)
   {
@@ -146,22 +146,21 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
         .Read(resource::Albedo)
         .Read(resource::Normal)
         .Offer(this->GetShaderParameters());
-      this->Impl->Read(pass, *this, view);
+      this->Impl->ReadField(pass, *this, view);
     };
     light.Draw = [variant = ProbeUniforms{ this->Impl->Field.Grids }.Variant()](
                    FrameContext& context) {
-      Arguments given;
-      Defines all = OpenDirection(context, given);
-      all.insert(variant.begin(), variant.end());
-      context.DrawBound("sh_probes/gather.frag", all, given);
+      Arguments arguments;
+      Defines defines = OpenDirection(context, arguments);
+      defines.insert(variant.begin(), variant.end());
+      context.DrawBound("sh_probes/gather.frag", defines, arguments);
     };
     light.Forward = this->Impl->Forward(*this, frame.GetView());
     frame.AddIndirectLight(std::move(light));
   }
   if (this->Show)
   {
-    AddProbeBalls(frame, "probe-balls", "sh_probes/show.frag", [&](PassDeclaration& pass) {
-      this->Impl->Read(pass, *this, frame.GetView());
-    });
+    AddProbeBalls(frame, "probe-balls", "sh_probes/show.frag",
+      [&](PassDeclaration& pass) { this->Impl->ReadField(pass, *this, frame.GetView()); });
   }
 }

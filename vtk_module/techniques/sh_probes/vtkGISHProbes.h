@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGISHProbes
- * @brief   diffuse indirect light from probes baked beforehand, for what stands and what moves among them
+ * @brief   diffuse indirect light from baked probes, for static and moving props
  *
  * vtkGIProbeBaker, or `penumbra bake probes`, gathers the light that arrives at a grid of probes. A surface takes
- * its indirect light from the eight around it, as far as they see it. What was baked must stay as it was: once a
- * prop, a lamp or the environment of the bake changes, the pass says so in its notes, and the probes give no light
- * until all is back. Props that the bake does not know may come, go and move.
+ * its indirect light from those of the eight probes around it that see it. Baked props, lights and the environment
+ * must not change. If one does, the pass says so in its notes, and the probes give no light until the scene is again
+ * as it was baked. Props that were not baked may be added, moved and removed.
  */
 #ifndef vtkGISHProbes_h
 #define vtkGISHProbes_h
@@ -37,7 +37,7 @@ public:
   ///@}
 
   /**
-   * What differs from the baked scene in the renderer's last frame, as in "light 1 moved"; "" where it fits.
+   * The difference between the baked scene and the renderer's last frame, such as "light 1 moved"; "" if there is none.
    */
   std::string GetMismatch(vtkRenderer* renderer);
 

@@ -11,13 +11,13 @@ namespace penumbra
 {
 namespace
 {
-double Squares(const AtlasWish& wish, int halvings)
+double SquaresOf(const AtlasRequest& request, int halvings)
 {
-  return wish.Maps * std::pow(0.25, halvings);
+  return request.Maps * std::pow(0.25, halvings);
 }
 
-// The n-th square of a Z-order curve: every other bit.
-int EveryOtherBit(int n)
+// The bits of n at even positions: one coordinate of the n-th square of a Z-order curve.
+int EvenBits(int n)
 {
   int result = 0;
   for (int bit = 0; n >> (2 * bit) != 0; ++bit)
@@ -30,7 +30,7 @@ int EveryOtherBit(int n)
 
 ShadowAtlas PackShadowAtlas(int largest, const std::vector<int>& halvings)
 {
-  // Largest first, along a Z-order curve of the smallest size: that leaves no gap.
+  // Placing tiles along a Z-order curve of the smallest size, largest tiles first, leaves no gap.
   std::vector<std::size_t> order(halvings.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -38,9 +38,9 @@ ShadowAtlas PackShadowAtlas(int largest, const std::vector<int>& halvings)
   const int finest = halvings.empty() ? 0 : halvings[order.back()];
   const int perSquare = 1 << (2 * finest);
   int units = 0;
-  for (int h : halvings)
+  for (int halving : halvings)
   {
-    units += 1 << (2 * (finest - h));
+    units += 1 << (2 * (finest - halving));
   }
   const int squares = (units + perSquare - 1) / perSquare;
   const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(squares))));
@@ -54,38 +54,39 @@ ShadowAtlas PackShadowAtlas(int largest, const std::vector<int>& halvings)
     const int unit = largest >> finest;
     const int size = unit << (finest - halvings[i]);
     const int square = next / perSquare;
-    const int within = next % perSquare;
-    atlas.Tiles[i] = { square % columns * largest + EveryOtherBit(within) * unit,
-      square / columns * largest + EveryOtherBit(within >> 1) * unit, size };
+    const int offset = next % perSquare;
+    atlas.Tiles[i] = { square % columns * largest + EvenBits(offset) * unit,
+      square / columns * largest + EvenBits(offset >> 1) * unit, size };
     next += 1 << (2 * (finest - halvings[i]));
   }
   return atlas;
 }
 
-std::vector<int> ShareShadowAtlas(
-  const std::vector<AtlasWish>& wishes, double squares, int mostHalvings)
+std::vector<int> DistributeShadowAtlas(
+  const std::vector<AtlasRequest>& requests, double squares, int maximumHalvings)
 {
   std::vector<int> halvings;
-  double least = 0.0;
-  double taken = 0.0;
-  for (const auto& wish : wishes)
+  double minimum = 0.0;
+  double used = 0.0;
+  for (const auto& request : requests)
   {
-    least += Squares(wish, std::max(wish.Halvings, mostHalvings));
-    if (least > squares)
+    minimum += SquaresOf(request, std::max(request.Halvings, maximumHalvings));
+    if (minimum > squares)
     {
       break;
     }
-    taken += Squares(wish, wish.Halvings);
-    halvings.push_back(wish.Halvings);
+    used += SquaresOf(request, request.Halvings);
+    halvings.push_back(request.Halvings);
   }
-  while (taken > squares)
+  while (used > squares)
   {
     std::size_t worst = halvings.size();
     double worstShare = 0.0;
     for (std::size_t i = 0; i < halvings.size(); ++i)
     {
-      const double share = Squares(wishes[i], halvings[i]) / std::max(wishes[i].Importance, 1e-300);
-      if (halvings[i] < mostHalvings && share >= worstShare)
+      const double share =
+        SquaresOf(requests[i], halvings[i]) / std::max(requests[i].Importance, 1e-300);
+      if (halvings[i] < maximumHalvings && share >= worstShare)
       {
         worst = i;
         worstShare = share;
@@ -95,7 +96,7 @@ std::vector<int> ShareShadowAtlas(
     {
       break;
     }
-    taken -= 0.75 * Squares(wishes[worst], halvings[worst]);
+    used -= 0.75 * SquaresOf(requests[worst], halvings[worst]);
     ++halvings[worst];
   }
   return halvings;

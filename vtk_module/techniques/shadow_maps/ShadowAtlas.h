@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Squares of different sizes in one texture. It is made of equal squares of the largest size; smaller
- * maps share one, each half, a quarter, ... as wide.
+ * Packs square maps of different sizes into one texture. The texture consists of equal squares of the largest
+ * size. Smaller maps, whose widths are a half, a quarter, ... of it, share a square.
  */
 #pragma once
 
@@ -21,23 +21,23 @@ struct ShadowAtlas
 {
   int Width = 0;
   int Height = 0;
-  std::vector<AtlasTile> Tiles; ///< in the order of the wishes
+  std::vector<AtlasTile> Tiles; ///< tiles in the order of the maps
 };
 
-/// halvings: how often each map's width is the half of the largest's. Maps of one kind keep their
-/// places while the kinds do.
+/// Place maps. largest: width of the largest map. halvings: number of times each map's width is halved. The result
+/// depends on nothing else, so maps keep their tiles while sizes stay the same.
 ShadowAtlas PackShadowAtlas(int largest, const std::vector<int>& halvings);
 
-struct AtlasWish
+struct AtlasRequest
 {
   int Maps = 1;
-  int Halvings = 0; ///< as wide as is useful
+  int Halvings = 0; ///< minimum: a larger width is not useful
   double Importance = 1.0;
 };
 
-/// How often to halve each light's maps, so that all together take at most so many squares of the
-/// largest size: the least important for its share first, down to so many halvings. Wishes stand in
-/// the order of importance; those at the end that do not fit even so are left out.
-std::vector<int> ShareShadowAtlas(
-  const std::vector<AtlasWish>& wishes, double squares, int mostHalvings);
+/// Number of times to halve each light's maps so that all fit into a number of squares of the largest size. Maps
+/// that are least important for the space they take are halved first, up to maximumHalvings. Requests are ordered by
+/// importance. Those at the end that do not fit even then are left out of the result.
+std::vector<int> DistributeShadowAtlas(
+  const std::vector<AtlasRequest>& requests, double squares, int maximumHalvings);
 }

@@ -14,20 +14,20 @@ namespace penumbra
 {
 namespace
 {
-// Narrower maps are not worth their light.
-constexpr int Narrowest = 64;
+// Width in texels below which a map is useless.
+constexpr int MinimumWidth = 64;
 
-int MostHalvings(int resolution)
+int MaximumHalvings(int resolution)
 {
   int halvings = 0;
-  while (resolution >> (halvings + 1) >= Narrowest)
+  while (resolution >> (halvings + 1) >= MinimumWidth)
   {
     ++halvings;
   }
   return halvings;
 }
 
-// How bright the light can be in the scene.
+// Maximum brightness of the light within the bounds.
 double Importance(const Light& light, const Bounds& bounds)
 {
   double attenuation = 1.0;
@@ -40,7 +40,7 @@ double Importance(const Light& light, const Bounds& bounds)
   return glm::length(light.Color) / std::max(attenuation, 1e-12);
 }
 
-// Clip space [-1, 1] to the tile's part of the atlas and depth [0, 1].
+// Transform from clip space, [-1, 1], to the tile's part of the atlas and depth [0, 1].
 glm::dmat4 ToTile(const AtlasTile& tile, double width, double height)
 {
   const glm::dvec3 size(tile.Size / width, tile.Size / height, 1.0);
@@ -54,35 +54,35 @@ shared::ShadowMapData MapData(const ShadowMap& map, const ShadowPlan& plan, cons
   const AtlasTile& tile = map.Tile;
   const glm::dvec4 size(plan.Width, plan.Height, plan.Width, plan.Height);
   shared::ShadowMapData data;
-  data.ViewToMap = glm::mat4(ToTile(tile, plan.Width, plan.Height) * map.Shown.ViewToClip *
-    map.Shown.WorldToView * view.ViewToWorld);
+  data.ViewToMap = glm::mat4(ToTile(tile, plan.Width, plan.Height) * map.View.ViewToClip *
+    map.View.WorldToView * view.ViewToWorld);
   data.Area = glm::vec4(
     glm::dvec4(tile.X + 0.5, tile.Y + 0.5, tile.X + tile.Size - 0.5, tile.Y + tile.Size - 0.5) /
     size);
-  data.Scale = glm::vec4(map.Shown.Texel, map.Shown.Near, map.Shown.Far, 0.0);
+  data.Scale = glm::vec4(map.View.Texel, map.View.Near, map.View.Far, 0.0);
   return data;
 }
 }
 
 std::vector<double> ShadowMap::Signature() const
 {
-  std::vector<double> numbers{ static_cast<double>(this->Tile.X), static_cast<double>(this->Tile.Y),
-    static_cast<double>(this->Tile.Size) };
-  for (const auto* matrix : { &this->Shown.WorldToView, &this->Shown.ViewToClip })
+  std::vector<double> signature{ static_cast<double>(this->Tile.X),
+    static_cast<double>(this->Tile.Y), static_cast<double>(this->Tile.Size) };
+  for (const auto* matrix : { &this->View.WorldToView, &this->View.ViewToClip })
   {
     for (int i = 0; i < 16; ++i)
     {
-      numbers.push_back((*matrix)[i / 4][i % 4]);
+      signature.push_back((*matrix)[i / 4][i % 4]);
     }
   }
-  return numbers;
+  return signature;
 }
 
 ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& lights,
   const View& view, const ShadowOptions& options)
 {
   std::vector<ShadowCascades> cascades;
-  std::vector<AtlasWish> wishes;
+  std::vector<AtlasRequest> requests;
   for (const std::size_t index : lights)
   {
     const Light& light = table.Lights()[index];
@@ -90,14 +90,14 @@ ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& 
       light, view, { options.Cascades, options.Resolution, options.Margin, options.Logarithmic }));
     const auto count = static_cast<int>(cascades.back().Spheres.size());
     const int maps = count > 0 ? count : CountShadowViews(light, view.Bounds);
-    wishes.push_back({ maps, maps > 1 ? 1 : 0, Importance(light, view.Bounds) });
+    requests.push_back({ maps, maps > 1 ? 1 : 0, Importance(light, view.Bounds) });
   }
   const std::vector<int> halvings =
-    ShareShadowAtlas(wishes, options.Squares, MostHalvings(options.Resolution));
+    DistributeShadowAtlas(requests, options.Squares, MaximumHalvings(options.Resolution));
   std::vector<int> sizes;
   for (std::size_t i = 0; i < halvings.size(); ++i)
   {
-    sizes.insert(sizes.end(), wishes[i].Maps, halvings[i]);
+    sizes.insert(sizes.end(), requests[i].Maps, halvings[i]);
   }
   const ShadowAtlas atlas = PackShadowAtlas(options.Resolution, sizes);
   ShadowPlan plan;
@@ -133,9 +133,9 @@ ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& 
       data.Ends[static_cast<int>(part)] = static_cast<float>(parts.Ends[part]);
     }
     plan.LightData.push_back(data);
-    for (const auto& shown : views)
+    for (const auto& shadowView : views)
     {
-      plan.Maps.push_back({ shown, atlas.Tiles[plan.Maps.size()] });
+      plan.Maps.push_back({ shadowView, atlas.Tiles[plan.Maps.size()] });
       plan.MapData.push_back(MapData(plan.Maps.back(), plan, view));
     }
   }

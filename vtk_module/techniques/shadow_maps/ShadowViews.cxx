@@ -13,10 +13,10 @@ namespace penumbra
 {
 namespace
 {
-// Wider cones lose texels to perspective: they take six views like an omnidirectional light.
+// Wider cones would waste texels on perspective. They get six views like an omnidirectional light.
 constexpr double WidestCone = 60.0;
 
-// A perspective depth range of 1:1000 leaves a 32-bit map millimetres in a kilometre.
+// With a perspective depth range of 1:1000, a 32-bit map resolves millimetres in a kilometre.
 constexpr double NearestFraction = 1e-3;
 
 std::array<glm::dvec3, 8> Corners(const Bounds& b)
@@ -34,7 +34,7 @@ glm::dvec3 AnyUp(const glm::dvec3& direction)
   return std::abs(direction.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
 }
 
-// The bounds across and along a directional light.
+// Extent of the bounds in the coordinates of a directional light's view.
 struct Extent
 {
   glm::dvec3 Low{ 1e300 };
@@ -59,12 +59,13 @@ struct Extent
   double Diagonal() const { return glm::length(this->High - this->Low); }
 };
 
-double Bordered(double half, int resolution, double margin)
+// Half width of a view, enlarged by a margin in texels.
+double WithMargin(double half, int resolution, double margin)
 {
   return half * resolution / std::max(1.0, resolution - 2.0 * margin);
 }
 
-// Depths hold all casters, wherever in the light's path they are.
+// The depth range covers all casters, even those outside the part of the scene that receives shadows.
 ShadowView Parallel(
   const glm::dmat4& worldToView, const Bounds& bounds, double half, int resolution)
 {
@@ -89,21 +90,21 @@ ShadowView FitDirectional(const Light& light, const Bounds& bounds, int resoluti
   const glm::dvec3 center(
     (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
   const glm::dmat4 worldToView = LookAlong(light, center);
-  const double half = Bordered(Extent(worldToView, bounds).Half(), resolution, margin);
+  const double half = WithMargin(Extent(worldToView, bounds).Half(), resolution, margin);
   return Parallel(worldToView, bounds, half, resolution);
 }
 
-// A square window at distance one before a lamp.
+// A square window at distance 1 in front of a positional light.
 struct Window
 {
   glm::dmat4 WorldToView{ 1.0 };
   glm::dvec2 Center{ 0.0 };
   double Half = 1.0;
-  bool Narrow = false;
+  bool Narrow = false; ///< one view suffices; the other members are valid
 };
 
-// The window through which a lamp sees all of the bounds.
-Window OntoBounds(const Light& light, const Bounds& bounds)
+// The window through which the light sees all of the bounds.
+Window WindowOntoBounds(const Light& light, const Bounds& bounds)
 {
   Window window;
   const glm::dvec3 eye = light.WorldPosition;
@@ -134,10 +135,10 @@ Window OntoBounds(const Light& light, const Bounds& bounds)
   return window;
 }
 
-// The smaller of the windows onto its cone and onto the scene.
-Window OntoScene(const Light& light, const Bounds& bounds)
+// The smaller of the windows onto the light's cone and onto the scene.
+Window WindowOntoScene(const Light& light, const Bounds& bounds)
 {
-  Window window = OntoBounds(light, bounds);
+  Window window = WindowOntoBounds(light, bounds);
   const double cone = std::tan(glm::radians(light.ConeAngle));
   if (light.ConeAngle < WidestCone && (!window.Narrow || cone < window.Half))
   {
@@ -165,14 +166,14 @@ glm::dvec2 DistanceRange(const glm::dvec3& from, const Bounds& bounds)
 ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const ShadowSphere& sphere,
   int resolution, double margin)
 {
-  // The view moves by steps of so many texels: a map is drawn anew only after that way, and shows the
-  // same texels then (Valient 2007, Stable Rendering of Cascaded Shadow Maps, ShaderX6).
+  // The view moves in steps of this many texels, so that a map is redrawn only now and then, and its texels
+  // keep their positions (Valient 2007, Stable Rendering of Cascaded Shadow Maps, ShaderX6).
   constexpr double step = 8.0;
-  const double half = Bordered(sphere.Radius, resolution, margin + step);
-  const ShadowView whole = FitDirectional(light, bounds, resolution, margin);
-  if (half * 2.0 >= whole.Texel * resolution)
+  const double half = WithMargin(sphere.Radius, resolution, margin + step);
+  const ShadowView sceneView = FitDirectional(light, bounds, resolution, margin);
+  if (half * 2.0 >= sceneView.Texel * resolution)
   {
-    return whole;
+    return sceneView;
   }
   const double grid = step * 2.0 * half / resolution;
   const glm::dmat3 toLight(LookAlong(light, glm::dvec3(0.0)));
@@ -187,7 +188,7 @@ ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const Shado
 
 int CountShadowViews(const Light& light, const Bounds& bounds)
 {
-  return light.Positional && !OntoScene(light, bounds).Narrow ? 6 : 1;
+  return light.Positional && !WindowOntoScene(light, bounds).Narrow ? 6 : 1;
 }
 
 std::vector<ShadowView> FitShadowViews(
@@ -198,13 +199,13 @@ std::vector<ShadowView> FitShadowViews(
     return { FitDirectional(light, bounds, resolution, margin) };
   }
   const glm::dvec2 range = DistanceRange(light.WorldPosition, bounds);
-  const Window window = OntoScene(light, bounds);
+  const Window window = WindowOntoScene(light, bounds);
   ShadowView view;
   view.Parallel = false;
-  // Along a view's axis things may be nearer than their distance, down to a face's corner.
+  // Depth along a view's axis is smaller than the distance, by up to sqrt(3) at the corner of a cube's face.
   view.Far = range.y * 1.01;
   view.Near = std::max(range.x / std::sqrt(3.0) * 0.99, view.Far * NearestFraction);
-  const double half = Bordered(window.Half, resolution, margin);
+  const double half = WithMargin(window.Half, resolution, margin);
   const glm::dvec2 low = view.Near * (window.Center - half);
   const glm::dvec2 high = view.Near * (window.Center + half);
   view.ViewToClip = glm::frustum(low.x, high.x, low.y, high.y, view.Near, view.Far);
@@ -215,7 +216,7 @@ std::vector<ShadowView> FitShadowViews(
     return { view };
   }
   const glm::dvec3 eye = light.WorldPosition;
-  // In the order +x, -x, +y, -y, +z, -z, which the shader chooses by.
+  // The shader relies on the order +x, -x, +y, -y, +z, -z.
   std::vector<ShadowView> views;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From where a light looks at the scene: one view for a directional light or a narrow cone, six
- * for a light that shines wider. Each is fitted to the bounds of what may cast shadows.
+ * The views from which a light's shadow maps are drawn: one for a directional light or a narrow cone, six
+ * for a wider light. Each is fitted to the bounds of the shadow casters.
  */
 #pragma once
 
@@ -22,28 +22,31 @@ struct ShadowView
   glm::dmat4 WorldToView{ 1.0 };
   glm::dmat4 ViewToClip{ 1.0 };
   bool Parallel = true;
-  double Texel = 0.0; ///< width of a map texel in world units, at unit distance if positional
-  double Near = 0.0;  ///< distances from the light, or from anywhere across it, of the map's depths
+  /// Width of a map texel in world units, at distance 1 if the light is positional.
+  double Texel = 0.0;
+  /// Depth range of the map: distances from the light, or from the view's origin if directional.
+  double Near = 0.0;
   double Far = 1.0;
 };
 
-/// A sphere around what one map has to show.
+/// Bounding sphere of what a map has to cover.
 struct ShadowSphere
 {
   glm::dvec3 Center{ 0.0 };
   double Radius = 0.0;
 };
 
-/// How many views a light takes: one where its cone, or all of the scene, lies within 60 degrees of a
-/// direction from it, else six.
+/// Number of views that a light needs: one if its cone or the whole scene lies within 60 degrees of one
+/// direction from the light, else six.
 int CountShadowViews(const Light& light, const Bounds& bounds);
 
-/// resolution: of one map, in texels. margin: texels that a filter reads beyond a map's edge.
+/// Fit a light's views to the bounds. resolution: width of one map in texels. margin: texels that a filter
+/// reads beyond a map's edge.
 std::vector<ShadowView> FitShadowViews(
   const Light& light, const Bounds& bounds, int resolution, double margin);
 
-/// The view of a directional light onto a part of the scene: its texels keep their places in the world
-/// while the sphere moves and its radius stays. As wide as the scene where that is smaller.
+/// Fit the view of a directional light to a part of the scene, or to the whole scene if that is smaller.
+/// Texels keep their positions in the world while the sphere moves with a constant radius.
 ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const ShadowSphere& sphere,
   int resolution, double margin);
 

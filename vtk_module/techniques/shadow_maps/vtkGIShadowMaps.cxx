@@ -25,18 +25,18 @@ namespace
 {
 constexpr const char* Atlas = "shadow-maps.atlas";
 
-// In texels: a filter reads the neighbours of its outermost place as well.
+// Margin in texels: hardware filtering reads the neighbours of the outermost sample, too.
 constexpr double HardwareMargin = 2.0;
 
-// A filter of so many texels, no narrower than a pixel, and of so many samples hides the pattern by which
-// casters that cover in part are drawn.
+// Radius in texels and number of samples of a filter that hides the dither pattern with which partly transparent
+// casters are drawn. It is also at least one pixel wide.
 constexpr double PatternRadius = 2.5;
 constexpr int PatternSamples = 16;
 
 using TileKey = std::tuple<int, int, int>;
 
-// When a prop or one of its parts moved or changed last.
-vtkMTimeType CastTime(vtkProp* prop)
+// Time of the last change of a prop or one of its parts.
+vtkMTimeType CasterTime(vtkProp* prop)
 {
   vtkMTimeType time = prop->GetRedrawMTime();
   prop->InitPathTraversal();
@@ -52,32 +52,32 @@ vtkMTimeType CastTime(vtkProp* prop)
   return time;
 }
 
-// The casters and when they changed last, as numbers.
-std::vector<double> SignCasters(const SceneCapture& scene)
+// Numbers that change with the set of casters and with each caster.
+std::vector<double> CasterSignature(const SceneCapture& scene)
 {
   std::vector<double> signature;
   for (vtkProp* prop : scene.Casters())
   {
-    signature.push_back(static_cast<double>(CastTime(prop)));
+    signature.push_back(static_cast<double>(CasterTime(prop)));
     signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
   }
   return signature;
 }
 
-// The texel of the atlas that stands for a place fixed in the world: what a directional light's maps
-// show moves by whole texels.
+// A texel of the atlas that is fixed in the world, because directional views move by whole texels. The dither
+// pattern of partly transparent casters starts there.
 glm::ivec2 Anchor(const ShadowMap& map)
 {
   glm::ivec2 anchor(map.Tile.X, map.Tile.Y);
-  if (map.Shown.Parallel)
+  if (map.View.Parallel)
   {
     anchor += glm::ivec2(glm::mod(
-      glm::round(glm::dvec2(map.Shown.WorldToView[3]) / map.Shown.Texel), glm::dvec2(4096.0)));
+      glm::round(glm::dvec2(map.View.WorldToView[3]) / map.View.Texel), glm::dvec2(4096.0)));
   }
   return anchor;
 }
 
-// What the lights of a plan need of the shaders.
+// Shader variant for the lights of a plan.
 Defines VariantOf(const ShadowPlan& plan)
 {
   Defines variant;
@@ -106,11 +106,11 @@ void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, c
   scope.DepthMask(true);
   const GLfloat far = 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &far);
-  // Depths hold all casters; one that a rounding puts before them casts all the same.
-  glEnable(GL_DEPTH_CLAMP); // which VTK's cache does not know
+  // The depth range covers all casters. Clamping keeps those that rounding puts just outside of it.
+  glEnable(GL_DEPTH_CLAMP); // VTK's state cache does not track it
   const ScopeExit unclamp([] { glDisable(GL_DEPTH_CLAMP); });
-  scene.DrawCasters(context.Renderer(), map.Shown.WorldToView, map.Shown.ViewToClip,
-    map.Shown.Parallel, Anchor(map));
+  scene.DrawCasters(
+    context.Renderer(), map.View.WorldToView, map.View.ViewToClip, map.View.Parallel, Anchor(map));
 }
 
 void DrawMask(FrameContext& context, const Defines& variant, int layers, int lights)
@@ -130,11 +130,11 @@ void DrawMask(FrameContext& context, const Defines& variant, int layers, int lig
 }
 }
 
-/// What a view's atlas shows: of which casters, and each of its squares.
-struct vtkGIShadowMaps::ShownSquares
+/// Signatures of the casters and maps that a view's atlas holds.
+struct vtkGIShadowMaps::AtlasContents
 {
   std::vector<double> Casters;
-  std::map<TileKey, std::vector<double>> Squares;
+  std::map<TileKey, std::vector<double>> Tiles;
 };
 
 struct vtkGIShadowMaps::Resources
@@ -142,10 +142,10 @@ struct vtkGIShadowMaps::Resources
   Buffer MapBlock;
   Buffer LightBlock;
   std::shared_ptr<ShadowPlan> Plan;
-  double Radius = 0.0; ///< of the filter, in texels
-  int Samples = 1;     ///< of the filter
-  bool InPart = false; ///< casters may cover in part
-  const History* Atlas = nullptr; ///< of the view that was drawn last
+  double Radius = 0.0;            ///< radius of the filter in texels
+  int Samples = 1;                ///< number of samples of the filter
+  bool PartialCoverage = false;   ///< some casters are partly transparent
+  const History* Atlas = nullptr; ///< atlas of the last view that was drawn
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()
@@ -160,7 +160,7 @@ void vtkGIShadowMaps::ReleaseGraphicsResources(vtkWindow*)
   *this->Impl = Resources();
 }
 
-bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
+bool vtkGIShadowMaps::UpdatePlan(FrameBuilder& frame)
 {
   this->ShadowedLights = 0;
   this->UnshadowedLights = 0;
@@ -173,15 +173,16 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &widest);
   ShadowOptions options;
   options.Resolution = std::min(this->Resolution, static_cast<int>(widest));
-  this->Impl->InPart = frame.Capture().CastsInPart();
-  const bool patterned = this->FilterRadius > 0.0 && this->Impl->InPart;
-  this->Impl->Radius = patterned ? std::max(this->FilterRadius, PatternRadius) : this->FilterRadius;
+  this->Impl->PartialCoverage = frame.Capture().CastsInPart();
+  const bool dithered = this->FilterRadius > 0.0 && this->Impl->PartialCoverage;
+  this->Impl->Radius = dithered ? std::max(this->FilterRadius, PatternRadius) : this->FilterRadius;
   this->Impl->Samples =
-    patterned ? std::max(this->FilterSamples, PatternSamples) : this->FilterSamples;
+    dithered ? std::max(this->FilterSamples, PatternSamples) : this->FilterSamples;
   options.Margin = this->Impl->Radius + HardwareMargin;
   const double texels = static_cast<double>(this->Memory) * (1 << 20) / sizeof(float);
-  const double along = widest / options.Resolution;
-  options.Squares = std::min(texels / options.Resolution / options.Resolution, along * along);
+  const double tilesAcross = widest / options.Resolution;
+  options.Squares =
+    std::min(texels / options.Resolution / options.Resolution, tilesAcross * tilesAcross);
   options.Cascades = this->Cascades;
   options.Logarithmic = this->SplitBlend;
   options.LightTangent = std::tan(glm::radians(0.5 * this->LightAngle));
@@ -192,19 +193,19 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
     PlanShadows(frame.Lights(), shadowed.With, frame.GetView(), options));
   this->ShadowedLights = static_cast<int>(this->Impl->Plan->LightData.size());
   const std::vector<ShadowMap>& maps = this->Impl->Plan->Maps;
-  this->TexelWidth = maps.empty() ? 0.0 : maps.front().Shown.Texel;
+  this->TexelWidth = maps.empty() ? 0.0 : maps.front().View.Texel;
   for (std::size_t i = this->ShadowedLights; i < shadowed.With.size(); ++i)
   {
     frame.Lights().Lights()[shadowed.With[i]].MaskChannel = -1;
   }
-  const int homeless = static_cast<int>(shadowed.With.size()) - this->ShadowedLights;
-  this->UnshadowedLights = shadowed.Without + homeless;
+  const int withoutSpace = static_cast<int>(shadowed.With.size()) - this->ShadowedLights;
+  this->UnshadowedLights = shadowed.Without + withoutSpace;
   if (this->UnshadowedLights > 0)
   {
     frame.AddNote(std::to_string(this->UnshadowedLights) + " of " +
       std::to_string(this->UnshadowedLights + this->ShadowedLights) +
-      " lights cast no shadow: raise shadow-maps." + (homeless > 0 ? "memory" : "maximum-lights") +
-      " for more.");
+      " lights cast no shadow: raise shadow-maps." +
+      (withoutSpace > 0 ? "memory" : "maximum-lights") + " for more.");
   }
   return this->ShadowedLights > 0;
 }
@@ -216,7 +217,7 @@ const char* vtkGIShadowMaps::GetOfferedResource()
 
 void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
 {
-  if (!this->MakePlan(frame))
+  if (!this->UpdatePlan(frame))
   {
     return;
   }
@@ -233,10 +234,10 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
   const int layers = (this->ShadowedLights + 3) / 4;
   frame.AddPass("shadow-maps")
     .UpdateHistory(atlas)
-    // Casters are those of the capture, which brings them up to date.
+    // Reading the depth orders this pass after the capture, which updates the casters.
     .Read(resource::Depth)
-    .Execute([this, &scene, &atlas, &shown = frame.ViewState<ShownSquares>(this)](
-               FrameContext& context) { this->DrawMaps(context, scene, atlas, shown); });
+    .Execute([this, &scene, &atlas, &contents = frame.ViewState<AtlasContents>(this)](
+               FrameContext& context) { this->DrawMaps(context, scene, atlas, contents); });
   frame.AddPass("shadow-mask")
     .Read(resource::Depth)
     .Read(resource::WindowDepth)
@@ -253,41 +254,41 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
 }
 
 void vtkGIShadowMaps::DrawMaps(
-  FrameContext& context, SceneCapture& scene, const History& atlas, ShownSquares& before)
+  FrameContext& context, SceneCapture& scene, const History& atlas, AtlasContents& contents)
 {
   const ShadowPlan& plan = *this->Impl->Plan;
-  ShownSquares now;
+  AtlasContents drawn;
   this->DrawnMaps = 0;
-  const bool stale =
-    !atlas.Written || this->AlwaysRedraw || before.Casters != SignCasters(scene);
+  const bool redrawAll =
+    !atlas.Written || this->AlwaysRedraw || contents.Casters != CasterSignature(scene);
   for (const auto& map : plan.Maps)
   {
     const TileKey key(map.Tile.X, map.Tile.Y, map.Tile.Size);
     std::vector<double> signature = map.Signature();
-    const auto found = before.Squares.find(key);
-    if (stale || found == before.Squares.end() || found->second != signature)
+    const auto found = contents.Tiles.find(key);
+    if (redrawAll || found == contents.Tiles.end() || found->second != signature)
     {
       DrawMap(context, scene, atlas.Storage, map);
       ++this->DrawnMaps;
     }
-    now.Squares[key] = std::move(signature);
+    drawn.Tiles[key] = std::move(signature);
   }
-  // Signed after drawing, as that brings pipelines up to date.
-  now.Casters = SignCasters(scene);
-  // Squares that are no longer used are forgotten: others may be drawn over them.
-  before = std::move(now);
+  // After drawing, because drawing updates pipelines.
+  drawn.Casters = CasterSignature(scene);
+  // Tiles that are no longer used are dropped, because others may be drawn over them.
+  contents = std::move(drawn);
 }
 
 Arguments vtkGIShadowMaps::FilterArguments(bool volume)
 {
-  // Volumes add up many places along each ray: there one sample each is enough.
+  // Volumes add up many points along each ray, so one sample per point is enough.
   const bool filters = this->Impl->Radius > 0.0 && !volume;
   return Arguments()
     .Block("ShadowMapBlock", this->Impl->MapBlock)
     .Block("ShadowLightBlock", this->Impl->LightBlock)
     .Set("bias", glm::vec3(this->ConstantBias, this->SlopeBias, this->NormalBias))
     .Set("filterRadius", filters ? this->Impl->Radius : 0.0)
-    .Set("pixelRadius", filters && this->Impl->InPart ? 1.0 : 0.0)
+    .Set("pixelRadius", filters && this->Impl->PartialCoverage ? 1.0 : 0.0)
     .Set("filterSamples", filters ? this->Impl->Samples : 1)
     .Set("blockerSamples", this->BlockerSamples)
     .Set("penumbraSamples", this->PenumbraSamples)

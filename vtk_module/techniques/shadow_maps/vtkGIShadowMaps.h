@@ -4,12 +4,12 @@
  * @class   vtkGIShadowMaps
  * @brief   shadow maps for directional, cone and omnidirectional lights
  *
- * Every light but a headlight, whose shadows its own eye cannot see, gets a depth map (six if it
- * shines wider than a cone of 60 degrees half aperture, up to four cascades if it is directional and
- * the scene reaches from near to far), drawn by the props' own mappers: glyphs, impostors, clipping
- * and masked opacity cast what they show. All lie in one atlas. A per-pixel pass filters them into the
- * direct light's visibility, over a penumbra where lights have a size. Each map is kept until its
- * light, a caster, or what it shows changes.
+ * Every light except headlights, whose shadows are hidden from the camera, gets a depth map: six if its
+ * cone is wider than 60 degrees half aperture, up to four cascades if it is directional and the scene
+ * reaches from near to far. The props' own mappers draw the maps, so glyphs, impostors, clipped and
+ * masked geometry cast shadows of what they show. All maps share one atlas. A per-pixel pass filters them
+ * into the visibility of direct light, over a penumbra if lights have a size. A map is redrawn only if
+ * its light, its view or a caster changed.
  */
 #ifndef vtkGIShadowMaps_h
 #define vtkGIShadowMaps_h
@@ -38,23 +38,23 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   /**
-   * Draw every map anew in every frame, also where nothing changed. For measuring; off by default.
+   * Redraw every map in every frame, even if nothing changed. For measurements; off by default.
    */
   vtkSetMacro(AlwaysRedraw, bool);
   vtkGetMacro(AlwaysRedraw, bool);
   vtkBooleanMacro(AlwaysRedraw, bool);
 
   /**
-   * Of the last frame: lights that cast shadows, lights that would but exceeded MaximumLights or found
-   * no room in Memory, and maps that were drawn rather than kept.
+   * Numbers of the last frame: lights that cast shadows; lights that do not because they exceed
+   * MaximumLights or Memory; maps that were redrawn.
    */
   vtkGetMacro(ShadowedLights, int);
   vtkGetMacro(UnshadowedLights, int);
   vtkGetMacro(DrawnMaps, int);
 
   /**
-   * Of the last frame: width of a texel in the first map of the strongest light, in world units; at
-   * unit distance from the light where that is positional. 0 without a light that casts shadows.
+   * Width of a texel in the first map of the strongest light of the last frame, in world units; at
+   * distance 1 from the light if it is positional. 0 if no light casts shadows.
    */
   vtkGetMacro(TexelWidth, double);
 
@@ -67,10 +67,10 @@ private:
   void operator=(const vtkGIShadowMaps&) = delete;
 
   struct Resources;
-  struct ShownSquares;
-  bool MakePlan(penumbra::FrameBuilder& frame);
+  struct AtlasContents;
+  bool UpdatePlan(penumbra::FrameBuilder& frame);
   void DrawMaps(penumbra::FrameContext& context, penumbra::SceneCapture& scene,
-    const penumbra::History& atlas, ShownSquares& before);
+    const penumbra::History& atlas, AtlasContents& contents);
   void ShadeForward(penumbra::FrameBuilder& frame);
   penumbra::Arguments FilterArguments(bool volume);
 

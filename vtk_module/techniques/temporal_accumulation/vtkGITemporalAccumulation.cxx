@@ -17,16 +17,16 @@ namespace
 {
 constexpr const char* Reprojection = "temporal-accumulation.reprojection";
 
-// Place among the passes that modify a noisy resource: after filters over the neighbourhood.
+// Order among the passes that modify a noisy resource: after spatial filters.
 constexpr int Order = 500;
 
-// Frames after a change in which something old may still be seen.
-constexpr int Settling = 8;
+// Number of frames after a change in which outdated values may still be visible.
+constexpr int SettlingFrames = 8;
 
-// Where a light shines from; whether a mask of it still holds.
-using LightPlace = std::array<double, 9>;
+// Position, direction and cone of a light. As long as they stay the same, its visibility mask stays valid.
+using LightGeometry = std::array<double, 9>;
 
-LightPlace PlaceOf(const Light& light)
+LightGeometry GeometryOf(const Light& light)
 {
   const glm::dvec3& p = light.WorldPosition;
   const glm::dvec3& d = light.WorldDirection;
@@ -34,76 +34,80 @@ LightPlace PlaceOf(const Light& light)
     light.Exponent } };
 }
 
-/// How long things have been as they are, in frames with the one being drawn.
+/// Numbers of frames since the last change of each kind, including the frame being drawn.
 struct Ages
 {
-  int Start = 0;           ///< since accumulation began
+  int Accumulation = 0;    ///< since accumulation began
   int Looks = 0;           ///< since looks or lights changed
-  int Settled = 0;         ///< since props changed
-  std::vector<int> Lights; ///< of each channel of the direct visibility
-  std::vector<LightPlace> Places;
+  int Props = 0;           ///< since props changed; 0 in the frame of the change
+  std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
+  std::vector<LightGeometry> Geometries; ///< geometry of the lights in these channels
 
   void Advance(const View& view, const LightTable& lights, bool continued)
   {
-    this->Start = continued ? this->Start + 1 : 1;
+    this->Accumulation = continued ? this->Accumulation + 1 : 1;
     this->Looks = !continued || view.Changes.Looks || view.Changes.Lights ? 1 : this->Looks + 1;
-    this->Settled = view.Changes.Props ? 0 : this->Settled + 1;
-    std::vector<LightPlace> now;
+    this->Props = view.Changes.Props ? 0 : this->Props + 1;
+    std::vector<LightGeometry> geometries;
     for (const Light& light : lights.Lights())
     {
       const auto channel = static_cast<std::size_t>(light.MaskChannel);
       if (light.MaskChannel >= 0)
       {
-        now.resize(std::max(now.size(), channel + 1));
-        now[channel] = PlaceOf(light);
+        geometries.resize(std::max(geometries.size(), channel + 1));
+        geometries[channel] = GeometryOf(light);
       }
     }
-    this->Lights.resize(now.size());
-    for (std::size_t i = 0; i < now.size(); ++i)
+    this->Lights.resize(geometries.size());
+    for (std::size_t i = 0; i < geometries.size(); ++i)
     {
-      const bool same = continued && i < this->Places.size() && this->Places[i] == now[i];
+      const bool same =
+        continued && i < this->Geometries.size() && this->Geometries[i] == geometries[i];
       this->Lights[i] = same ? this->Lights[i] + 1 : 1;
     }
-    this->Places = now;
+    this->Geometries = geometries;
   }
 
-  /// Whether what was seen before a change may be in the means.
-  bool IsSettling() const { return this->Settled < Settling && this->Settled + 1 < this->Start; }
+  /// Whether the means may still contain samples from before a change of props.
+  bool IsSettling() const
+  {
+    return this->Props < SettlingFrames && this->Props + 1 < this->Accumulation;
+  }
 
   int Of(const NoisyResource& noisy, std::size_t channel) const
   {
-    const int own =
-      noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1) : this->Start;
-    return noisy.Looks ? std::min(own, this->Looks) : own;
+    const int age = noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1)
+                                   : this->Accumulation;
+    return noisy.Looks ? std::min(age, this->Looks) : age;
   }
 };
 
-TextureDesc MeanDesc(const TextureDesc& shown)
+TextureDesc HistoryDesc(const TextureDesc& shown)
 {
   TextureDesc desc = shown;
   desc.Format = shown.Format == GL_R8 || shown.Format == GL_R16 ? GL_R32F : GL_RGBA16F;
   return desc;
 }
 
-/// A history that is read and one that is written, by turns.
-template <typename Kept>
-struct Pair
+/// Two histories that swap roles every frame: one is read, the other written.
+template <typename Storage>
+struct PingPong
 {
-  Kept* Before;
-  Kept* Now;
+  Storage* Previous;
+  Storage* Current;
 
   template <typename Keep>
-  Pair(const View& view, const std::string& name, const Keep& keep)
+  PingPong(const View& view, const std::string& name, const Keep& keep)
   {
     const bool odd = view.FrameNumber % 2 != 0;
-    Kept* both[2] = { keep(name + ".even"), keep(name + ".odd") };
-    this->Now = both[odd];
-    this->Before = both[!odd];
+    Storage* both[2] = { keep(name + ".even"), keep(name + ".odd") };
+    this->Current = both[odd];
+    this->Previous = both[!odd];
   }
 };
-using SurfacePair = Pair<History>;
+using SurfacePair = PingPong<History>;
 
-struct Accumulation
+struct Accumulator
 {
   MotionTable* Motion;
   const Ages* Age;
@@ -112,9 +116,9 @@ struct Accumulation
   double DepthTolerance;
   double NormalTolerance;
 
-  int Most(const View& view) const
+  int MaximumAge(const View& view) const
   {
-    constexpr int unlimited = 2048; // half floats hold every integer up to here
+    constexpr int unlimited = 2048; // half floats represent every integer up to this one
     return this->Age->IsSettling() ? this->ChangeFrames
       : view.StillFrames > 0       ? unlimited
                                    : this->MaximumFrames;
@@ -124,17 +128,17 @@ struct Accumulation
   {
     scope.Set(GL_BLEND, false);
     scope.Set(GL_DEPTH_TEST, true);
-    scope.DepthFunc(GL_GREATER); // only where there is something
+    scope.DepthFunc(GL_GREATER); // only pixels with a surface
     scope.DepthMask(false);
   }
 
   void Reproject(FrameContext& context, const SurfacePair& surfaces) const
   {
     const View& view = context.GetView();
-    const bool continued = this->Motion->IsContinued() && surfaces.Before->Written;
+    const bool continued = this->Motion->IsContinued() && surfaces.Previous->Written;
     ScopedState scope(context.State());
     this->Begin(scope);
-    context.BindTarget({ { context.Output(Reprojection), -1 }, { &surfaces.Now->Storage, -1 } },
+    context.BindTarget({ { context.Output(Reprojection), -1 }, { &surfaces.Current->Storage, -1 } },
       { context.Input(resource::Depth), -1 });
     const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
     glClearBufferfv(GL_COLOR, 0, nothing);
@@ -152,7 +156,7 @@ struct Accumulation
       Arguments()
         .Set("tolerance",
           glm::vec2(this->DepthTolerance, std::cos(glm::radians(this->NormalTolerance))))
-        .Set("most", static_cast<double>(this->Most(view)))
+        .Set("most", static_cast<double>(this->MaximumAge(view)))
         .Set("continued", continued));
   }
 
@@ -161,12 +165,12 @@ struct Accumulation
     const View& view = context.GetView();
     const Texture* shown = context.Output(noisy.Name);
     const TextureDesc& desc = shown->Desc();
-    std::map<const Texture*, bool> fresh;
-    const Pair<const Texture> means(view, std::string("temporal-accumulation.") + noisy.Name,
-      [&](const std::string& name) {
-        bool made = false;
-        const Texture& texture = context.Keep(name, MeanDesc(desc), made);
-        fresh[&texture] = made;
+    std::map<const Texture*, bool> isNew;
+    const PingPong<const Texture> means(
+      view, std::string("temporal-accumulation.") + noisy.Name, [&](const std::string& name) {
+        bool created = false;
+        const Texture& texture = context.Keep(name, HistoryDesc(desc), created);
+        isNew[&texture] = created;
         return &texture;
       });
     Defines variant;
@@ -188,17 +192,16 @@ struct Accumulation
     {
       const int target = desc.Layers > 0 ? layer : -1;
       context.BindTarget(
-        { { means.Now, target }, { shown, target } }, { context.Input(resource::Depth), -1 });
-      glm::vec4 most;
+        { { means.Current, target }, { shown, target } }, { context.Input(resource::Depth), -1 });
+      glm::vec4 maximumAge;
       for (int i = 0; i < 4; ++i)
       {
-        const int age = fresh[means.Before]
-          ? 1
-          : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
-        most[i] = static_cast<float>(age);
+        const int age =
+          isNew[means.Previous] ? 1 : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
+        maximumAge[i] = static_cast<float>(age);
       }
       context.DrawBound("temporal_accumulation/accumulate.frag", variant,
-        Arguments().Sample("history", means.Before).Set("most", most).Set("layer", layer));
+        Arguments().Sample("history", means.Previous).Set("most", maximumAge).Set("layer", layer));
     }
   }
 };
@@ -213,7 +216,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
   Ages& ages = frame.ViewState<Ages>(this);
   MotionTable& motion = frame.Motion();
   const LightTable& lights = frame.Lights();
-  const Accumulation work{ &motion, &ages, this->MaximumFrames, this->ChangeFrames,
+  const Accumulator accumulator{ &motion, &ages, this->MaximumFrames, this->ChangeFrames,
     this->DepthTolerance, this->NormalTolerance };
   const SurfacePair surfaces(frame.GetView(), "temporal-accumulation.surface",
     [&](const std::string& name) { return &frame.Keep(name, frame.WindowTexture(GL_RGBA32F)); });
@@ -223,13 +226,13 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     .Read(resource::Normal)
     .ReadIfPresent(resource::Displacement, "GI_DISPLACEMENT")
     .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
-    .ReadHistory(*surfaces.Before, "surfaceTexture")
-    .WriteHistory(*surfaces.Now)
+    .ReadHistory(*surfaces.Previous, "surfaceTexture")
+    .WriteHistory(*surfaces.Current)
     .Offer(frame.Capture().Materials().ShaderArguments())
     .Offer(motion.ShaderArguments())
-    .Execute([work, surfaces, &ages, &motion, &lights](FrameContext& context) {
+    .Execute([accumulator, surfaces, &ages, &motion, &lights](FrameContext& context) {
       ages.Advance(context.GetView(), lights, motion.IsContinued());
-      work.Reproject(context, surfaces);
+      accumulator.Reproject(context, surfaces);
     });
   for (const NoisyResource& noisy : resource::Noisy)
   {
@@ -237,6 +240,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
       .Read(Reprojection, "reprojection")
       .Read(resource::Depth)
       .ModifyIfPresent(noisy.Name, Order, "current")
-      .Execute([work, noisy](FrameContext& context) { work.Accumulate(context, noisy); });
+      .Execute(
+        [accumulator, noisy](FrameContext& context) { accumulator.Accumulate(context, noisy); });
   }
 }

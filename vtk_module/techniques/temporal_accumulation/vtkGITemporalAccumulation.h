@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGITemporalAccumulation
- * @brief   averages what few samples found over the frames in which a surface is seen
+ * @brief   averages noisy results over the frames in which a surface is visible
  *
- * A surface is found in the frame before by the camera's and its prop's motion, and its mean goes on
- * unless depth, normal or prop say that something else was seen there. What changes is held near what
- * the neighbourhood now shows; a changed light begins anew.
+ * Reprojection finds each surface in the previous frame by the motion of the camera and of its prop.
+ * History is rejected where depth, normal or prop show a different surface. While anything changes,
+ * history is clamped to the pixel's neighbourhood; the mask of a changed light starts from scratch.
  */
 #ifndef vtkGITemporalAccumulation_h
 #define vtkGITemporalAccumulation_h
 
 #include "vtkGITemporalAccumulationParameters.h"
-
-#include <memory> // for its memory of views
 
 class VTKRENDERINGGI_EXPORT vtkGITemporalAccumulation : public vtkGITemporalAccumulationParameters
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a renderer counts for a bake of its light.
+// Reads the entries of a BakedScene from a renderer.
 #include "bake/BakedScene.h"
 
 #include "base/Hasher.h"
@@ -20,7 +20,7 @@ namespace penumbra
 {
 namespace
 {
-/// As numbers that a double holds.
+/// Append a hash as numbers that a double represents exactly.
 void Append(std::vector<double>& values, std::uint64_t hash)
 {
   values.push_back(static_cast<double>(hash >> 32));
@@ -40,7 +40,7 @@ std::uint64_t Cached(BakedSceneCache& cache, int kind, std::uint64_t key,
   return entry.Value;
 }
 
-std::uint64_t ShapeOf(const RayPart& part, BakedSceneCache& cache)
+std::uint64_t ShapeHash(const RayPart& part, BakedSceneCache& cache)
 {
   Hasher hash;
   hash.AddValue(Cached(cache, 0, part.MeshKey, { part.CellTime, part.PointTime }, [&part] {
@@ -88,7 +88,7 @@ std::uint64_t PictureHash(vtkTexture* texture, BakedSceneCache& cache)
   });
 }
 
-std::uint64_t LookOf(const RayPart& part, BakedSceneCache& cache)
+std::uint64_t AppearanceHash(const RayPart& part, BakedSceneCache& cache)
 {
   Hasher hash;
   hash.AddValue(part.Surface);
@@ -112,38 +112,39 @@ std::uint64_t LookOf(const RayPart& part, BakedSceneCache& cache)
 }
 
 bool BakedScene::AddProps(
-  vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name, std::vector<Thing>& things)
+  vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name, std::vector<Entry>& entries)
 {
-  std::vector<vtkProp*> left;
+  std::vector<vtkProp*> untraceable;
   vtkProp* last = nullptr;
   int number = 0;
   bool solid = true;
-  for (const RayPart& part : GatherRayParts(renderer, left, cache.Parts))
+  for (const RayPart& part : GatherRayParts(renderer, untraceable, cache.Parts))
   {
     if (part.Prop != last)
     {
       last = part.Prop;
       ++number;
       solid = solid && !last->HasTranslucentPolygonalGeometry();
-      const std::string given = name ? name(last) : "";
-      things.push_back({ Prop, given.empty() ? "object " + std::to_string(number) : given, {} });
+      const std::string givenName = name ? name(last) : "";
+      entries.push_back(
+        { Prop, givenName.empty() ? "object " + std::to_string(number) : givenName, {} });
     }
-    Thing& thing = things.back();
+    Entry& entry = entries.back();
     const double* matrix = &part.ToWorld[0][0];
-    auto& where = thing.Values[0];
+    auto& position = entry.Values[0];
     constexpr std::size_t size = 16;
-    if (where.size() < size || !std::equal(matrix, matrix + size, where.end() - size))
+    if (position.size() < size || !std::equal(matrix, matrix + size, position.end() - size))
     {
-      where.insert(where.end(), matrix, matrix + size);
+      position.insert(position.end(), matrix, matrix + size);
     }
-    Append(thing.Values[1], ShapeOf(part, cache));
-    Append(thing.Values[2], LookOf(part, cache));
+    Append(entry.Values[1], ShapeHash(part, cache));
+    Append(entry.Values[2], AppearanceHash(part, cache));
     solid = solid && part.Clip.empty() && (part.Surface.Where.z & GI_SURFACE_PARTLY) == 0;
   }
   return solid;
 }
 
-void BakedScene::AddLamps(vtkRenderer* renderer, std::vector<Thing>& things)
+void BakedScene::AddLights(vtkRenderer* renderer, std::vector<Entry>& entries)
 {
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator cookie;
@@ -153,66 +154,66 @@ void BakedScene::AddLamps(vtkRenderer* renderer, std::vector<Thing>& things)
   {
     ++number;
     const glm::dvec3 color = ToVec3(light->GetDiffuseColor()) * light->GetIntensity();
-    // Those that follow the camera have no place in a bake.
+    // Lights that follow the camera are not baked.
     if (!light->GetSwitch() || color == glm::dvec3(0.0) || !light->LightTypeIsSceneLight())
     {
       continue;
     }
-    double position[3];
+    double origin[3];
     double focal[3];
-    light->GetTransformedPosition(position);
+    light->GetTransformedPosition(origin);
     light->GetTransformedFocalPoint(focal);
-    const glm::dvec3 travel = ToVec3(focal) - ToVec3(position);
+    const glm::dvec3 travel = ToVec3(focal) - ToVec3(origin);
     const bool positional = light->GetPositional() != 0;
     const bool cone = positional && light->GetConeAngle() < 90.0;
-    Thing lamp{ Lamp, "light " + std::to_string(number), {} };
-    auto& where = lamp.Values[0];
+    Entry entry{ LightSource, "light " + std::to_string(number), {} };
+    auto& position = entry.Values[0];
     if (positional)
     {
-      where.insert(where.end(), position, position + 3);
+      position.insert(position.end(), origin, origin + 3);
     }
     if (!positional || cone)
     {
       const glm::dvec3 direction = travel / std::max(glm::length(travel), 1e-300);
-      const double scale = positional ? glm::length(ToVec3(position)) : 1.0;
+      const double scale = positional ? glm::length(ToVec3(origin)) : 1.0;
       const glm::dvec3 scaled = direction * std::max(scale, 1e-300);
-      where.insert(where.end(), { scaled.x, scaled.y, scaled.z });
+      position.insert(position.end(), { scaled.x, scaled.y, scaled.z });
     }
-    lamp.Values[1] = { color.x, color.y, color.z };
-    lamp.Values[2] = { double(positional), cone ? light->GetConeAngle() : 90.0,
+    entry.Values[1] = { color.x, color.y, color.z };
+    entry.Values[2] = { double(positional), cone ? light->GetConeAngle() : 90.0,
       cone ? light->GetExponent() : 1.0 };
     if (positional)
     {
-      const double* fall = light->GetAttenuationValues();
-      lamp.Values[2].insert(lamp.Values[2].end(), fall, fall + 3);
+      const double* attenuation = light->GetAttenuationValues();
+      entry.Values[2].insert(entry.Values[2].end(), attenuation, attenuation + 3);
     }
-    things.push_back(lamp);
+    entries.push_back(entry);
   }
 }
 
-void BakedScene::AddSurroundings(
-  vtkRenderer* renderer, BakedSceneCache& cache, std::vector<Thing>& things)
+void BakedScene::AddEnvironment(
+  vtkRenderer* renderer, BakedSceneCache& cache, std::vector<Entry>& entries)
 {
   vtkTexture* picture = renderer->GetEnvironmentTexture();
   if (!picture || !renderer->GetUseImageBasedLighting())
   {
     return;
   }
-  Thing thing{ Surroundings, "the environment", {} };
+  Entry entry{ Environment, "the environment", {} };
   for (const double* axis : { renderer->GetEnvironmentUp(), renderer->GetEnvironmentRight() })
   {
-    thing.Values[0].insert(thing.Values[0].end(), axis, axis + 3);
+    entry.Values[0].insert(entry.Values[0].end(), axis, axis + 3);
   }
-  Append(thing.Values[1], PictureHash(picture, cache));
-  things.push_back(thing);
+  Append(entry.Values[1], PictureHash(picture, cache));
+  entries.push_back(entry);
 }
 
 BakedScene BakedScene::Of(vtkRenderer* renderer, BakedSceneCache& cache, const Namer& name)
 {
   BakedScene scene;
-  AddProps(renderer, cache, name, scene.Things);
-  AddLamps(renderer, scene.Things);
-  AddSurroundings(renderer, cache, scene.Things);
+  AddProps(renderer, cache, name, scene.Entries);
+  AddLights(renderer, scene.Entries);
+  AddEnvironment(renderer, cache, scene.Entries);
   return scene;
 }
 }

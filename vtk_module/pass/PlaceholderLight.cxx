@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pass/DarkLamp.h"
+#include "pass/PlaceholderLight.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -8,18 +8,18 @@
 
 namespace penumbra
 {
-DarkLamp::DarkLamp()
+PlaceholderLight::PlaceholderLight()
 {
-  this->Lamp->SetLightTypeToSceneLight();
-  this->Lamp->SetIntensity(0.0);
+  this->Light->SetLightTypeToSceneLight();
+  this->Light->SetIntensity(0.0);
 }
 
-DarkLamp::~DarkLamp()
+PlaceholderLight::~PlaceholderLight()
 {
   this->Remove();
 }
 
-void DarkLamp::Add(vtkOpenGLRenderer* renderer)
+void PlaceholderLight::Add(vtkOpenGLRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator cookie;
@@ -33,15 +33,15 @@ void DarkLamp::Add(vtkOpenGLRenderer* renderer)
   }
   this->Remove();
   this->Renderer = renderer;
-  lights->AddItem(this->Lamp);
+  lights->AddItem(this->Light);
   renderer->UpdateLights();
 }
 
-void DarkLamp::Remove()
+void PlaceholderLight::Remove()
 {
   if (this->Renderer)
   {
-    this->Renderer->GetLights()->RemoveItem(this->Lamp);
+    this->Renderer->GetLights()->RemoveItem(this->Light);
     this->Renderer->UpdateLights();
     this->Renderer = nullptr;
   }
