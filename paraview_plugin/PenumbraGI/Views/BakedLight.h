@@ -28,7 +28,7 @@ public:
   /// Tells the user why light cannot be had, in a sentence; "" where all is well.
   void Tell(const std::string& problem);
 
-  /// The last problem, or "".
+  /// What was told last.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:

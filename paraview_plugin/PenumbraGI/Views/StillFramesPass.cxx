@@ -27,7 +27,7 @@ void StillFramesPass::SetPass(vtkGIPass* pass)
 void StillFramesPass::Render(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
-  // ParaView asks for 5 frames per second during interaction, and for 0.002 for a still picture.
+  // ParaView asks for 5 frames a second while it interacts, and for 0.002 of a still picture.
   const bool still =
     renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1.0 && !renderer->GetSelector();
   const bool captured = still && this->View && IsCaptured(this->View);
@@ -35,20 +35,20 @@ void StillFramesPass::Render(const vtkRenderState* state)
   {
     this->Pass->Restart();
   }
-  const bool singleProcess = IsSingleProcess();
-  this->Pass->SetJoinTiles(captured && singleProcess);
+  const bool alone = IsAlone();
+  this->Pass->SetJoinTiles(captured && alone);
   const int frames = still ? std::max(this->Frames, 1) : 1;
   for (int i = 0; i == 0 || (i < frames && !this->Pass->GetCopiedTile()); ++i)
   {
     this->Pass->Render(state);
   }
   this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-  if (still && singleProcess && this->ShownNotes != this->Pass->GetNotes())
+  if (still && alone && this->Told != this->Pass->GetNotes())
   {
-    this->ShownNotes = this->Pass->GetNotes();
-    if (!this->ShownNotes.empty())
+    this->Told = this->Pass->GetNotes();
+    if (!this->Told.empty())
     {
-      vtkOutputWindow::GetInstance()->DisplayText(("Penumbra: " + this->ShownNotes + "\n").c_str());
+      vtkOutputWindow::GetInstance()->DisplayText(("Penumbra: " + this->Told + "\n").c_str());
     }
   }
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws several frames of a vtkGIPass for each still picture of ParaView, which renders only once, so that techniques
- * can accumulate light and smooth edges over frames. During interaction and for selections it draws one frame.
+ * Draws several frames of a vtkGIPass for one still picture of ParaView, which draws each once: light
+ * that techniques collect over frames arrives, and edges are smoothed. One frame while the camera is
+ * moved, and for a selection.
  */
 #pragma once
 
@@ -34,6 +35,6 @@ private:
   vtkSmartPointer<vtkGIPass> Pass;
   vtkWeakPointer<vtkPVView> View;
   int Frames = 1;
-  std::string ShownNotes; ///< the pass's last notes, which are shown again only when they change
+  std::string Told; ///< of the pass's notes, each once until they change
 };
 }

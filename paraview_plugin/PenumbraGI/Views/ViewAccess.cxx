@@ -24,21 +24,18 @@ namespace penumbra
 {
 namespace
 {
-// A derived class can name protected members of its base.
+// A derived class may name its base's protected members.
 struct ViewMembers : public vtkPVRenderView
 {
-  static vtkPVSynchronizedRenderer* GetSynchronizedRenderer(vtkPVRenderView* view)
+  static vtkPVSynchronizedRenderer* Passes(vtkPVRenderView* view)
   {
     return view->*(&ViewMembers::SynchronizedRenderers);
   }
-  static bool IsInScreenshot(vtkPVView* view)
+  static bool Captured(vtkPVView* view)
   {
     return (view->*(&ViewMembers::GetInCaptureScreenshot))();
   }
-  static vtkPVSession* GetSessionOf(vtkPVView* view)
-  {
-    return (view->*(&ViewMembers::GetSession))();
-  }
+  static vtkPVSession* Session(vtkPVView* view) { return (view->*(&ViewMembers::GetSession))(); }
 };
 
 #ifdef PENUMBRA_VTK_HAS_GLEW
@@ -56,17 +53,17 @@ struct WindowMembers : public vtkOpenGLRenderWindow
 #endif
 }
 
-vtkPVSynchronizedRenderer* SynchronizedRendererOf(vtkPVRenderView* view)
+vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view)
 {
-  return ViewMembers::GetSynchronizedRenderer(view);
+  return ViewMembers::Passes(view);
 }
 
 bool IsCaptured(vtkPVView* view)
 {
-  return ViewMembers::IsInScreenshot(view);
+  return ViewMembers::Captured(view);
 }
 
-bool IsSingleProcess()
+bool IsAlone()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   return !controller || controller->GetNumberOfProcesses() < 2;
@@ -74,24 +71,24 @@ bool IsSingleProcess()
 
 bool IsConnected(vtkPVView* view)
 {
-  vtkPVSession* session = ViewMembers::GetSessionOf(view);
+  vtkPVSession* session = ViewMembers::Session(view);
   return session && !session->HasProcessRole(vtkPVSession::CLIENT_AND_SERVERS);
 }
 
 bool IsClient(vtkPVView* view)
 {
-  vtkPVSession* session = ViewMembers::GetSessionOf(view);
+  vtkPVSession* session = ViewMembers::Session(view);
   return !session || session->HasProcessRole(vtkPVSession::CLIENT);
 }
 
-// pvbatch and pvserver draw each view in a separate window that borrows the context of the process's window. Before its
-// first frame that window initializes GLEW again, which looks for an X display and fails without one, although the
-// process's window has already loaded all functions. Therefore the window is initialized a moment earlier, when it
-// announces the frame, without GLEW.
+// pvbatch and pvserver draw each view in a window of its own that borrows the context of the process's
+// window. Before its first frame it would ask GLEW for OpenGL's functions again, which looks for an X
+// display and gives up without one, although the process's window loaded every function. So all that is
+// done then is done a moment earlier, when the window announces the frame, without GLEW.
 #ifdef PENUMBRA_VTK_HAS_GLEW
 namespace
 {
-void InitializeWithoutGlew(vtkObject* caller, unsigned long, void*, void*)
+void BeforeFrame(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* borrower = static_cast<vtkOpenGLRenderWindow*>(caller);
   auto* context = vtkHeadlessRenderWindow::SafeDownCast(vtkPVProcessWindow::GetRenderWindow());
@@ -118,7 +115,7 @@ void PrepareWindow(vtkRenderWindow* window)
   if (borrower && borrower != context && vtkHeadlessRenderWindow::SafeDownCast(context))
   {
     vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(InitializeWithoutGlew);
+    command->SetCallback(BeforeFrame);
     window->AddObserver(vtkViewLayout::RequestUpdateLayoutEvent, command);
   }
 #else
@@ -128,13 +125,12 @@ void PrepareWindow(vtkRenderWindow* window)
 
 namespace
 {
-void OnProxyRegistered(vtkObject*, unsigned long, void*, void* data)
+void Registered(vtkObject*, unsigned long, void*, void* data)
 {
   using Information = vtkSMProxyManager::RegisteredProxyInformation;
   const auto* registered = static_cast<const Information*>(data);
-  const bool isProxy = registered->Type == Information::PROXY && registered->Proxy;
-  auto* view =
-    isProxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
+  const bool proxy = registered->Type == Information::PROXY && registered->Proxy;
+  auto* view = proxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
   if (view)
   {
     PrepareWindow(view->GetRenderWindow());
@@ -145,7 +141,7 @@ void OnProxyRegistered(vtkObject*, unsigned long, void*, void* data)
 void PrepareNewWindows()
 {
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(OnProxyRegistered);
+  command->SetCallback(Registered);
   vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, command);
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Access to parts of ParaView's views that their public methods do not offer.
+ * The places where the plugin reaches into ParaView's views further than their public methods do.
  */
 #pragma once
 
@@ -12,25 +12,25 @@ class vtkRenderWindow;
 
 namespace penumbra
 {
-/// The object that sets the render passes of a view's renderer.
-vtkPVSynchronizedRenderer* SynchronizedRendererOf(vtkPVRenderView* view);
+/// What makes the passes of a view's renderer.
+vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view);
 
 /// Whether a screenshot of the view is being taken.
 bool IsCaptured(vtkPVView* view);
 
-/// Whether this process draws the whole picture; false if it is one of several ranks.
-bool IsSingleProcess();
+/// Whether this process draws all of the picture: false for one of several ranks.
+bool IsAlone();
 
-/// Whether the client and the server that may draw a view are separate processes, as with pvserver.
+/// Whether the client and what may draw a view are processes of their own, as with pvserver.
 bool IsConnected(vtkPVView* view);
 
-/// Whether this process shows messages to the user of a view.
+/// Whether this process is the one that speaks to the user of a view.
 bool IsClient(vtkPVView* view);
 
-/// Prepare a view's window for drawing in the context of a process without an X display, in which GLEW fails. Does
-/// nothing if that is not necessary.
+/// Makes a view's window ready to draw in the context of a process that has no X display, which GLEW
+/// refuses; does nothing where the window needs no help.
 void PrepareWindow(vtkRenderWindow* window);
 
-/// Do the same for the windows of all views that are created from now on, including charts.
+/// The same for the window of every view that is made from now on, charts for instance.
 void PrepareNewWindows();
 }

@@ -16,17 +16,17 @@ namespace
 {
 bool& SkipsDisplayTests(vtkRemotingCoreConfiguration* configuration);
 
-// ParaView sets this option only from its command line (--disable-xdisplay-test), and the member is private. Access
-// checks do not apply to the arguments of an explicit instantiation.
+// ParaView sets this only from its command line (--disable-xdisplay-test), and the member is private; what
+// is named in an explicit instantiation may be.
 template <bool vtkRemotingCoreConfiguration::*Member>
-struct MemberAccess
+struct Open
 {
   friend bool& SkipsDisplayTests(vtkRemotingCoreConfiguration* configuration)
   {
     return configuration->*Member;
   }
 };
-template struct MemberAccess<&vtkRemotingCoreConfiguration::DisableXDisplayTests>;
+template struct Open<&vtkRemotingCoreConfiguration::DisableXDisplayTests>;
 }
 
 void AllowDrawingWithoutDisplay()

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Initialization of the plugin when a process loads it.
+ * What the plugin does when a process loads it.
  */
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace penumbra
 {
-/// ParaView assumes that a process without an X display cannot draw, and its ranks then wait for each other forever. If
-/// vtkHeadlessRenderWindow can draw, skip ParaView's test of the display, and prepare the windows of future views.
+/// ParaView takes a process without an X display for one that cannot draw, and ranks of it then wait for
+/// each other for ever. Where vtkHeadlessRenderWindow draws, the question is answered for ParaView, and windows of
+/// views to come are prepared.
 VTKPENUMBRAPARAVIEW_EXPORT void AllowDrawingWithoutDisplay();
 }

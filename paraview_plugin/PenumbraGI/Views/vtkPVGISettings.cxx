@@ -33,26 +33,27 @@ public:
   penumbra::BakedLight Lightmap;
   penumbra::BakedLight Probes;
   vtkWeakPointer<vtkPVRenderView> View;
-  unsigned long StartObserver = 0;
+  unsigned long StartOfFrame = 0;
   bool Enabled = false;
 };
 
 namespace
 {
-// With several processes, each draws its own part of the data and does not see the others'.
-void WarnAboutDistributedData()
+// Each process of several draws its own part of the data and knows nothing of the others'.
+void SayWhatRanksDoNotShare()
 {
-  static bool warned = false;
-  if (warned || penumbra::IsSingleProcess())
+  static bool said = false;
+  if (said || penumbra::IsAlone())
   {
     return;
   }
-  warned = true;
+  said = true;
   if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
   {
     vtkOutputWindow::GetInstance()->DisplayText(
       "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect "
-      "light stop at the boundaries between them for now.\n");
+      "light stop at "
+      "the boundaries between them for now.\n");
   }
 }
 }
@@ -89,7 +90,7 @@ bool vtkPVGISettings::GetEnabled() const
 void vtkPVGISettings::SetEnabled(bool enabled)
 {
   this->Impl->Enabled = enabled;
-  this->UpdateRenderPass();
+  this->Place();
 }
 
 void vtkPVGISettings::SetStillFrames(int frames)
@@ -114,17 +115,17 @@ void vtkPVGISettings::BakeProbes()
   {
     return;
   }
-  if (penumbra::IsSingleProcess() && !penumbra::IsConnected(view))
+  if (penumbra::IsAlone() && !penumbra::IsConnected(view))
   {
     this->Impl->Probes.Bake(
       vtkGISHProbes::SafeDownCast(this->Impl->Pass->GetTechnique("sh-probes")), view->GetRenderer(),
       this->ProbesToBake, this->SamplesToBake);
   }
-  // Every process gets this call, and would bake only what it draws itself. Report it once.
+  // Every process is asked, and would bake what it draws itself.
   else if (penumbra::IsClient(view))
   {
-    this->Impl->Probes.Report("the probes cannot be baked by several processes: bake them in "
-                              "pvpython without a server, and choose their file here");
+    this->Impl->Probes.Tell("the probes cannot be baked by several processes: bake them in "
+                            "pvpython without a server, and choose their file here");
   }
 }
 
@@ -141,7 +142,7 @@ const char* vtkPVGISettings::GetSHProbesProblem()
 bool vtkPVGISettings::AddToView(vtkView* view)
 {
   this->SetView(vtkPVRenderView::SafeDownCast(view));
-  return false; // the view does not keep it as a representation
+  return false; // known to the view no longer than this call
 }
 
 void vtkPVGISettings::SetView(vtkPVRenderView* view)
@@ -152,7 +153,7 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   }
   if (this->Impl->View)
   {
-    this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->StartObserver);
+    this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->StartOfFrame);
     const bool enabled = this->Impl->Enabled;
     this->SetEnabled(false);
     this->Impl->Enabled = enabled;
@@ -162,13 +163,13 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   if (view)
   {
     penumbra::PrepareWindow(view->GetRenderWindow());
-    this->Impl->StartObserver = view->GetRenderer()->AddObserver(
-      vtkCommand::StartEvent, this, &vtkPVGISettings::UpdateRenderPass);
-    this->UpdateRenderPass();
+    this->Impl->StartOfFrame =
+      view->GetRenderer()->AddObserver(vtkCommand::StartEvent, this, &vtkPVGISettings::Place);
+    this->Place();
   }
 }
 
-void vtkPVGISettings::UpdateRenderPass()
+void vtkPVGISettings::Place()
 {
   vtkPVRenderView* view = this->Impl->View;
   if (!view)
@@ -182,14 +183,14 @@ void vtkPVGISettings::UpdateRenderPass()
     this->Impl->Lightmap.Update(this->Impl->Pass->GetTechnique("lightmap"));
     this->Impl->Probes.Update(this->Impl->Pass->GetTechnique("sh-probes"));
   }
-  if (this->Impl->Enabled && !current)
+  if (this->Impl->Enabled && !present)
   {
-    WarnAboutDistributedData();
-    synchronizedRenderer->SetRenderPass(this->Impl->Frames);
+    SayWhatRanksDoNotShare();
+    passes->SetRenderPass(this->Impl->Frames);
   }
-  else if (!this->Impl->Enabled && current == this->Impl->Frames)
+  else if (!this->Impl->Enabled && present == this->Impl->Frames)
   {
-    synchronizedRenderer->SetRenderPass(nullptr);
+    passes->SetRenderPass(nullptr);
     this->Impl->Pass->ReleaseGraphicsResources(view->GetRenderWindow());
   }
 }

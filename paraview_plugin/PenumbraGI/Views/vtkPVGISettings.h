@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVGISettings
- * @brief   the global illumination settings of one of ParaView's render views
+ * @brief   the global illumination of one of ParaView's render views
  *
- * Holds a vtkGIPass and sets it on the view's vtkPVSynchronizedRenderer. It replaces neither the view nor its
- * representations, and can be switched on and off at any time. ParaView's server manager creates one as part of each
- * render view, and passes the view to it by vtkView::AddRepresentation(), which is the only method that hands over the
- * view. The object does not become a representation. SetView() does the same for a view that was created before the
- * plugin was loaded.
+ * Holds a vtkGIPass and puts it where the view's passes are made (vtkPVSynchronizedRenderer), without
+ * taking the place of the view or of its representations: it can be switched on and off at any time.
+ * ParaView's server manager makes one as part of each render view, and tells it the view by
+ * vtkView::AddRepresentation(), the one method of a view that hands the view over; it never becomes a
+ * representation of it. SetView() does the same for a view that was made before the plugin was loaded.
  *
- * Other render passes, such as OSPRay's ray tracing, are left alone while they are active. The pass is set again at the
- * next frame after that.
+ * What takes the place of the render pass for a time, as ray tracing by OSPRay does, is left alone; the
+ * pass is put back at the next frame.
  *
  * @sa vtkGIPass
  */
@@ -34,13 +34,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Light the view with the pass, or let ParaView draw it. Off by default.
+   * Light the view by the pass, or leave it to ParaView. Off by default.
    */
   void SetEnabled(bool enabled);
   bool GetEnabled() const;
 
   /**
-   * Number of frames that are drawn for one still picture, at least 1 (the default). During interaction it is one.
+   * How many frames are drawn for one still picture, at least 1 (the default). While the camera is
+   * moved it is one.
    */
   void SetStillFrames(int frames);
 
@@ -55,15 +56,15 @@ public:
 
   ///@{
   /**
-   * Parameters of BakeProbes(): maximum number of probes (27 to vtkGIProbeBaker's MostProbes, by default 1024), and
-   * number of paths from each (1 to 16777216, by default 256).
+   * What BakeProbes() takes: probes at most (27 to vtkGIProbeBaker's MostProbes, by default 1024), and paths from
+   * each (1 to 16777216, by default 256).
    */
   vtkSetMacro(ProbesToBake, int);
   vtkSetMacro(SamplesToBake, int);
   ///@}
 
   /**
-   * Bake probes from the view's current scene with vtkGIProbeBaker. Refused on several ranks and with a server.
+   * Bake probes from what the view shows now, as vtkGIProbeBaker does. Refused on several ranks and with a server.
    */
   void BakeProbes();
 
@@ -76,7 +77,7 @@ public:
   ///@}
 
   /**
-   * The view to light; nullptr detaches from the current one.
+   * The view to light; nullptr to leave the one it had.
    */
   void SetView(vtkPVRenderView* view);
 
@@ -96,7 +97,7 @@ private:
   vtkPVGISettings(const vtkPVGISettings&) = delete;
   void operator=(const vtkPVGISettings&) = delete;
 
-  void UpdateRenderPass();
+  void Place();
 
   class Internals;
   std::unique_ptr<Internals> Impl;

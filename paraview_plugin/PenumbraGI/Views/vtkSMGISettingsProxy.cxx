@@ -23,8 +23,7 @@ void vtkSMGISettingsProxy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
-// The preset is applied here and not as soon as the property is set, because the widget that sets the property ignores
-// changes of it meanwhile.
+// Not as soon as the property is set: a widget that sets it does not listen to it meanwhile.
 void vtkSMGISettingsProxy::UpdateVTKObjects()
 {
   if (this->GetObjectsCreated())
@@ -42,7 +41,7 @@ void vtkSMGISettingsProxy::UpdateVTKObjects()
 
 void vtkSMGISettingsProxy::ApplyPreset(int index)
 {
-  vtkNew<vtkGIPass> pass; // used only for the preset's values
+  vtkNew<vtkGIPass> pass; // never drawn: it knows the values
   if (!pass->SetPreset(vtkGIPass::GetPresetName(index)))
   {
     return;

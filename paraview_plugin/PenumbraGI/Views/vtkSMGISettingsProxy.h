@@ -4,8 +4,8 @@
  * @class   vtkSMGISettingsProxy
  * @brief   the client's side of vtkPVGISettings: applies presets
  *
- * Setting the property GIPreset sets every switch and parameter to the preset's value, and resets GIPreset to "choose".
- * A state file therefore contains only the values, and cannot contradict itself.
+ * Setting the property GIPreset sets every switch and parameter to the preset's value, and GIPreset
+ * back to "choose". So a state file holds the values alone, and cannot contradict itself.
  *
  * @sa vtkPVGISettings
  */

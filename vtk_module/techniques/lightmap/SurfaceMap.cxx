@@ -77,7 +77,7 @@ void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
   this->Origin = 0.5 * (low + high);
   if (!std::isfinite(glm::length(high - low)))
   {
-    Fail("it has no surfaces");
+    Refuse("it has no surfaces");
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -104,7 +104,7 @@ void SurfaceMap::TakePicture(vtkImageData* bake)
   const int* size = bake->GetDimensions();
   if (size[0] > LargestSide || size[1] > LargestSide)
   {
-    Fail("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
+    Refuse("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
   }
   std::array<vtkDataArray*, lightmap_image::Layers.size()> layers{};
   for (std::size_t i = 0; i < layers.size(); ++i)
