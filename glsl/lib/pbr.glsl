@@ -24,8 +24,8 @@ vec3 giFresnelSchlick(vec3 f0, vec3 f90, float HdL)
   return f0 + (f90 - f0) * pow(1.0 - HdL, 5.0);
 }
 
-// Radiance toward the eye for light of unit irradiance at normal incidence. matter: share of the light that is
-// reflected by more than the highlight.
+// Radiance toward the eye for light of unit irradiance at normal incidence. matter: share of the light that the diffuse
+// term reflects too; 0 leaves the highlight alone.
 vec3 giReflectPBR(
   vec3 N, vec3 V, vec3 L, vec3 albedo, float metallic, float roughness, vec3 f0, vec3 f90, float matter)
 {
