@@ -1,7 +1,7 @@
 // What a ray through the scene brings back where the screen does not show it: the direct light of the
 // surface that it meets, and where the environment lights PBR surfaces, one sample of it, unshadowed as
-// VTK's. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h, lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl,
-// rays/passage.glsl, path_tracing/reflection.glsl.
+// VTK's. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h,
+// lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl, rays/passage.glsl, path_tracing/reflection.glsl.
 #ifdef GI_RAY_SKY
 #include "rays/sky.glsl"
 #endif
@@ -46,7 +46,7 @@ bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
   {
     GiIncident incident = giIncident(lights[i], at.position);
     vec3 reflected = lights[i].Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI) *
-      giReflectLamp(r, -incident.Travel);
+      giReflectPointLight(r, -incident.Travel);
     if (dot(reflected, vec3(1.0)) > 0.0 && reaches(lights[i], at, state))
     {
       radiance += lampShare * reflected;
