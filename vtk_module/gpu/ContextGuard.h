@@ -44,6 +44,6 @@ private:
   void operator=(const vtkGIContextGuard&) = delete;
 
   std::function<void()> FreeObjects;
-  vtkOpenGLRenderWindow* GuardedWindow =
-    nullptr; ///< calls ReleaseGraphicsResources() before it is deleted
+  /// Calls ReleaseGraphicsResources() before it is deleted.
+  vtkOpenGLRenderWindow* GuardedWindow = nullptr;
 };

@@ -23,9 +23,8 @@ class FrameContext;
 /// Options for drawing one triangle over the viewport.
 struct Drawing
 {
-  bool CoveredOnly =
-    false; ///< draw only where resource::Depth, which the pass must read, is not the far plane
-  int Stride = 1; ///< width in pixels of the block that a pixel of the target represents
+  bool CoveredOnly = false; ///< draw only where resource::Depth, a required input, has a surface
+  int Stride = 1;           ///< width in pixels of the block that a pixel of the target represents
   /// Value to which the first target is cleared before, of the target's type; none by default.
   std::variant<std::monostate, glm::vec4, glm::uvec4> Clear;
 };

@@ -12,12 +12,11 @@ namespace penumbra
 {
 namespace resource
 {
-constexpr const char* Depth = "depth";           ///< the depth buffer, to test against
-constexpr const char* Albedo = "gbuffer.albedo"; ///< rgb, a: 1 where captured
-constexpr const char* Normal = "gbuffer.normal"; ///< octahedral, material
-constexpr const char* Facet = "gbuffer.facet";   ///< see capture/declarations.glsl
-constexpr const char* WindowDepth =
-  "gbuffer.depth"; ///< a copy of the depth buffer that shaders can read
+constexpr const char* Depth = "depth";               ///< the depth buffer, to test against
+constexpr const char* Albedo = "gbuffer.albedo";     ///< rgb, a: 1 where captured
+constexpr const char* Normal = "gbuffer.normal";     ///< octahedral, material
+constexpr const char* Facet = "gbuffer.facet";       ///< see capture/declarations.glsl
+constexpr const char* WindowDepth = "gbuffer.depth"; ///< a copy of it for shaders to read
 constexpr const char* Ambient = "gbuffer.ambient";   ///< reflected ambient light
 constexpr const char* Surface = "gbuffer.surface";   ///< see capture/declarations.glsl
 constexpr const char* Emission = "gbuffer.emission"; ///< emitted radiance
@@ -34,10 +33,9 @@ constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 /// display.
 constexpr const char* Sky = "sky";
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; on request only
-constexpr const char* Reflection =
-  "reflection";                              ///< mean radiance over each pixel's lobe, confidence
-constexpr const char* Color = "color";       ///< the picture, encoded for display
-constexpr const char* Radiance = "radiance"; ///< the picture, linear
+constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
+constexpr const char* Color = "color";              ///< the picture, encoded for display
+constexpr const char* Radiance = "radiance";        ///< the picture, linear
 }
 
 namespace resource

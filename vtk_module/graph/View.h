@@ -42,9 +42,8 @@ struct View
   int Sequence = 0;         ///< index in the noise sequences
   SceneChanges Changes;
   GLenum DepthFormat = 0; ///< depth format of the window, for copies; 0 if depth cannot be copied
-  bool KeepsRadiance = false; ///< whether values above 1 matter
-  bool WantsAntiAliasing =
-    false; ///< whether the window is multisampled or the renderer asks for FXAA
+  bool KeepsRadiance = false;     ///< whether values above 1 matter
+  bool WantsAntiAliasing = false; ///< whether the window is multisampled or FXAA is requested
 
   /// Arguments viewToScene and eye, for shaders that transform view coordinates to world coordinates relative to an
   /// origin.

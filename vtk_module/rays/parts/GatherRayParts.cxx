@@ -18,14 +18,14 @@ namespace penumbra
 {
 namespace
 {
-/// How the mappers of a class become parts; derived classes come before their bases.
+/// Function that converts mappers of a class to parts. Derived classes come before their bases.
 struct Gatherer
 {
   const char* Class;
-  bool (*Gather)(vtkMapper* mapper, const Drawn& drawn);
-  bool Impostors; ///< drawn as surfaces whatever the representation
+  bool (*Gather)(vtkMapper* mapper, const GatherContext& context);
+  bool Impostors; ///< drawn as surfaces regardless of the representation
 };
-// Mappers are told apart by name: VTK's versions derive them from one another differently.
+// Mappers are identified by name, as their inheritance differs between VTK versions.
 constexpr std::array<Gatherer, 9> Gatherers = { {
   { "vtkPointGaussianMapper", nullptr, false }, // soft splats have no surface
   { "vtkMoleculeMapper", GatherMolecule, true },
@@ -65,7 +65,7 @@ std::vector<glm::dvec4> ClippingPlanes(vtkMapper* mapper)
 {
   std::vector<glm::dvec4> planes;
   vtkNew<vtkMatrix4x4> world;
-  // VTK draws with as many.
+  // VTK draws with at most this many.
   const int count = std::min(6, mapper->GetNumberOfClippingPlanes());
   for (int i = 0; i < count; ++i)
   {
@@ -93,7 +93,7 @@ std::vector<RayPart> GatherRayParts(
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
       auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
-      // A sky is behind everything; its light is the environment's.
+      // A skybox is behind everything. Its light is that of the environment.
       if (!actor || !actor->GetVisibility() || !actor->GetMapper() || actor->IsA("vtkSkybox"))
       {
         continue;
@@ -105,9 +105,10 @@ std::vector<RayPart> GatherRayParts(
         continue;
       }
       vtkMatrix4x4* matrix = path->GetLastNode()->GetMatrix();
-      const Drawn drawn = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts, cache };
+      const GatherContext context = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts,
+        cache };
       const std::size_t before = parts.size();
-      if (!gatherer || !gatherer->Gather || !gatherer->Gather(actor->GetMapper(), drawn))
+      if (!gatherer || !gatherer->Gather || !gatherer->Gather(actor->GetMapper(), context))
       {
         left.push_back(prop);
       }
