@@ -18,15 +18,15 @@ namespace penumbra
 {
 namespace
 {
-// Mappers that fill VTK's polydata shader template and call the hooks on every draw.
-constexpr std::array<const char*, 5> Hooked = { { "vtkPolyDataMapper", "vtkDataSetMapper",
+// Mappers that use VTK's shader template for polydata and call the hooks at each draw.
+constexpr std::array<const char*, 5> HookedMappers = { { "vtkPolyDataMapper", "vtkDataSetMapper",
   "vtkGlyph3DMapper", "vtkMoleculeMapper", "vtkCompositePolyDataMapper" } };
-// Among their subclasses, those that do not: splats have a template of their own, the low-memory
-// mapper never calls SetShaderParameters, and line integral convolution writes outputs of its own.
-constexpr std::array<const char*, 3> Unhooked = { { "vtkPointGaussianMapper",
+// Subclasses that do not: splats have their own template, the low-memory
+// mapper never calls SetShaderParameters, and line integral convolution writes its own outputs.
+constexpr std::array<const char*, 3> UnhookedMappers = { { "vtkPointGaussianMapper",
   "vtkOpenGLLowMemoryPolyDataMapper", "vtkSurfaceLICMapper" } };
-// Those that draw the cells of their input.
-constexpr std::array<const char*, 2> OfCells = { { "vtkPolyDataMapper",
+// Mappers that draw the cells of their input.
+constexpr std::array<const char*, 2> CellMappers = { { "vtkPolyDataMapper",
   "vtkCompositePolyDataMapper" } };
 
 template <std::size_t N>
@@ -36,9 +36,9 @@ bool IsAny(vtkObject* object, const std::array<const char*, N>& classes)
     classes.begin(), classes.end(), [object](const char* name) { return object->IsA(name) != 0; });
 }
 
-/// Whether it holds for the prop, or for any part of an assembly; other is the answer for what is no actor.
-template <typename Holds>
-bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
+/// Whether a predicate holds for a prop, or for any part of an assembly. other: result for props that are not actors.
+template <typename Predicate>
+bool AnyActor(vtkProp* prop, bool other, const Predicate& predicate)
 {
   if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
   {
@@ -47,7 +47,7 @@ bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
     parts->InitTraversal(cookie);
     while (vtkProp3D* part = parts->GetNextProp3D(cookie))
     {
-      if (AnyActor(part, other, holds))
+      if (AnyActor(part, other, predicate))
       {
         return true;
       }
@@ -55,11 +55,11 @@ bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
     return false;
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor ? holds(actor) : other;
+  return actor ? predicate(actor) : other;
 }
 
-// Whether a user's own shader code says what the final colour is: there is no light to take apart.
-bool DecidesItsColor(vtkActor* actor)
+// Whether a user's own shader code writes the final colour, so that its light cannot be separated.
+bool WritesItsOwnColor(vtkActor* actor)
 {
   vtkShaderProperty* shader = actor->GetShaderProperty();
   if (shader->HasFragmentShaderCode())
@@ -85,7 +85,7 @@ bool DecidesItsColor(vtkActor* actor)
   return false;
 }
 
-// The most that a property's highlight reflects of light from all around, facing the eye.
+// Upper bound of the share of light from all around that a property's highlight reflects, facing the eye.
 double HighlightOf(vtkProperty* property)
 {
   if (!property || !property->GetLighting())
@@ -102,7 +102,7 @@ double HighlightOf(vtkProperty* property)
     (property->GetSpecularPower() + 1.0);
 }
 
-// Whether all of it is drawn as faces. VTK draws some lines and points as they are.
+// Whether all cells are drawn as faces. VTK does not light some lines and points.
 bool IsAllFaces(vtkDataObject* data)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -128,10 +128,10 @@ bool MayHaveAmbient(vtkProperty* property, bool environment)
   {
     return false;
   }
-  // Edges have their own colour by the ambient term.
+  // VTK draws edges with their own colour as the ambient term.
   const bool plain = property->GetLighting() && property->GetRepresentation() == VTK_SURFACE &&
     !property->GetEdgeVisibility() && !property->GetVertexVisibility();
-  // Of coats and brushed metal only the sum is known.
+  // For clear coat and anisotropy only the total colour is known.
   const bool pbr = property->GetInterpolation() == VTK_PBR;
   const bool layered =
     pbr && (property->GetCoatStrength() > 0.0 || property->GetAnisotropy() > 0.0);
@@ -142,8 +142,9 @@ bool MayHaveAmbient(vtkProperty* property, bool environment)
 bool CanCapture(vtkProp* prop)
 {
   return !AnyActor(prop, true, [](vtkActor* actor) {
-    return !actor->GetMapper() || actor->IsA("vtkSkybox") || !IsAny(actor->GetMapper(), Hooked) ||
-      IsAny(actor->GetMapper(), Unhooked) || DecidesItsColor(actor);
+    return !actor->GetMapper() || actor->IsA("vtkSkybox") ||
+      !IsAny(actor->GetMapper(), HookedMappers) || IsAny(actor->GetMapper(), UnhookedMappers) ||
+      WritesItsOwnColor(actor);
   });
 }
 
@@ -175,9 +176,10 @@ bool MayHaveAmbient(vtkProp* prop, bool environment)
   return AnyActor(prop, true, [environment](vtkActor* actor) {
     vtkMapper* mapper = actor->GetMapper();
     vtkShaderProperty* shader = actor->GetShaderProperty();
-    return !mapper || !IsAny(mapper, OfCells) || !IsAllFaces(mapper->GetInputDataObject(0, 0)) ||
-      shader->HasVertexShaderCode() || shader->HasGeometryShaderCode() ||
-      shader->HasFragmentShaderCode() || shader->GetNumberOfShaderReplacements() > 0 ||
+    return !mapper || !IsAny(mapper, CellMappers) ||
+      !IsAllFaces(mapper->GetInputDataObject(0, 0)) || shader->HasVertexShaderCode() ||
+      shader->HasGeometryShaderCode() || shader->HasFragmentShaderCode() ||
+      shader->GetNumberOfShaderReplacements() > 0 ||
       MayHaveAmbient(actor->GetProperty(), environment) ||
       MayHaveAmbient(actor->GetBackfaceProperty(), environment);
   });
