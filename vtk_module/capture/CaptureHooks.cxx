@@ -80,7 +80,7 @@ void vtkGICaptureHooks::SetOutputs(const penumbra::CaptureOutputs& outputs)
   if (!(this->Outputs == outputs))
   {
     this->Outputs = outputs;
-    this->Renew();
+    this->RebuildShaders();
   }
 }
 
@@ -227,7 +227,7 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   }
   if (program->IsUniformUsed("giAmbientAlpha"))
   {
-    program->SetUniformf("giAmbientAlpha", this->Materials->CoverInPart() ? 1.0f : 0.0f);
+    program->SetUniformf("giAmbientAlpha", this->Materials->HasPartialCoverage() ? 1.0f : 0.0f);
   }
   if (program->IsUniformUsed("giMendsNormals"))
   {

@@ -76,7 +76,7 @@ vtkMTimeType PropertyTime(vtkProperty* property)
 }
 }
 
-vtkMTimeType LookTime(vtkActor* actor)
+vtkMTimeType AppearanceTime(vtkActor* actor)
 {
   vtkMTimeType time = PropertyTime(actor->GetProperty());
   time = std::max(time, actor->GetMapper() ? MapperTime(actor->GetMapper()) : 0);

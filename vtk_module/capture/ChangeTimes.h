@@ -14,7 +14,7 @@ namespace penumbra
 {
 /// Time of the last change of an actor's appearance, regardless of its position: data, colours, textures, clipping
 /// planes.
-vtkMTimeType LookTime(vtkActor* actor);
+vtkMTimeType AppearanceTime(vtkActor* actor);
 
 /// Time of the last change of a mapper's surface, without its colours if the two can be distinguished.
 vtkMTimeType ShapeTime(vtkMapper* mapper);

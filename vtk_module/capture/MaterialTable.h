@@ -40,8 +40,8 @@ public:
 
   /// Whether fragments that are drawn as opaque may cover a pixel partly, by the alpha of a texture or of
   /// colours. VTK blends such fragments in drawing order.
-  void SetCoverInPart(bool part) { this->PartCover = part; }
-  bool CoverInPart() const { return this->PartCover; }
+  void SetPartialCoverage(bool part) { this->PartialCoverage = part; }
+  bool HasPartialCoverage() const { return this->PartialCoverage; }
 
   /// Upload the entries, after all of the frame's props are drawn.
   void Upload();
@@ -54,7 +54,7 @@ private:
   std::map<std::array<float, 8>, int> Index;
   bool PBR = false;
   bool Specular = false;
-  bool PartCover = false;
+  bool PartialCoverage = false;
   Buffer Storage;
 };
 }

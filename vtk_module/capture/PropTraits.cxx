@@ -164,7 +164,7 @@ bool ReflectsShare(vtkProp* prop, double share)
   });
 }
 
-bool MayCoverInPart(vtkProp* prop)
+bool MayHavePartialCoverage(vtkProp* prop)
 {
   return AnyActor(prop, false, [](vtkActor* actor) {
     return actor->GetForceOpaque() || actor->GetProperty()->GetNumberOfTextures() > 0;

@@ -20,7 +20,7 @@ bool ReflectsShare(vtkProp* prop, double share);
 
 /// Whether fragments drawn as opaque may have an alpha below one: if the actor is forced opaque, or by the textures of
 /// its property, which VTK does not check.
-bool MayCoverInPart(vtkProp* prop);
+bool MayHavePartialCoverage(vtkProp* prop);
 
 /// Whether a captured prop may write anything to the G-buffer's ambient target: reflected ambient
 /// light, or its colour if it is shown as drawn. environment: whether images light PBR materials. True if this is

@@ -38,7 +38,7 @@ SceneCapture::~SceneCapture() = default;
 void SceneCapture::ReloadShaders()
 {
   this->Hooks->CheckSnippets();
-  this->Hooks->Renew();
+  this->Hooks->RebuildShaders();
 }
 
 void SceneCapture::Collect(const vtkRenderState* state)
@@ -57,7 +57,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
     const bool captured = CanCapture(prop);
     (captured ? this->Captured : (IsSky(prop) ? this->SkyProps : this->Others)).push_back(prop);
     extended |= captured && NeedsExtended(prop);
-    part |= captured && MayCoverInPart(prop);
+    part |= captured && MayHavePartialCoverage(prop);
   }
   // VTK culls the list above to the view, but props outside of it still cast shadows into it.
   vtkPropCollection* props = state->GetRenderer()->GetViewProps();
@@ -70,7 +70,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
       this->CasterProps.push_back(prop);
     }
   }
-  this->Table.SetCoverInPart(part);
+  this->Table.SetPartialCoverage(part);
   this->HasEnvironment = state->GetRenderer()->GetUseImageBasedLighting();
   this->Outputs = CaptureOutputs();
   this->Outputs.Extended = extended;
@@ -91,12 +91,12 @@ bool SceneCapture::MayHaveAmbient() const
 bool SceneCapture::StartForAmbient(const char* resource)
 {
   // Blending would use the target's alpha as coverage.
-  const bool free = !this->Table.CoverInPart() && !this->MayHaveAmbient();
+  const bool free = !this->Table.HasPartialCoverage() && !this->MayHaveAmbient();
   this->Outputs.AmbientTarget = free ? resource : resource::Ambient;
   return free;
 }
 
-bool SceneCapture::CastsInPart() const
+bool SceneCapture::CastsPartialShadows() const
 {
   const auto translucent = [](vtkTexture* texture) { return texture && texture->IsTranslucent(); };
   return std::any_of(this->CasterProps.begin(), this->CasterProps.end(), [&](vtkProp* prop) {
@@ -134,13 +134,13 @@ void SceneCapture::Contribute(Frame& frame)
   const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as in VTK.
   const bool wide = this->Outputs.Extended || this->Outputs.AmbientTarget != resource::Ambient ||
-    (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
+    (frame.GetView().KeepsRadiance && !this->Table.HasPartialCoverage());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
     .Write(this->Outputs.AmbientTarget, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
-    .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
+    .Write(resource::DepthCopy, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
   if (this->Outputs.Extended)
   {
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
@@ -161,8 +161,8 @@ void SceneCapture::Draw(FrameContext& context)
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const auto window = static_cast<unsigned int>(bound);
   context.BindTarget(outputs, resource::Depth);
-  scope.Set(GL_BLEND, this->Table.CoverInPart());
-  if (this->Table.CoverInPart())
+  scope.Set(GL_BLEND, this->Table.HasPartialCoverage());
+  if (this->Table.HasPartialCoverage())
   {
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -171,7 +171,7 @@ void SceneCapture::Draw(FrameContext& context)
   scope.DepthMask(true);
   // Where nothing is captured, only the albedo's alpha is read. Blending reads all targets.
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  const GLint cleared = this->Table.CoverInPart() ? static_cast<GLint>(outputs.size()) : 1;
+  const GLint cleared = this->Table.HasPartialCoverage() ? static_cast<GLint>(outputs.size()) : 1;
   for (GLint output = 0; output < cleared; ++output)
   {
     glClearBufferfv(GL_COLOR, output, nothing);
@@ -201,7 +201,7 @@ void SceneCapture::Draw(FrameContext& context)
 
   // A depth buffer must not be bound and read at the same time. Techniques test against the original and read the
   // copy.
-  context.CopyDepth(context.Output(resource::Depth), context.Output(resource::WindowDepth));
+  context.CopyDepth(context.Output(resource::Depth), context.Output(resource::DepthCopy));
 }
 
 int SceneCapture::DrawProps(

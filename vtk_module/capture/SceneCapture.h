@@ -58,7 +58,7 @@ public:
   bool StartForAmbient(const char* resource);
 
   /// Whether any occluder may cover what is behind it only partly.
-  bool CastsInPart() const;
+  bool CastsPartialShadows() const;
 
   /// Add the pass that writes the G-buffer.
   void Contribute(Frame& frame);

@@ -36,7 +36,7 @@ public:
   vtkAbstractTypeMacro(vtkGIShaderHooks, vtkOpenGLRenderPass);
 
   /// Have mappers rebuild their shaders.
-  void Renew()
+  void RebuildShaders()
   {
     this->Modified();
     this->StageTime = this->GetMTime();

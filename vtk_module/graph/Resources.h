@@ -16,7 +16,7 @@ constexpr const char* Depth = "depth";               ///< the depth buffer, to t
 constexpr const char* Albedo = "gbuffer.albedo";     ///< rgb, a: 1 where captured
 constexpr const char* Normal = "gbuffer.normal";     ///< octahedral, material
 constexpr const char* Facet = "gbuffer.facet";       ///< see capture/declarations.glsl
-constexpr const char* WindowDepth = "gbuffer.depth"; ///< a copy of it for shaders to read
+constexpr const char* DepthCopy = "gbuffer.depth";   ///< a copy of it for shaders to read
 constexpr const char* Ambient = "gbuffer.ambient";   ///< reflected ambient light
 constexpr const char* Surface = "gbuffer.surface";   ///< see capture/declarations.glsl
 constexpr const char* Emission = "gbuffer.emission"; ///< emitted radiance
@@ -44,7 +44,7 @@ namespace resource
 inline std::string SamplerOf(const std::string& resource)
 {
   static const std::map<std::string, std::string> names = { { Albedo, "albedoTexture" },
-    { Normal, "normalTexture" }, { Facet, "facetTexture" }, { WindowDepth, "depthTexture" },
+    { Normal, "normalTexture" }, { Facet, "facetTexture" }, { DepthCopy, "depthTexture" },
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
@@ -60,8 +60,8 @@ inline std::string SamplerOf(const std::string& resource)
 struct NoisyResource
 {
   const char* Name;
-  bool PerLight; ///< has a channel for each shadowed light
-  bool Looks;    ///< depends on the appearance of surfaces, not only on their geometry
+  bool PerLight;   ///< has a channel for each shadowed light
+  bool Appearance; ///< depends on the appearance of surfaces, not only on their geometry
 };
 namespace resource
 {

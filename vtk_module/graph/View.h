@@ -18,8 +18,8 @@ struct SceneChanges
 {
   bool Any = true;
   bool Lights = true;
-  bool Props = true; ///< a prop moved, appeared, disappeared or changed its appearance
-  bool Looks = true; ///< a shape or colour changed
+  bool Props = true;      ///< a prop moved, appeared, disappeared or changed its appearance
+  bool Appearance = true; ///< a shape or colour changed
 };
 
 /// Camera and window of a frame, in double precision where it matters.

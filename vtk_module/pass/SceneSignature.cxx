@@ -51,7 +51,7 @@ void SceneSignature::AddProp(vtkProp* prop)
     moved = std::max(moved, part->GetRedrawMTime());
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      look = std::max(look, LookTime(actor));
+      look = std::max(look, AppearanceTime(actor));
     }
   }
   this->Values[Props].push_back(AsNumber(std::max(moved, look)));
@@ -114,9 +114,9 @@ SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
   SceneChanges changes;
   changes.Lights = differs(Lights);
   changes.Props = differs(Props);
-  changes.Looks = differs(Looks);
+  changes.Appearance = differs(Looks);
   changes.Any =
-    changes.Lights || changes.Props || changes.Looks || differs(Camera) || differs(Techniques);
+    changes.Lights || changes.Props || changes.Appearance || differs(Camera) || differs(Techniques);
   return changes;
 }
 }

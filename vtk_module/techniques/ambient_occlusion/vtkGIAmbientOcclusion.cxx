@@ -130,7 +130,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     stride > 1 ? Drawing{ false, stride, {} } : Drawing{ true, 1, Nowhere };
 
   frame.AddPass("ambient-occlusion-depth")
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Write(Places, frame.WindowTexture(GL_R32F))
     .Draw("ambient_occlusion/depth.frag", {}, {});
   auto& sample = frame.AddPass("ambient-occlusion")
@@ -180,7 +180,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     frame.AddPass("ambient-occlusion-upsample")
       .Read(Smoothed, "rawTexture")
       .Read(resource::Depth)
-      .Read(resource::WindowDepth)
+      .Read(resource::DepthCopy)
       .Read(resource::Normal)
       .Write(resource::AmbientVisibility, whole)
       .Draw("ambient_occlusion/upsample.frag", variant, {}, final);

@@ -87,7 +87,7 @@ void LiveField::Prepare(const View& view, const Settings& settings, vtkMTimeType
     this->MakeGrids(view);
   }
   const SceneChanges& changes = view.Changes;
-  if (changes.Lights || changes.Props || changes.Looks || this->Parameters != parameters)
+  if (changes.Lights || changes.Props || changes.Appearance || this->Parameters != parameters)
   {
     this->Known = this->Done = 0;
   }

@@ -46,7 +46,7 @@ vtkMTimeType CastTime(vtkProp* prop)
     time = std::max(time, part->GetRedrawMTime());
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      time = std::max(time, LookTime(actor));
+      time = std::max(time, AppearanceTime(actor));
     }
   }
   return time;
@@ -173,7 +173,7 @@ bool vtkGIShadowMaps::MakePlan(FrameBuilder& frame)
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &widest);
   ShadowOptions options;
   options.Resolution = std::min(this->Resolution, static_cast<int>(widest));
-  this->Impl->InPart = frame.Capture().CastsInPart();
+  this->Impl->InPart = frame.Capture().CastsPartialShadows();
   const bool patterned = this->FilterRadius > 0.0 && this->Impl->InPart;
   this->Impl->Radius = patterned ? std::max(this->FilterRadius, PatternRadius) : this->FilterRadius;
   this->Impl->Samples =
@@ -239,7 +239,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
                FrameContext& context) { this->DrawMaps(context, scene, atlas, shown); });
   frame.AddPass("shadow-mask")
     .Read(resource::Depth)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::Facet)

@@ -46,7 +46,7 @@ struct Ages
   void Advance(const View& view, const LightTable& lights, bool continued)
   {
     this->Start = continued ? this->Start + 1 : 1;
-    this->Looks = !continued || view.Changes.Looks || view.Changes.Lights ? 1 : this->Looks + 1;
+    this->Looks = !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
     this->Settled = view.Changes.Props ? 0 : this->Settled + 1;
     std::vector<LightPlace> now;
     for (const Light& light : lights.Lights())
@@ -74,7 +74,7 @@ struct Ages
   {
     const int own =
       noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1) : this->Start;
-    return noisy.Looks ? std::min(own, this->Looks) : own;
+    return noisy.Appearance ? std::min(own, this->Looks) : own;
   }
 };
 
@@ -219,7 +219,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     [&](const std::string& name) { return &frame.Keep(name, frame.WindowTexture(GL_RGBA32F)); });
   frame.AddPass("temporal-reproject")
     .Read(resource::Depth)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Normal)
     .ReadIfPresent(resource::Displacement, "GI_DISPLACEMENT")
     .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
