@@ -92,8 +92,9 @@ void main()
     {
       bool pbr = model == GI_SURFACE_PBR;
       // All reflection is diffuse here.
-      vec3 albedo = pbr ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
-                        : at.color.rgb;
+      vec3 albedo = pbr
+        ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
+        : at.color.rgb;
       vec3 light = directLight(at, pbr, state);
       if (lit)
       {

@@ -27,7 +27,8 @@ void main()
   }
   vec2 u = giSample2D(uint(index), 1u);
   float z = 2.0 * u.x - 1.0;
-  vec3 direction = vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(6.28318530717959 * u.y), sin(6.28318530717959 * u.y)), z);
+  vec3 direction =
+    vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(6.28318530717959 * u.y), sin(6.28318530717959 * u.y)), z);
   vec2 across = radius * giSampleDisc(giSample2D(uint(index), 2u));
   vec3 start = middle + giBasis(direction) * vec3(across, -radius);
   Ray ray = Ray(start, 0.0, direction, 2.0 * radius);
