@@ -215,9 +215,9 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
   int seen[8];
   float weightSum = 0.0;
   float squareSum = 0.0; // sum of their squares
-  float left = 0.0;  // sum of the weights of vacated grid points
+  float vacatedSum = 0.0; // sum of the weights of vacated grid points
   float vacatedSquares = 0.0; // sum of their squares
-  int relocated = 0;      // mask of the relocated probes
+  int relocated = 0; // mask of the relocated probes
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
@@ -242,19 +242,19 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
     vec3 home = grid.origin + grid.spacing * vec3(min(base + corner, grid.counts - 1));
     float vacatedWeight =
       shares.x * shares.y * shares.z * fieldProbeWeight(fieldGridPointMap(probes[i]), home, P, N, off);
-    left += vacatedWeight;
+    vacatedSum += vacatedWeight;
     vacatedSquares += vacatedWeight * vacatedWeight;
   }
   // A probe's weight depends on how many of the other contributing probes see it. A probe behind a wall may seem to
   // see a point close to the wall, but no probe in front of the wall sees the probe.
   float agreements[8];
 #ifdef GI_FIELD_NESTED
-  float known = grid.first > 0 ? min(1e4 * (weightSum + left), 1.0) : 1.0;
+  float known = grid.first > 0 ? min(1e4 * (weightSum + vacatedSum), 1.0) : 1.0;
   walk.left += (1.0 - known) * walk.share;
   walk.share *= known;
 #endif
   squareSum = max(squareSum + vacatedSquares, 1e-30);
-  float all = left * fieldAgreement(vacatedSquares / squareSum);
+  float all = vacatedSum * fieldAgreement(vacatedSquares / squareSum);
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);

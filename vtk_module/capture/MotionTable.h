@@ -58,7 +58,7 @@ private:
     int Number = 0;
     vtkMTimeType Shape = 0;
     std::vector<glm::dmat4> Transforms; ///< transformations; more than one if assemblies share the prop
-    std::vector<int> Rows;          ///< motion row of each
+    std::vector<int> Rows;              ///< motion row of each
   };
   using Tracks = std::map<vtkActor*, Track>;
 
