@@ -1,9 +1,9 @@
-// The light of an arc in a slice, by the cosine to the surface and the measure of directions around
-// the view: Jimenez et al. 2016, equation 7, to one side. n: cosine and sine of the angle by which
+// Light from an arc of directions in a slice, weighted by the cosine at the surface and by the solid angle around
+// the view direction: Jimenez et al. 2016, equation 7, for one side. n: cosine and sine of the angle by which
 // the normal leans to that side from the view direction.
 const float GI_ARC_PI = 3.14159265358979;
 
-// The angle of cosine c and sine s, from 0 to pi, to 0.002: its ratio to the sine by least squares.
+// Angle from 0 to pi with cosine c and sine s, to within 0.002. A least-squares fit of the ratio of angle to sine.
 float giArcAngle(float c, float s)
 {
   float x = abs(c);
@@ -11,13 +11,13 @@ float giArcAngle(float c, float s)
   return c < 0.0 ? GI_ARC_PI - a : a;
 }
 
-// From the view direction to one of cosine c and sine s, both above the tangent plane.
+// Light of the arc from the view direction to the angle with cosine c and sine s, both above the tangent plane.
 float giArc(float c, float s, vec2 n)
 {
   return 0.5 * (n.x * s * s + n.y * (giArcAngle(c, s) - s * c));
 }
 
-// Its light's mean direction times the light: across the view, toward the eye.
+// Mean direction of that light times the light. x: across the view; y: toward the eye.
 vec2 giArcMoment(float c, float s, vec2 n)
 {
   float c3 = c * c * c;
@@ -25,7 +25,7 @@ vec2 giArcMoment(float c, float s, vec2 n)
   return vec2(n.x * s3 + n.y * (2.0 - 3.0 * c + c3), n.x * (1.0 - c3) + n.y * s3) / 3.0;
 }
 
-// From the view direction to the tangent plane.
+// Light of the arc from the view direction to the tangent plane.
 float giWholeArc(vec2 n)
 {
   return giArc(-n.y, n.x, n);

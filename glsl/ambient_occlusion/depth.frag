@@ -1,5 +1,5 @@
 #version 430 core
-// The window's depth in a format that is quick to read at many places.
+// Copies the window's depth to a format that is fast to sample.
 layout(binding = 0) uniform sampler2D depthTexture;
 
 layout(location = 0) out float depth;

@@ -1,8 +1,8 @@
 #version 430 core
-// Average along rows, or along columns (GI_DOWN), over the texels on the same surface: near the plane
-// through this one, and turned alike. Of five texels the outer two count half, so that every part of the sampling
-// pattern, which is four wide, weighs alike. Variants: GI_STRIDE; GI_AVERAGED
-// (else as sampled); GI_PACKED (to be filtered further, or scaled up), else what is handed on; GI_BENT.
+// Averages along rows, or along columns (GI_DOWN), over texels on the same surface: near the plane
+// through this one, with a similar normal. The outer two of five texels count half, so that all parts of the sampling
+// pattern, which is four texels wide, have the same weight. Variants: GI_STRIDE; GI_AVERAGED (else the value is copied
+// unfiltered); GI_PACKED (the result is filtered again or upsampled; else it is final); GI_BENT.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -50,7 +50,7 @@ void main()
       GI_RAW other = GI_RAW_OF(texelFetch(rawTexture, at, 0));
       vec2 offset = vec2((at - raw) * GI_STRIDE);
       float weight = (abs(i) == 2 ? 0.5 : 1.0) *
-        giAlike(here, offset, giRawDepth(other), giRawNormal(other));
+        giSimilarity(here, offset, giRawDepth(other), giRawNormal(other));
       sum += weight * giRawOpenness(other);
       hidden += weight * giRawHidden(other);
       weights += weight;

@@ -1,7 +1,6 @@
 #version 430 core
-// Openness of a pixel's surface: GI_SAMPLES points in the hemisphere over it, each hidden or not
-// from the eye by the depth buffer. Variants: GI_STRIDE (pixels of the window a texel here stands
-// for).
+// Openness of a pixel's surface: the share of GI_SAMPLES points in the hemisphere over it that the depth buffer does
+// not hide from the eye. Variants: GI_STRIDE (width in pixels of the block that a texel represents).
 #include "shared/view.h"
 #include "shared/occlusion.h"
 #include "lib/octahedral.glsl"
@@ -31,8 +30,8 @@ void main()
   vec2 normal = texelFetch(normalTexture, pixel, 0).xy;
   vec3 N = giDecodeOctahedral(normal);
 
-  // Sixteen turns, which the filter averages.
-  float turn = 6.28318531 * giRawSpread(raw).x;
+  // Sixteen rotations, which the filter averages.
+  float turn = 6.28318531 * giRawNoise(raw).x;
   mat3 around = giBasis(N);
   vec3 X = radius * (around[0] * cos(turn) + around[1] * sin(turn));
   vec3 Y = radius * (around[1] * cos(turn) - around[0] * sin(turn));
@@ -49,7 +48,7 @@ void main()
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;
 
-  float hidden = 0.0;
+  float occluded = 0.0;
   for (int i = 0; i < GI_SAMPLES; ++i)
   {
     vec4 k = occlusion.Kernel[i];
@@ -58,12 +57,12 @@ void main()
     vec2 window = centre + toWindow * vec2(dot(rowX, sampled), dot(rowY, sampled)) * w;
     ivec2 at = clamp(ivec2(window), low, high);
     float ndc = texelFetch(depthTexture, at, 0).r * 2.0 - 1.0;
-    float seen = (depthZ.x * ndc + depthZ.y) / (depthW.x * ndc + depthW.y);
-    // Hidden if something lies before the sample, but no further than the radius before the
-    // surface: beyond, it is another thing in front.
-    float ahead = seen - sampled.z;
-    float near = 1.0 - clamp((seen - P.z) / radius - 1.0, 0.0, 1.0);
-    hidden += ahead > bias ? near : 0.0;
+    float visibleDepth = (depthZ.x * ndc + depthZ.y) / (depthW.x * ndc + depthW.y);
+    // A sample is occluded if something lies in front of it. Something in front of the surface by more than the radius
+    // is taken for an unrelated object.
+    float ahead = visibleDepth - sampled.z;
+    float falloff = 1.0 - clamp((visibleDepth - P.z) / radius - 1.0, 0.0, 1.0);
+    occluded += ahead > bias ? falloff : 0.0;
   }
-  result = giPackRaw(1.0 - hidden / float(GI_SAMPLES), depth, normal, vec3(0.0));
+  result = giPackRaw(1.0 - occluded / float(GI_SAMPLES), depth, normal, vec3(0.0));
 }

@@ -1,8 +1,8 @@
-// What is sampled, before it is filtered: openness, depth and normal of one pixel in GI_STRIDE x
+// Samples before the filter: openness, depth and normal of one pixel in each block of GI_STRIDE x
 // GI_STRIDE. Needs shared/view.h.
 
-// The pixel of its block that a texel stands for: another one each frame, so that still frames see
-// all of them.
+// Offset of the sampled pixel in its block. It changes each frame, so that still frames sample
+// all pixels.
 ivec2 giRawOffset()
 {
 #if GI_STRIDE == 2
@@ -19,10 +19,10 @@ ivec2 giRawPixel(ivec2 raw)
   return clamp(raw * GI_STRIDE + giRawOffset(), low, low + ivec2(view.Viewport.zw) - 1);
 }
 
-// Two numbers in [0, 1), spread evenly over every 4 x 4 texels, within that over 4 x 4 such tiles, so
-// that no tile looks like its neighbours, and within that over frames: lattices of rank 1, shifted
+// Two numbers in [0, 1), evenly distributed over each tile of 4 x 4 texels, at a finer level over 4 x 4 such tiles, so
+// that no tile repeats its neighbours, and at a still finer level over frames: rank-1 lattices, shifted
 // by the sequence of Roberts 2018, The Unreasonable Effectiveness of Quasirandom Sequences.
-vec2 giRawSpread(ivec2 raw)
+vec2 giRawNoise(ivec2 raw)
 {
   ivec2 within = raw & 3;
   ivec2 tile = (raw >> 2) & 3;
@@ -32,7 +32,7 @@ vec2 giRawSpread(ivec2 raw)
   return fract((vec2(fine, (fine * 7) & 15) + fract(shift)) / 16.0);
 }
 
-// Texels of what was sampled.
+// Texel formats of the samples.
 #ifdef GI_BENT
 #define GI_RAW uvec4
 #define GI_RAW_OF(texel) (texel)
@@ -41,9 +41,9 @@ vec2 giRawSpread(ivec2 raw)
 #define GI_RAW_OF(texel) (texel).xy
 #endif
 
-// Ten bits of openness, which reaches from -1 to 1 as a single slice may hold more than its share
-// of occlusion; the octahedral normal in eleven bits each. hidden: the mean direction of the light that is
-// closed times its share, in view coordinates; kept with GI_BENT.
+// Packs openness in ten bits, from -1 to 1 as a single slice may have more than its share
+// of occlusion, and the octahedral normal in eleven bits per component. hidden: mean direction of the occluded light
+// times its share, in view coordinates; stored with GI_BENT only.
 GI_RAW giPackRaw(float openness, float depth, vec2 normal, vec3 hidden)
 {
   uvec2 n = uvec2(normal * 2047.0 + 0.5);
@@ -65,13 +65,13 @@ vec3 giRawHidden(GI_RAW word)
 #endif
 }
 
-// What is handed on: openness and, with GI_BENT, the mean direction of the light that arrives times its share, in
-// world coordinates, 1 long where nothing is hidden, moved into [0, 1].
+// Final result: openness and, with GI_BENT, the mean direction of the arriving light times its share, in
+// world coordinates, mapped to [0, 1]. The direction has unit length where nothing is occluded.
 #ifdef GI_BENT
 #define GI_OPEN vec4
 vec4 giOpen(float openness, vec3 N, vec3 hidden)
 {
-  // The light of an open surface has a mean direction 2 / 3 long.
+  // The mean direction of an open surface's light has the length 2 / 3.
   return vec4(max(openness, 0.0), 0.5 + 0.5 * (mat3(view.ViewToWorld) * (N - 1.5 * hidden)));
 }
 #else

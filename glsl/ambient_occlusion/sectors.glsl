@@ -1,41 +1,41 @@
-// To one side of a slice, by sectors that hold alike much light: each thing closes those between its
-// front and its back. After Therrien, Levesque and Gilet 2023, Screen Space Indirect Lighting with
-// Visibility Bitmask, with the sectors spread by the closed form of the arc.
+// Occlusion on one side of a slice, by sectors that hold equal amounts of light. Each occluder closes the sectors
+// between its front and its back. After Therrien, Levesque and Gilet 2023, Screen Space Indirect Lighting with
+// Visibility Bitmask, with sectors derived from the closed form of the arc.
 uniform float thickness; // world units
 
 const uint SECTORS = 32u;
 
-// The highest point within the radius of what is seen there, which stands for all behind it.
-float walkTop(vec2 seen)
+// Height of an occluder, limited to the radius.
+float walkHeight(vec2 seen)
 {
   return min(seen.y, sqrt(max(radius * radius - seen.x * seen.x, 0.0)));
 }
 
-// The light from the view direction to that of an offset (across, toward).
+// Light of the arc from the view direction to the direction of an offset (across, toward).
 float sectorLight(vec2 offset, vec2 n)
 {
   vec2 d = offset * inversesqrt(max(dot(offset, offset), 1e-30));
   return giArc(d.y, d.x, n);
 }
 
-// The sectors that what is seen at a place closes; first: where they begin, or the last.
+// Mask of the sectors that the surface at position t occludes. first: the first of them, or SECTORS if there is none.
 uint sectorsAt(Walk walk, WalkLine line, Search search, float t, float scale, out uint first)
 {
   vec2 seen;
   bool rises = walkStep(walk, line, search, t, seen);
-  vec2 front = vec2(seen.x, walkTop(seen));
+  vec2 front = vec2(seen.x, walkHeight(seen));
   vec2 back = vec2(seen.x, min(seen.y - thickness, front.y));
   bool below = dot(back, line.n.yx) <= 0.0;
-  // Rounded by chance, so that what is smaller than a sector counts in part.
+  // Stochastic rounding, so that occluders smaller than a sector count partly.
   first = min(uint(sectorLight(front, line.n) * scale + walk.shift), SECTORS);
   uint last = below ? SECTORS : min(uint(sectorLight(back, line.n) * scale + walk.shift), SECTORS);
-  bool some = rises && last > first;
-  first = some ? first : SECTORS;
-  return some ? (0xffffffffu >> (SECTORS - (last - first))) << first : 0u;
+  bool occludes = rises && last > first;
+  first = occludes ? first : SECTORS;
+  return occludes ? (0xffffffffu >> (SECTORS - (last - first))) << first : 0u;
 }
 
 #ifdef GI_BENT
-// Of the arc from the view direction that holds so much light: its light's mean direction times the light.
+// Mean direction times light of the arc that starts at the view direction and holds this much light.
 vec2 sectorMoment(float light, float whole, vec2 n)
 {
   float low = 0.0;
@@ -55,7 +55,7 @@ vec2 sectorMoment(float light, float whole, vec2 n)
   return giArcMoment(cos(angle), sin(angle), n);
 }
 
-// The mean direction of the light in sectors, times the light, across the view and toward the eye.
+// Mean direction of the light in the closed sectors times the light, across the view and toward the eye.
 vec2 closedMoment(uint closed, float whole, vec2 n)
 {
   float sector = whole / float(SECTORS);
@@ -72,8 +72,8 @@ vec2 closedMoment(uint closed, float whole, vec2 n)
 }
 #endif
 
-// The light that is closed; with GI_BENT its mean direction times it, across the view and toward the eye.
-vec3 closedSide(Walk walk, WalkLine line)
+// x: occluded light; yz, with GI_BENT: its mean direction times the light, across the view and toward the eye.
+vec3 occludedSide(Walk walk, WalkLine line)
 {
   float whole = giWholeArc(line.n);
   float scale = float(SECTORS) / max(whole, 1e-6);

@@ -1,5 +1,5 @@
 #version 430 core
-// From half resolution to the window's: of the four texels around a pixel, those on its surface.
+// Upsamples from half resolution: averages those of the four texels around a pixel that are on its surface.
 // Kopf, Cohen, Lischinski and Uyttendaele 2007, Joint Bilateral Upsampling. Variants: GI_STRIDE,
 // GI_BENT.
 #include "shared/view.h"
@@ -24,7 +24,7 @@ void main()
   ivec2 high = ivec2(view.Viewport.xy + view.Viewport.zw - 1.0) / 2;
   vec2 place = vec2(pixel - giRawOffset()) * 0.5;
   ivec2 corner = ivec2(floor(place));
-  vec2 part = place - vec2(corner);
+  vec2 fraction = place - vec2(corner);
   float sum = 0.0;
   vec3 hidden = vec3(0.0);
   float weights = 0.0;
@@ -33,10 +33,10 @@ void main()
     ivec2 offset = ivec2(i & 1, i >> 1);
     ivec2 at = clamp(corner + offset, low, high);
     GI_RAW other = GI_RAW_OF(texelFetch(rawTexture, at, 0));
-    vec2 near = mix(1.0 - part, part, vec2(offset));
-    // Where none is alike, all count a little.
-    float alike = giAlike(here, vec2(giRawPixel(at) - pixel), giRawDepth(other), giRawNormal(other));
-    float weight = (near.x * near.y + 1e-3) * (alike + 1e-3);
+    vec2 bilinear = mix(1.0 - fraction, fraction, vec2(offset));
+    // If none is on the surface, all of them count a little.
+    float similarity = giSimilarity(here, vec2(giRawPixel(at) - pixel), giRawDepth(other), giRawNormal(other));
+    float weight = (bilinear.x * bilinear.y + 1e-3) * (similarity + 1e-3);
     sum += weight * giRawOpenness(other);
     hidden += weight * giRawHidden(other);
     weights += weight;

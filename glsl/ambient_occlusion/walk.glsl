@@ -1,4 +1,4 @@
-// A walk over the depth buffer, from a pixel along the screen. Needs shared/view.h.
+// A walk over the depth buffer, from a pixel in a direction of the screen. Needs shared/view.h.
 layout(binding = 0) uniform sampler2D depthTexture;
 
 uniform float radius; // world units
@@ -11,13 +11,13 @@ struct Walk
   ivec2 pixel;
   vec2 place; // the pixel's centre in the window
   float depth;
-  float shift; // of the places, in steps
+  float shift; // jitter of the samples, in steps
   vec3 P;
   vec3 N;
   vec3 V; // to the eye
   vec4 clip;
-  float w; // of the homogeneous position that clip coordinates give
-  vec3 perOffset; // what an offset in the window adds to w
+  float w; // of the view position computed from clip coordinates
+  vec3 perOffset; // change of w per offset in the window
 };
 
 Walk walkFrom(ivec2 pixel, float depth, vec3 N, float shift)
@@ -37,19 +37,19 @@ Walk walkFrom(ivec2 pixel, float depth, vec3 N, float shift)
   return walk;
 }
 
-// One side of a slice: where it leads on the screen, and the offset from P of what is seen there,
-// across the view and toward the eye. Window coordinates and depth are a projective map of
-// positions, so that both are ratios of functions linear in the offsets of those.
+// One side of a slice: its direction on the screen, and the linear functions that give the offset from P of a visible
+// point, across the view and toward the eye. Window coordinates and depth are a projective map of
+// positions, so both offsets are ratios of functions that are linear in window coordinates and depth.
 struct WalkLine
 {
   vec2 direction; // on the screen
-  float pixels;   // to the radius
-  vec2 n;         // cosine and sine of the angle by which the normal leans this way
+  float pixels;   // length of the radius
+  vec2 n;         // cosine and sine of the angle by which the normal leans to this side
   vec3 across;
   vec3 toward;
 };
 
-// Pixels from a place to the viewport's border.
+// Distance in pixels from a position to the viewport's border.
 float walkToBorder(vec2 place, vec2 direction)
 {
   vec2 border = view.Viewport.xy + mix(vec2(0.0), view.Viewport.zw, greaterThan(direction, vec2(0.0)));
@@ -57,15 +57,16 @@ float walkToBorder(vec2 place, vec2 direction)
   return min(abs(reach.x), abs(reach.y));
 }
 
-// What an offset in the window is along an axis of the view, but for the division by w.
+// Linear function that maps an offset in the window to the offset along an axis in view coordinates, before division by
+// w.
 vec3 walkAxis(Walk walk, vec3 axis)
 {
   vec4 plane = vec4(axis, -dot(axis, walk.P));
   return (plane * view.ClipToView).xyz * vec3(2.0 / view.Viewport.zw, 2.0);
 }
 
-// T: a direction of the view, at right angles to V. n: cosine and sine of the angle to that of the
-// normal's part in the slice. rise: walkAxis() of that part.
+// Side of a slice along T, a direction in view coordinates perpendicular to V. n: cosine and sine of the angle from V
+// to the normal's projection into the slice. rise: walkAxis() of that projection.
 WalkLine walkAlong(Walk walk, vec3 T, vec2 n, vec3 rise)
 {
   WalkLine line;
@@ -75,7 +76,7 @@ WalkLine walkAlong(Walk walk, vec3 T, vec2 n, vec3 rise)
   line.direction = perUnit / pixels;
   line.pixels = radius * pixels;
   line.n = n;
-  // A texel's centre lies beside the slice: its height over the tangent plane counts, so that no
+  // The centre of a texel lies beside the slice. Its height over the tangent plane counts, so that no
   // plane occludes itself.
   vec3 run = walkAxis(walk, n.x * T - n.y * walk.V);
   line.across = rise * n.y + run * n.x;
@@ -83,25 +84,25 @@ WalkLine walkAlong(Walk walk, vec3 T, vec2 n, vec3 rise)
   return line;
 }
 
-// The other side of its slice.
+// The opposite side of the slice.
 WalkLine walkBack(WalkLine line)
 {
   return WalkLine(-line.direction, line.pixels, vec2(line.n.x, -line.n.y), -line.across, line.toward);
 }
 
-// The places of a walk, from 0 to 1: `steps` evenly apart, then `refinements` that look for where the
-// highest thing so far ends, as things end between two places.
+// Sample positions of a walk, from 0 to 1: first `steps` evenly spaced ones, then `refinements` that search for the
+// edge of the highest occluder so far, which lies between two samples.
 struct Search
 {
   vec2 direction; // on the screen
-  float reach;    // pixels to the last place
+  float reach;    // pixels to the last sample
   float best;
   float gap;
 };
 
 Search walkSearch(Walk walk, WalkLine line)
 {
-  // Where the border is nearer than the next pixel, all places are the pixel itself.
+  // If the border is nearer than the next pixel, all samples are at the pixel itself.
   float border = walkToBorder(walk.place, line.direction);
   vec2 direction = border > 1.0 ? line.direction : vec2(0.0);
   return Search(direction, max(min(line.pixels, border - 0.01), 1.0), 0.0, 1.0 / float(steps));
@@ -113,8 +114,8 @@ float walkNext(Walk walk, inout Search search, int i)
   return i < steps ? (float(i) + walk.shift) * search.gap : min(search.best + search.gap, 1.0);
 }
 
-// What is seen at the place t, in [0, 1): its offset across the view and toward the eye; false where
-// it does not rise over the pixel's tangent plane. Places crowd near the pixel, where a small thing
+// Offset of the surface that is visible at position t in [0, 1), across the view and toward the eye. Returns false if
+// the surface does not rise over the pixel's tangent plane. Samples are denser near the pixel, where a small occluder
 // fills a large angle.
 bool walkStep(Walk walk, WalkLine line, Search search, float t, out vec2 seen)
 {

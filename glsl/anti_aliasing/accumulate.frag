@@ -1,9 +1,9 @@
 #version 430 core
-// The average of the still frames so far. GI_FIRST starts a new sum; GI_FROZEN shows the sum as it
+// Mean of the still frames so far. GI_FIRST starts a new sum; GI_FROZEN shows the sum as it
 // is, without this frame.
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(binding = 0, rgba32f) uniform image2D sums;
-uniform float frames; // in the sum, this one included
+uniform float frames; // number of frames in the sum, including this one
 
 layout(location = 0) out vec4 color;
 

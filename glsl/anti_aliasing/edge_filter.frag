@@ -1,17 +1,17 @@
 #version 430 core
-// Smooths stairs along edges, after the method of FXAA (Lottes 2009): find the edge through a
-// pixel by its contrast, follow it both ways to its ends, and shift the pixel across it by how far
-// along the stair it lies. Single dots and thin lines, which have no such edge, are blended by how
-// much they stand out.
+// Smooths stair-steps along edges, after FXAA (Lottes 2009): finds the edge through a
+// pixel by its contrast, follows it in both directions to its ends, and shifts the pixel across the edge by its
+// position along the step. Single dots and thin lines, which have no such edge, are blended by their contrast to the
+// neighbourhood.
 #include "shared/view.h"
 
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(location = 0) out vec4 color;
 
-const float SmallestContrast = 0.0312; // in the dark, below which an edge is not seen
-const float RelativeContrast = 0.125;  // of the brightest neighbour
+const float SmallestContrast = 0.0312; // visibility threshold in the dark
+const float RelativeContrast = 0.125;  // threshold relative to the brightest neighbour
 const float DotBlend = 0.75;
-const int Reach = 10; // pixels along an edge
+const int Reach = 10; // length of the search along an edge, in pixels
 
 ivec2 low, high;
 
@@ -58,7 +58,7 @@ void main()
   float acrossHorizontal = abs(nw - 2.0 * n + ne) + 2.0 * abs(w - 2.0 * m + e) + abs(sw - 2.0 * s + se);
   bool horizontal = acrossVertical >= acrossHorizontal;
 
-  // The neighbour across the edge, and the way along it.
+  // The neighbour across the edge, and the direction along it.
   float plus = horizontal ? n : e;
   float minus = horizontal ? s : w;
   bool towardPlus = abs(plus - m) >= abs(minus - m);
@@ -91,7 +91,7 @@ void main()
   float nearest = float(min(forward, backward));
   float length = float(forward + backward);
   float end = forward < backward ? endForward : endBackward;
-  // The stair steps toward this pixel only if the edge's end differs the other way than it does.
+  // The step goes toward this pixel only if the contrast at the edge's end has the opposite sign.
   float shift = (end < 0.0) != (m - middle < 0.0) ? 0.5 - nearest / length : 0.0;
 
   float average = (2.0 * (n + s + e + w) + ne + nw + se + sw) / 12.0;

@@ -1,4 +1,4 @@
-  // In VTK's own colour. Where it covers the pixel in part, what lies below keeps its normal.
+  // Keep VTK's own colour. Where it covers the pixel only partly, the surface below keeps its normal.
   vec4 giDrawn = vec4(giLit.rgb * gl_FragData[0].rgb, gl_FragData[0].a);
   if (giDrawn.a <= giLeastCover())
   {

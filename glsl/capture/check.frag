@@ -1,6 +1,6 @@
 #version 150
-// Stands in for VTK's template, to find out whether capture snippets from another folder compile:
-// VTK ends the program where they do not.
+// Stands in for VTK's template, to find out whether capture snippets from another folder compile. In VTK's template
+// an error would end the process.
 #define GI_FLAT 1
 #define GI_ROUND 1
 vec4 giRoundVSOutput = vec4(0.0, 0.0, 1.0, 0.0);

@@ -1,14 +1,14 @@
-// What covers a texel in part casts its shadow by as many of the texels as it covers: where its alpha
+// A translucent occluder is drawn in a share of the shadow map's texels equal to its alpha: in those where its alpha
 // exceeds a threshold (hashed alpha testing: Wyman and McGuire 2017; thresholds by an additive recurrence
-// over the plane, of which every few neighbours hold an even spread: Roberts 2018, The Unreasonable
-// Effectiveness of Quasirandom Sequences). Layers that one prop puts behind another, or its back behind its
-// front, have thresholds of their own, so that they let through the product of what each lets through.
-uniform int giCasts;    // whether a caster's depth is drawn
-uniform ivec2 giAnchor; // the texel in which the thresholds' pattern starts
-uniform int giLayer;    // of the casters, which
+// over the plane, whose values are evenly distributed over any few neighbours: Roberts 2018, The Unreasonable
+// Effectiveness of Quasirandom Sequences). Different props, and the front and back of one prop, use different
+// thresholds, so that layers behind each other transmit the product of their transmittances.
+uniform int giCasts;    // whether this draws the depth of an occluder
+uniform ivec2 giAnchor; // texel in which the pattern of thresholds starts
+uniform int giLayer;    // index of the occluder
 
-// Steps of the recurrence in x and y. The first pair is Roberts', the others were searched for: each alone
-// and any two multiplied are even after a filter of 2.5 texels.
+// Steps of the recurrence in x and y. The first pair is by Roberts. A search found the others: each of them, and the
+// product of any two, is even after a filter of 2.5 texels.
 const vec2 GiSteps[8] = vec2[8](vec2(0.75487767, 0.56984029), vec2(0.56984029, 0.75487767),
   vec2(0.60507747, 0.45038666), vec2(0.69534107, 0.19934775), vec2(0.84522939, 0.40044350),
   vec2(0.90670314, 0.61051475), vec2(0.61897838, 0.89648935), vec2(0.40882836, 0.69535490));

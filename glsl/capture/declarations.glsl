@@ -1,23 +1,21 @@
-// Into a mapper's fragment shader (GLSL 1.50). The layout of the G-buffer:
+// Inserted into a mapper's fragment shader (GLSL 1.50). The layout of the G-buffer:
 //   0 albedo:   rgb diffuse reflectance, a coverage
 //   1 normal:   xy octahedral normal in view coordinates, z material / 65535
-//   2 ambient:  rgb radiance reflected from ambient light or surroundings; of a surface that is
-//               shown as drawn, its colour. a: where nothing is blended, 0: in frames in which
-//               no surface has any of this, the target starts resource::Irradiance
-// and, where the scene holds textures or PBR (GI_EXTENDED):
+//   2 ambient:  rgb radiance reflected from ambient light or from the environment; the colour of a
+//               surface that is shown as drawn. a: 0 where nothing is blended, as this target becomes
+//               resource::Irradiance in frames in which no surface has an ambient term
+// If the scene has textures or PBR (GI_EXTENDED):
 //   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
-//   4 emission: rgb radiance given off
-// and, where a technique asks for it, in this order (the targets' numbers are filled in, see
-// CaptureOutputs.h):
-//   surroundings: rgb the part of the ambient radiance that highlights reflect of the environment
-//   displacement: xyz how far the point was from here one frame ago, within its prop, but in view
-//               coordinates
-//   facet:      xy octahedral normal of the flat piece of surface in view coordinates, z by how much the
-//               round surface that the shading normals stand for is above it, by giEncodeHeight
-// Where fragments may cover a pixel in part, all of them are blended by their alpha.
-// An interpolated alpha of one may come out a rounding less: what eight bits cannot tell from one
-// is one.
+//   4 emission: rgb emitted radiance
+// Those of the following that a technique requests, in this order (CaptureOutputs.h assigns the targets' numbers):
+//   surroundings: rgb the part of the ambient radiance that highlights reflect from the environment
+//   displacement: xyz vector to the point's position in the previous frame, by deformation within the prop alone,
+//               in view coordinates
+//   facet:      xy octahedral normal of the flat facet in view coordinates, z height of the curved surface that the
+//               shading normals represent over the facet, as giEncodeHeight
+// Where fragments may cover a pixel partly, all of them are blended by their alpha.
+// Smallest alpha that counts as opaque: an interpolated alpha of one may be rounded down, by less than eight bits show.
 const float giOpaque = 254.5 / 255.0;
 #ifdef GI_DISPLACEMENT
 #ifdef GI_DEFORMS

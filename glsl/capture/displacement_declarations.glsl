@@ -1,5 +1,5 @@
-// Into a mapper's vertex shader (GLSL 1.50): how far each point was from here, one frame ago.
+// Inserted into a mapper's vertex shader (GLSL 1.50): the vector from each point to its position in the previous frame.
 uniform int giDeforms;
-uniform samplerBuffer giPointDisplacements; // in the prop's coordinates, by the point's number
+uniform samplerBuffer giPointDisplacements; // in the prop's coordinates, by point index
 uniform mat3 giPropToView;
 out vec3 giDisplacement;

@@ -1,7 +1,7 @@
-  // The normal of the flat piece that lies under the pixel, toward the eye, and how far below the round surface
-  // it is that the normals stand for: the mean of what it is below the planes at the corners (Hanika 2021,
-  // Hacking the Shadow Terminator). Variants: GI_FLAT, unless the normal is the surface's own; GI_ROUND, the
-  // vertex shader ends with capture/round.glsl. Here, as derivatives are not defined in branches.
+  // Normal of the flat facet at the pixel, toward the eye, and the facet's depth below the curved surface that the
+  // normals represent: the mean of its depths below the tangent planes at the corners (Hanika 2021,
+  // Hacking the Shadow Terminator). Variants: GI_FLAT, unless the shading normal is the geometric one; GI_ROUND, if the
+  // vertex shader ends with capture/round.glsl. This is outside of all branches, where derivatives would be undefined.
   vec3 giFacet = normalVCVSOutput;
 #ifdef GI_FLAT
   vec3 giAcross = dFdx(vertexVC.xyz);
@@ -9,7 +9,7 @@
   giAcross = cross(giAcross / max(max(abs(giAcross.x), abs(giAcross.y)), abs(giAcross.z)),
     giAlong / max(max(abs(giAlong.x), abs(giAlong.y)), abs(giAlong.z)));
   float giLength = length(giAcross);
-  giFacet = giLength > 0.0 ? giAcross / giLength : giFacet; // false of what is not a number
+  giFacet = giLength > 0.0 ? giAcross / giLength : giFacet; // the condition is false for NaN
 #endif
   float giBulge = 0.0;
 #ifdef GI_ROUND

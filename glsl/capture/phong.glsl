@@ -8,7 +8,7 @@
   else
   {
     vec3 giTexture = gl_FragData[0].rgb;
-    // Only VTK's edges drawn as tubes shorten the normal, where they blend into the surface.
+    // Only edges that VTK draws as tubes shorten the normal, where they blend into the surface.
     gl_FragData[0] = vec4(diffuseColor * giTexture * length(normalVCVSOutput), 1.0);
     gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput),
       float(gl_FrontFacing ? giMaterial : giBackMaterial) / 65535.0, 1.0);

@@ -1,6 +1,6 @@
 #version 430 core
-// Into a probe's maps goes what its rays found. A group for each probe, an invocation for each row. Variants: GI_BLEND_DISTANCE (the map
-// of distances, else that of light).
+// Blends the results of a probe's rays into its map. One group per probe, one invocation per row. Variants:
+// GI_BLEND_DISTANCE (the distance map, else the irradiance map).
 #include "lib/octahedral.glsl"
 #include "lib/sampling.glsl"
 #include "ddgi/field.glsl"
@@ -16,18 +16,19 @@ layout(rgba32f, binding = 1) uniform image2D map;
 #endif
 layout(local_size_x = TEXELS) in;
 
-layout(binding = 0) uniform sampler2D foundTexture; // radiance, distance; a row for each probe
+layout(binding = 0) uniform sampler2D foundTexture; // radiance, distance; one row per probe
 
 uniform int firstProbe;
-uniform int stride; // of the probes whose distances are settled one in so many is blended; 0: none
+uniform int stride; // one in `stride` probes with settled distances is updated; 0: none
 uniform int rays;
 uniform int update;
-uniform float least;   // share of this update in the map
-uniform float most;    // updates before that count, at most, where they count as many
+uniform float least;   // minimum weight of an update
+uniform float most;    // maximum number of earlier updates that count
 
-const float SETTLED = 4.0; // updates of a map since its probe stands where it does
+const float SETTLED = 4.0; // number of updates at a probe's position after which its distance map is settled
 
-// The border repeats what lies across the fold, so that filters need not know of it.
+// Stores a texel. The border repeats the texels across the fold of the octahedron, so that filtering needs no special
+// case.
 void store(ivec2 corner, ivec2 texel, vec4 value)
 {
   bvec2 first = equal(texel, ivec2(0));
@@ -51,7 +52,7 @@ void store(ivec2 corner, ivec2 texel, vec4 value)
 
 void main()
 {
-  // A row of texels each: software renderers fetch for every invocation by itself.
+  // An invocation updates a row of texels, as software renderers share no fetches between invocations.
   int probe = firstProbe + int(gl_WorkGroupID.x);
   int row = int(gl_LocalInvocationID.x);
   ProbeState state = probeState(probe);
@@ -68,14 +69,14 @@ void main()
 #else
   float count = state.lights++;
 #endif
-  // What came earlier weighs less, as it knew fewer bounces: the next of n updates takes the share 2 / (n + 2).
-  float share = max(least, 2.0 / (min(count, most) + 2.0));
+  // Earlier updates weigh less, as they contain fewer bounces: after n updates the next one has the weight 2 / (n + 2).
+  float updateWeight = max(least, 2.0 / (min(count, most) + 2.0));
 #ifdef GI_BLEND_DISTANCE
-  float farthest = 1.5 * length(fieldGridWith(probe).spacing); // distances beyond it count as this
+  float farthest = 1.5 * length(fieldGridWith(probe).spacing); // upper bound of distances
 #endif
   mat3 turn = fieldTurn(probe, update);
-  vec3 directions[TEXELS]; // where the rays are not turned yet
-  vec4 sums[TEXELS];       // w: weights
+  vec3 directions[TEXELS]; // in the coordinates of the unrotated rays
+  vec4 sums[TEXELS];       // w: sum of weights
   for (int x = 0; x < TEXELS; ++x)
   {
     directions[x] = giDecodeOctahedral((vec2(x, row) + 0.5) / float(TEXELS)) * turn;
@@ -95,8 +96,8 @@ void main()
     {
       float weight = max(dot(directions[x], toward), 0.0);
 #ifdef GI_BLEND_DISTANCE
-      // A narrow lobe: the 64th power. Of less than this it is as good as nothing, but numbers that are nearly zero take
-      // a processor ten times as long.
+      // A narrow lobe: the 64th power. Below this cosine it is practically zero, but denormal numbers would take a
+      // processor ten times as long.
       weight = weight > 0.4 ? weight : 0.0;
       weight *= weight;
       weight *= weight;
@@ -112,11 +113,11 @@ void main()
   for (int x = 0; x < TEXELS; ++x)
   {
     ivec2 texel = ivec2(x, row);
-    vec4 before = imageLoad(map, corner + 1 + texel);
-    vec4 now = sums[x].w > 1e-6 ? sums[x] / sums[x].w : before;
-    store(corner, texel, share < 1.0 ? mix(before, now, share) : now);
+    vec4 previous = imageLoad(map, corner + 1 + texel);
+    vec4 updated = sums[x].w > 1e-6 ? sums[x] / sums[x].w : previous;
+    store(corner, texel, updateWeight < 1.0 ? mix(previous, updated, updateWeight) : updated);
   }
-  barrier(); // until every row has read the state
+  barrier(); // all rows have read the state
   if (row == 0)
   {
     setProbeState(probe, state);

@@ -1,6 +1,6 @@
 #version 430 core
-// Which of its neighbours a probe sees: a bit for each of thirteen, the others see it. Variants: those of
-// rays/passage.glsl.
+// Finds which neighbours a probe sees. It stores a bit for thirteen of them; the other thirteen store a bit for this
+// probe. Variants: those of rays/passage.glsl.
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/sampling.glsl"

@@ -1,8 +1,8 @@
-// The directions that a probe's rays take in an update: a table of directions spread evenly over the sphere,
-// turned at random for each probe and update. Needs lib/sampling.glsl.
+// Directions of a probe's rays in an update: a table of directions distributed evenly over the sphere,
+// with a random rotation for each probe and update. Needs lib/sampling.glsl.
 layout(binding = 3) uniform sampler2D fieldDirections;
 
-// A random rotation: a random axis for z, and a random turn about it.
+// Random rotation: a random z axis, and a random angle about it.
 mat3 fieldTurn(int probe, int update)
 {
   uint state = giHash(uint(probe) ^ giHash(uint(update)));

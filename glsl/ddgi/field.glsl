@@ -1,10 +1,10 @@
-// Irradiance at a point between probes that keep it, divided by pi, in an octahedral map over all directions
+// Irradiance at a point between live probes. Each probe holds irradiance divided by pi in an octahedral map
 // with a border of one texel. Needs lib/octahedral.glsl.
 #include "probes/field.glsl"
 layout(binding = 4) uniform sampler2D fieldLight;
 
-// What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing
-// near hides some. V, reach: as for fieldWeights().
+// Irradiance at a point of a surface, divided by pi. D: mean direction of the unoccluded light, N if nothing nearby
+// occludes it. V, reach: as for fieldWeights().
 vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
   vec3 sum = vec3(0.0);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// DDGI's probes for what VTK draws itself. Needs lib/octahedral.glsl and lib/cube_light.glsl.
+// Light of DDGI's probes on props that VTK draws itself. Needs lib/octahedral.glsl and lib/cube_light.glsl.
 #include "ddgi/field.glsl"
 
-// In place of a surface: all around a point, which probes on every side light alike.
+// Light from all around a point in space, where no surface excludes the probes on one side.
 void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
-  const float least = 1e-4; // less makes no difference that is seen
+  const float least = 1e-4; // smaller weights make no visible difference
   fieldEachGrid(P)
   {
     int probes[8];

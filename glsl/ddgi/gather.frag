@@ -1,5 +1,5 @@
 #version 430 core
-// What the probes send to each pixel's surface, divided by pi.
+// Irradiance from the live probes at each pixel's surface, divided by pi.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"

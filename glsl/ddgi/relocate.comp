@@ -1,6 +1,6 @@
 #version 430 core
-// Where a probe should stand. One in the dark, which no neighbour in the light sees, is within something: it goes
-// to the nearest surface that such a neighbour sees, before it. Neither the winding of polygons nor whether
+// Chooses where a probe stands. A dark probe that no lit neighbour sees is inside an object. It moves in front of the
+// nearest surface that such a neighbour sees. Neither the winding of polygons nor whether
 // surfaces are closed matters for that. Variants: those of rays/passage.glsl.
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -13,19 +13,20 @@
 
 layout(local_size_x = 64) in;
 
-layout(rgba32f, binding = 0) uniform writeonly image2D places; // w: 0 where the probe stays, else 1 and the neighbour in the light that sees it there, or -1
-layout(binding = 0) uniform sampler2D foundTexture; // of the last update: radiance, distance; a row for each probe
+// w: 0 if the probe stays, 1 + its witness if it moves, -1 if it moves without one.
+layout(rgba32f, binding = 0) uniform writeonly image2D places;
+layout(binding = 0) uniform sampler2D foundTexture; // of the last update: radiance, distance; one row per probe
 
 uniform int probeCount;
 uniform int rays;
-uniform int update; // the last
+uniform int update; // the last one
 uniform bool geometryMoves;
 
-const float DARK = 0.02;      // of the brightest neighbour's light
-const float LIT = 0.1;        // likewise
-const float CLEARANCE = 0.2; // of a cell, before a surface
-const float NARROW = 1.4;     // mean free way in cells, at most, within things; in rooms it is more
-const float SAME = 0.1;       // of a cell: a place that is not worth going to from another
+const float DARK = 0.02;      // maximum brightness of a dark probe, relative to the brightest neighbour
+const float LIT = 0.1;        // minimum brightness of a lit neighbour, likewise
+const float CLEARANCE = 0.2; // distance from a surface, in cells
+const float NARROW = 1.4;     // maximum mean free path inside objects, in cells; in rooms it is longer
+const float SAME = 0.1;       // minimum distance of a move, in cells
 
 float brightness(int probe)
 {
@@ -40,12 +41,12 @@ float brightness(int probe)
   return sum.r + sum.g + sum.b;
 }
 
-bool atHome(int probe)
+bool isAtGridPoint(int probe)
 {
   return texelFetch(fieldProbes, fieldTile(probe), 0).xyz == vec3(0.0);
 }
 
-// The neighbour at an offset of -1, 0 or 1 along each axis, from 27; -1 where there is none.
+// One of the 26 neighbours, at an offset of -1, 0 or 1 along each axis; -1 if there is none.
 int neighbour(fieldGrid grid, ivec3 cell, int number)
 {
   ivec3 other = cell + ivec3(number % 3, (number / 3) % 3, number / 9) - 1;
@@ -53,7 +54,7 @@ int neighbour(fieldGrid grid, ivec3 cell, int number)
   return outside || number == 13 ? -1 : fieldIndex(grid, other);
 }
 
-// Of the last update's rays; surfaces further off than a limit count as if they were there.
+// Mean distance that the last update's rays travelled, each up to a limit.
 float meanDistance(int probe, float limit)
 {
   float sum = 0.0;
@@ -64,27 +65,27 @@ float meanDistance(int probe, float limit)
   return sum / float(rays);
 }
 
-// How far off its home the probe should stand. witness: a neighbour in the light that sees it there.
-vec3 offHome(fieldGrid grid, int probe, out int witness)
+// Offset from the probe's grid point at which it should stand. witness: a lit neighbour that sees it there, or -1.
+vec3 chooseOffset(fieldGrid grid, int probe, out int witness)
 {
   witness = -1;
   ivec3 cell = fieldCell(grid, probe);
   vec3 home = grid.origin + grid.spacing * vec3(cell);
-  vec3 now = texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
+  vec3 currentOffset = texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
   float lights[27];
   float brightest = 0.0;
   for (int i = 0; i < 27; ++i)
   {
     int other = neighbour(grid, cell, i);
-    lights[i] = other >= 0 && atHome(other) ? brightness(other) : 0.0;
+    lights[i] = other >= 0 && isAtGridPoint(other) ? brightness(other) : 0.0;
     brightest = max(brightest, lights[i]);
   }
-  if (brightest <= 0.0 || (atHome(probe) && brightness(probe) > DARK * brightest))
+  if (brightest <= 0.0 || (isAtGridPoint(probe) && brightness(probe) > DARK * brightest))
   {
     return vec3(0.0);
   }
   float size = fieldCellSize(grid);
-  if (atHome(probe) && meanDistance(probe, 4.0 * size) > NARROW * size)
+  if (isAtGridPoint(probe) && meanDistance(probe, 4.0 * size) > NARROW * size)
   {
     return vec3(0.0);
   }
@@ -107,22 +108,22 @@ vec3 offHome(fieldGrid grid, int probe, out int witness)
     if (traceThrough(ray, at, first, state).instance < 0)
     {
       witness = other;
-      return vec3(0.0); // home is in the light
+      return vec3(0.0); // a lit neighbour sees the grid point
     }
     float hit = length(at.position - from);
     if (reach - hit < nearest)
     {
       nearest = reach - hit;
       witness = other;
-      // Off the surface by the same, however slanting it is seen.
+      // Keep the same distance from the surface at any angle.
       float off = CLEARANCE * size / max(0.2, abs(dot(at.normal, direction)));
       best = from + direction * max(hit - off, 0.5 * hit) - home;
     }
   }
-  return length(best - now) < SAME * size ? now : best;
+  return length(best - currentOffset) < SAME * size ? currentOffset : best;
 }
 
-// Whether the last update's rays found a surface in one of the cells around the probe.
+// Whether the last update's rays hit a surface in one of the cells around the probe.
 bool nearSurfaces(fieldGrid grid, int probe)
 {
   vec3 off = texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
@@ -153,7 +154,7 @@ void main()
     state.idle = nearSurfaces(grid, probe) ? 0.0 : state.idle + 1.0;
   }
   int witness;
-  vec3 off = offHome(grid, probe, witness);
+  vec3 off = chooseOffset(grid, probe, witness);
   if (off != before)
   {
     state = ProbeState(0.0, 0.0, 0.0);

@@ -1,6 +1,6 @@
 #version 430 core
-// Probes of a grid that moved, where the grid had none before: they know nothing, and the grids around are asked in their
-// place, until their first update, which takes the light of all bounces from the probes around. Variants: those of
+// Resets the probes that enter a grid when it scrolls. Until their first update the coarser grids are used in their
+// place. That update already contains the light of all bounces, from the probes around. Variants: those of
 // probes/field.glsl.
 #include "lib/octahedral.glsl"
 #include "ddgi/field.glsl"
@@ -12,8 +12,8 @@ layout(rgba32f, binding = 0) uniform writeonly image2D probes;
 layout(rg32f, binding = 3) uniform writeonly image2D distances;
 layout(rgba32f, binding = 4) uniform writeonly image2D places;
 
-uniform int number;  // of the grid
-uniform ivec3 moved; // by so many cells
+uniform int number;  // index of the grid
+uniform ivec3 moved; // movement in cells
 
 #include "ddgi/see_nothing.glsl"
 

@@ -1,5 +1,5 @@
 #version 430 core
-// Balls at the live probes.
+// Draws balls at the live probes.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -7,7 +7,7 @@
 #include "ddgi/states.glsl"
 #include "probes/spheres.glsl"
 
-const int PROBE_STRAYS = 1; // moved toward a neighbour, never as far as it
+const int PROBE_STRAYS = 1; // probes move toward a neighbour, but not as far as its grid point
 
 vec3 probeIrradiance(int probe, vec3 N)
 {

@@ -1,15 +1,15 @@
-// What is known of each probe, beside its maps. Needs ddgi/field.glsl.
+// State of each probe besides its maps. Needs ddgi/field.glsl.
 struct ProbeState
 {
-  float lights;    // updates of its map of light since it stands where it does
-  float distances; // and of its map of distances
-  float idle;      // how often no surface was found that could ask it; 0 where one was
+  float lights;    // number of updates of its irradiance map at its position
+  float distances; // number of updates of its distance map at its position
+  float idle;      // number of consecutive checks that found no surface nearby that could use the probe
 };
 
 layout(rgba32f, binding = 2) uniform image2D states;
 
-const float PROBE_RESTS = 3.0; // idle so often
-const int PROBE_WAKES = 8;     // in one of so many updates
+const float PROBE_RESTS = 3.0; // idle checks after which a probe rests
+const int PROBE_WAKES = 8;     // a resting probe takes part in one of this many updates
 
 ProbeState probeState(int probe)
 {
@@ -22,7 +22,7 @@ void setProbeState(int probe, ProbeState state)
   imageStore(states, fieldTile(probe), vec4(state.lights, state.distances, state.idle, 0.0));
 }
 
-// Probes that nobody asks are updated now and then only.
+// Whether a probe skips this update, as no surface uses it.
 bool probeRests(int probe, int update, ProbeState state)
 {
   return state.idle >= PROBE_RESTS && (probe + update) % PROBE_WAKES != 0;

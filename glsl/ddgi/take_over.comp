@@ -1,7 +1,7 @@
 #version 430 core
-// Until it knows better, a probe that moves takes the light where it goes from a neighbour there, as it lights what its
-// own rays find, and is asked only where no other sees a point. After all have chosen their places, as those look at
-// each other's light.
+// Initializes probes that move. Until its next update such a probe has the light of its witness, as it lights the
+// surfaces that its own rays hit, and it lights a point only if no other probe sees it. This is a separate pass, as
+// relocate.comp compares the light of neighbours.
 #include "lib/octahedral.glsl"
 #include "ddgi/field.glsl"
 #include "ddgi/states.glsl"
@@ -9,7 +9,7 @@
 layout(local_size_x = 64) in;
 
 layout(rgba32f, binding = 0) uniform readonly image2D places;
-layout(rgba32f, binding = 1) uniform image2D map; // of light
+layout(rgba32f, binding = 1) uniform image2D map; // irradiance
 
 layout(rg32f, binding = 3) uniform image2D distances;
 
@@ -17,15 +17,15 @@ uniform int probeCount;
 
 #include "ddgi/see_nothing.glsl"
 
-// What is seen from the place that it leaves.
-void keepSightOfPlace(int probe)
+// Keeps the distance map of the grid point that a probe leaves.
+void keepGridPointDistances(int probe)
 {
   const int side = GI_FIELD_DISTANCE + 2;
   for (int i = 0; i < side * side; ++i)
   {
     ivec2 texel = ivec2(i % side, i / side);
-    vec4 sight = imageLoad(distances, fieldTile(probe) * side + texel);
-    imageStore(distances, fieldTile(fieldLeft(probe)) * side + texel, sight);
+    vec4 distance = imageLoad(distances, fieldTile(probe) * side + texel);
+    imageStore(distances, fieldTile(fieldGridPointMap(probe)) * side + texel, distance);
   }
 }
 
@@ -36,21 +36,21 @@ void main()
   {
     return;
   }
-  int moves = int(imageLoad(places, fieldTile(probe)).w); // as ddgi/relocate.comp says
+  int moves = int(imageLoad(places, fieldTile(probe)).w); // see ddgi/relocate.comp
   if (moves == 0)
   {
     return;
   }
   if (texelFetch(fieldProbes, fieldTile(probe), 0).xyz == vec3(0.0))
   {
-    keepSightOfPlace(probe);
+    keepGridPointDistances(probe);
   }
   fieldSeeNothing(probe);
   if (moves < 0)
   {
     return;
   }
-  // The witness stays where it is, in the light: nobody writes to its map.
+  // A witness is lit and stays in place, so no invocation writes to its map.
   const int side = GI_FIELD_LIGHT + 2;
   ivec2 to = fieldTile(probe) * side;
   ivec2 from = fieldTile(moves - 1) * side;

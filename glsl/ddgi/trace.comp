@@ -1,6 +1,6 @@
 #version 430 core
-// A ray of a probe: the radiance of the surface that it meets, lit by the lamps and by the probes, and how far
-// that is. Variants: GI_RAY_SKY (the surroundings shine), and those of rays/passage.glsl.
+// Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
+// distance. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
 #include "rays/trace.glsl"
@@ -20,44 +20,44 @@
 
 layout(local_size_x = 64) in;
 
-layout(rgba32f, binding = 0) uniform writeonly image2D found; // radiance, distance; a row for each probe
+layout(rgba32f, binding = 0) uniform writeonly image2D found; // radiance, distance; one row per probe
 
-uniform vec3 eye; // relative to the scene's origin: headlights shine from there
+uniform vec3 eye; // relative to the scene's origin, for headlights
 uniform int rays;
 uniform int update;
 uniform int lightCount;
 uniform int firstProbe;
 uniform int lastProbe; // one past it
-uniform bool lit;  // the probes hold light already
+uniform bool lit;  // whether the probes hold light yet
 
 const float PI = 3.14159265;
-const int MOST_LAMPS = 4; // of more, one is picked by chance
+const int MAX_LIGHTS = 4; // with more lights, a random one is sampled
 
-// What a lamp sends to a surface, divided by pi. VTK's lamps stand for an irradiance of pi times their colour
-// where Phong materials look at them, and of their colour where PBR ones do.
-vec3 arriving(LightData lamp, RaySurfacePoint at, bool pbr, inout uint state)
+// Irradiance from a light, divided by pi. A VTK light stands for an irradiance of pi times its colour on Phong
+// materials, and of its colour on PBR materials.
+vec3 irradianceFrom(LightData light, RaySurfacePoint at, bool pbr, inout uint state)
 {
-  GiIncident incident = giIncident(lamp, at.position);
+  GiIncident incident = giIncident(light, at.position);
   float facing = -dot(at.normal, incident.Travel);
   if (facing <= 0.0 || incident.Attenuation <= 0.0)
   {
     return vec3(0.0);
   }
-  if (!rayReaches(rayTowardLight(lamp, at.position, eye), at, state))
+  if (!rayReaches(rayTowardLight(light, at.position, eye), at, state))
   {
     return vec3(0.0);
   }
-  return lamp.Color.rgb * (incident.Attenuation * facing * (pbr ? 1.0 / PI : 1.0));
+  return light.Color.rgb * (incident.Attenuation * facing * (pbr ? 1.0 / PI : 1.0));
 }
 
-vec3 lampLight(RaySurfacePoint at, bool pbr, inout uint state)
+vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)
 {
   vec3 sum = vec3(0.0);
-  bool all = lightCount <= MOST_LAMPS;
+  bool all = lightCount <= MAX_LIGHTS;
   for (int i = 0; i < (all ? lightCount : 1); ++i)
   {
     int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
-    sum += (all ? 1.0 : float(lightCount)) * arriving(lights[chosen], at, pbr, state);
+    sum += (all ? 1.0 : float(lightCount)) * irradianceFrom(lights[chosen], at, pbr, state);
   }
   return sum;
 }
@@ -91,10 +91,11 @@ void main()
     if (model != GI_SURFACE_UNLIT)
     {
       bool pbr = model == GI_SURFACE_PBR;
-      // All that a surface reflects goes on evenly here.
-      vec3 albedo = pbr ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
-                        : at.color.rgb;
-      vec3 light = lampLight(at, pbr, state);
+      // All reflection is diffuse here.
+      vec3 albedo = pbr
+        ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
+        : at.color.rgb;
+      vec3 light = directLight(at, pbr, state);
       if (lit)
       {
         light += fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a);

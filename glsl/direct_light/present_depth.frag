@@ -1,5 +1,5 @@
 #version 430 core
-// Bring the depth of what was captured to a multisampled window, every sample of a pixel alike.
+// Copies the depth of captured props to a multisampled window. All samples of a pixel get the same value.
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 

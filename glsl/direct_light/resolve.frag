@@ -1,12 +1,12 @@
 #version 430 core
-// The picture from the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (a Phong
-// highlight somewhere), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
-// GI_POSITIONAL (a positional light somewhere), GI_AMBIENT (some surface may have an ambient
+// Lights the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (some Phong
+// highlights), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
+// GI_POSITIONAL (some positional lights), GI_AMBIENT (some surfaces may have an ambient
 // term), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
-// GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (and what highlights reflect of the environment
-// apart), GI_LAMP_LIGHT (of lamps that do not follow the camera, what matter reflects is known), GI_INTERREFLECTION (what hides a surface from ambient light reflects it too),
-// GI_COVERAGE (fragments that cover a pixel in part, to be blended), GI_RADIANCE (write the linear
-// radiance, not the colour as displayed), GI_LIT (write both).
+// GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (the highlights' reflection of the environment is known
+// separately), GI_LAMP_LIGHT (diffuse light from lights that do not follow the camera is known), GI_INTERREFLECTION
+// (occluders of ambient light reflect it too), GI_COVERAGE (fragments that cover a pixel partly, to be blended),
+// GI_RADIANCE (write linear radiance instead of the colour for display), GI_LIT (write both).
 #include "shared/view.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -31,7 +31,7 @@ layout(binding = 10) uniform sampler2D lampLightTexture;
 
 uniform int lightCount;
 uniform float interreflection; // share of the surfaces' reflectance
-uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
+uniform vec3 ambientLight; // radiance that a white diffuse surface reflects from uniform surroundings
 
 layout(location = 0) out vec4 color;
 #ifdef GI_LIT
@@ -49,8 +49,8 @@ float visibility(ivec2 pixel, int channel)
   return 1.0;
 }
 
-// What ambient light is multiplied by.
-vec3 ambientReaching(float openness, vec3 reflectance)
+// Factor of the ambient light.
+vec3 ambientFactor(float openness, vec3 reflectance)
 {
 #ifdef GI_INTERREFLECTION
   return giInterreflected(openness, interreflection * reflectance);
@@ -73,7 +73,7 @@ void main()
   ambient = texelFetch(ambientTexture, pixel, 0).rgb;
 #endif
 #ifdef GI_COVERAGE
-  // Blended over black, so multiplied by the coverage.
+  // The values were blended over black and are thus multiplied by the coverage.
   albedo.rgb /= albedo.a;
   ambient /= albedo.a;
 #endif
@@ -91,7 +91,7 @@ void main()
   vec3 N = giDecodeOctahedral(packedNormal.xy);
 #if defined(GI_POSITIONAL) || defined(GI_SPECULAR) || defined(GI_EXTENDED)
   vec3 P = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, pixel, 0).r);
-  vec3 V = normalize(-P); // in a parallel projection too, as VTK does
+  vec3 V = normalize(-P); // in a parallel projection too, as in VTK
 #else
   vec3 P = vec3(0.0);
   vec3 V = vec3(0.0, 0.0, 1.0);
@@ -100,13 +100,13 @@ void main()
   MaterialData material = materials[index];
 #endif
 
-  vec4 lampLight = vec4(0.0); // a: share of the lamps' light that is known
+  vec4 lampLight = vec4(0.0); // a: share of the lights' diffuse light that is known
 #ifdef GI_LAMP_LIGHT
   lampLight = texelFetch(lampLightTexture, pixel, 0);
 #endif
 
-  vec3 light = lampLight.rgb; // what reaches the surface, for its diffuse reflection
-  vec3 gloss = vec3(0.0); // what a Phong highlight reflects, or PBR altogether
+  vec3 diffuseLight = lampLight.rgb; // arriving light for the diffuse reflection
+  vec3 gloss = vec3(0.0); // light for a Phong highlight; all reflected light for PBR
 #ifdef GI_EXTENDED
   bool pbr = material.Model.x == GI_MATERIAL_PBR;
   vec4 surface = texelFetch(surfaceTexture, pixel, 0);
@@ -115,42 +115,42 @@ void main()
 #endif
   for (int i = 0; i < lightCount; ++i)
   {
-    LightData lamp = lights[i];
-    float matter = 1.0; // how much of its light is still to be reflected by more than highlights
+    LightData light = lights[i];
+    float diffuseShare = 1.0; // share of the light that is not in lampLight
 #ifdef GI_LAMP_LIGHT
-    matter = lamp.Kind.w != 0 ? 1.0 - lampLight.a : 1.0;
+    diffuseShare = light.Kind.w != 0 ? 1.0 - lampLight.a : 1.0;
 #if !defined(GI_SPECULAR) && !defined(GI_EXTENDED)
-    if (matter == 0.0)
+    if (diffuseShare == 0.0)
     {
       continue;
     }
 #endif
 #endif
-    vec3 strength = lamp.Color.rgb * visibility(pixel, lamp.Kind.y);
+    vec3 strength = light.Color.rgb * visibility(pixel, light.Kind.y);
 #ifdef GI_EXTENDED
     if (pbr)
     {
 #ifdef GI_HEADLIGHT
       vec3 L = V;
 #else
-      GiIncident reaching = giIncident(lamp, P);
-      strength *= reaching.Attenuation;
-      vec3 L = -reaching.Travel;
+      GiIncident incident = giIncident(light, P);
+      strength *= incident.Attenuation;
+      vec3 L = -incident.Travel;
 #endif
-      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90, matter);
+      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90, diffuseShare);
       continue;
     }
 #endif
 #ifdef GI_HEADLIGHT
     float facing = max(0.000001, N.z);
-    light += matter * facing * strength;
+    diffuseLight += diffuseShare * facing * strength;
 #ifdef GI_SPECULAR
     gloss += pow(facing, material.Specular.w) * strength;
 #endif
 #else
-    GiIncident incident = giIncident(lamp, P);
+    GiIncident incident = giIncident(light, P);
     float facing = max(0.0, incident.Attenuation * dot(N, -incident.Travel));
-    light += matter * facing * strength;
+    diffuseLight += diffuseShare * facing * strength;
 #ifdef GI_SPECULAR
     gloss += facing > 0.0
       ? incident.Attenuation * giPhongSpecular(N, incident.Travel, V, material.Specular.w) * strength
@@ -167,34 +167,34 @@ void main()
   vec3 result;
   if (pbr)
   {
-    // VTK's PBR reflects 1 / pi of what its Phong materials do.
+    // VTK's PBR materials reflect 1 / pi of the light that its Phong materials reflect.
     vec3 matte = (1.0 - surface.r) * (1.0 - f0) * albedo.rgb;
     vec3 reflectance = matte + f0;
     vec3 surroundings = ambientLight / GI_PI * reflectance;
 #ifdef GI_LAMP_LIGHT
-    gloss += light / GI_PI * matte;
+    gloss += diffuseLight / GI_PI * matte;
 #endif
 #ifdef GI_SURROUNDINGS
-    // The light of the environment that matter sends on is in the indirect light, as far as that is known.
+    // The known indirect light contains the diffusely reflected light of the environment.
     ambient = mix(ambient, texelFetch(surroundingsTexture, pixel, 0).rgb, indirect.a);
     surroundings += indirect.rgb * matte;
 #else
     surroundings += indirect.rgb * reflectance;
 #endif
-    result = ambientReaching(openness, reflectance) * (ambient + surface.g * surroundings) +
+    result = ambientFactor(openness, reflectance) * (ambient + surface.g * surroundings) +
       surface.g * gloss + emission;
     color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
   }
   else
   {
-    result = ambientReaching(openness, albedo.rgb) * (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
-      albedo.rgb * light + material.Specular.rgb * surface.rgb * gloss + emission;
+    result = ambientFactor(openness, albedo.rgb) * (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
+      albedo.rgb * diffuseLight + material.Specular.rgb * surface.rgb * gloss + emission;
     color.rgb = result;
   }
 #else
-  vec3 result = ambientReaching(openness, albedo.rgb) *
+  vec3 result = ambientFactor(openness, albedo.rgb) *
       (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
-    albedo.rgb * light;
+    albedo.rgb * diffuseLight;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;
 #endif

@@ -1,5 +1,5 @@
 #version 430 core
-// The radiance of a visible sky, behind all else.
+// Radiance of a visible sky, behind everything else.
 #include "lib/sky.glsl"
 layout(binding = 0) uniform sampler2D skyTexture;
 layout(location = 0) out vec4 radiance;

@@ -1,6 +1,6 @@
 #version 430
-// In place of what VTK begins its fragment shaders with: a version that has buffers, and the names that its
-// templates use for those of others.
+// Replaces the head of VTK's fragment shaders: selects a version that has storage buffers, and defines the names that
+// VTK's templates use for those of other versions.
 #define highp
 #define mediump
 #define lowp

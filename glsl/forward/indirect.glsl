@@ -1,12 +1,13 @@
-// Into the fragment shaders of what VTK draws itself: indirect light, of the GI_PARTS techniques that know it in
-// space, in their order; each counts as far as those before do not know the point. A technique gives, in view
-// coordinates (V: unit, to where the point is seen from; reach: how far that is):
-//   vec4 fieldIndirect(vec3 P, vec3 N, vec3 V, float reach)                       what arrives at a surface, divided by pi,
-//                                                                                 times a; a the share that is known
-//   float fieldIndirectCube(vec3 P, vec3 V, float reach, out vec3 cube[6])        likewise from all around, see
-//                                                                                 lib/cube_light.glsl; returns a
-//   float fieldGrain()                                                            lengths over which light varies
-// What is declared under a name that begins with "field" goes by a name of its part's own here: giField0Indirect.
+// Inserted into the fragment shaders of props that VTK draws itself: indirect light from the GI_PARTS techniques that
+// know it in space. In their order, each covers the share of a point's light that the previous ones do not know. A
+// technique supplies, in view coordinates (V: unit vector to the viewpoint; reach: distance to it):
+//   vec4 fieldIndirect(vec3 P, vec3 N, vec3 V, float reach)
+//       a: share of the light that is known; rgb: irradiance at a surface divided by pi, times a
+//   float fieldIndirectCube(vec3 P, vec3 V, float reach, out vec3 cube[6])
+//       the same for the six axis directions, see lib/cube_light.glsl; returns a
+//   float fieldGrain()
+//       length over which the light varies
+// Names that begin with "field" are private to a part. They are renamed per part, for example to giField0Indirect.
 uniform bool giParallelRays;
 
 vec3 giToEye(vec3 P, out float reach)
@@ -15,7 +16,7 @@ vec3 giToEye(vec3 P, out float reach)
   return giParallelRays ? vec3(0.0, 0.0, 1.0) : -P / max(reach, 1e-20);
 }
 
-// At a surface. VTK's edges drawn as tubes shorten the normal, where they blend into the surface.
+// Indirect light at a surface. Edges that VTK draws as tubes shorten the normal where they blend into the surface.
 vec4 giIndirect(vec3 P, vec3 N)
 {
   float size = length(N);

@@ -1,13 +1,13 @@
-// Into the fragment shaders of what VTK draws itself, translucent surfaces and volumes: what of
-// each of its lights arrives. A technique gives the functions giVisibility. Variant: GI_POSITIONAL_FIRST,
-// the shader has the positional lights first, else all as the renderer lists them.
+// Inserted into the fragment shaders of translucent surfaces and volumes, which VTK draws itself: the visibility of
+// each light. A technique supplies the functions giVisibility. Variant: GI_POSITIONAL_FIRST (the shader lists
+// positional lights first; else the lights are in the renderer's order).
 #include "shared/forward.h"
 uniform int giLights;
-uniform float giKept; // of their strength
+uniform float giKept; // share of the lights' strength that is not spread over all directions
 #ifdef GI_POSITIONAL_FIRST
 #define giShadowOf giShadowOfSorted
 #endif
-uniform int giShadowOf[GI_FORWARD_LIGHTS]; // the light among the shadowed ones, -1 for none
+uniform int giShadowOf[GI_FORWARD_LIGHTS]; // index among the lights with shadows, -1 for a light without
 float giArrives[GI_FORWARD_LIGHTS];
 
 void giArriveAt(vec3 P, vec3 N, vec3 facet, float bulge)

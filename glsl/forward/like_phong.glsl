@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// What VTK's shader of a Phong surface comes to, in short, to find out whether the inserted parts compile.
+// Minimal stand-in for VTK's shader of a Phong surface, to find out whether the inserted parts compile.
 in vec4 vertexVC;
 in vec3 normalVCVSOutput;
 out vec4 fragOutput0;

@@ -1,5 +1,5 @@
 //VTK::System::Dec
-// What VTK's shader of a shaded volume comes to, in short, to find out whether the inserted parts compile.
+// Minimal stand-in for VTK's shader of a shaded volume, to find out whether the inserted parts compile.
 out vec4 fragOutput0;
 uniform mat4 in_modelViewMatrix;
 uniform mat4 in_volumeMatrix[1];

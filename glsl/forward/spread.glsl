@@ -1,5 +1,5 @@
-// In place of a technique that knows indirect light (see forward/indirect.glsl): the share of the lights that is spread
-// evenly over all directions. None of what the environment sends is in it.
+// Stands in for a technique that knows indirect light (see forward/indirect.glsl): the share of the lights' strength
+// that is spread evenly over all directions. It contains no light of the environment.
 uniform vec3 fieldSpread;
 
 vec4 fieldIndirect(vec3 P, vec3 N, vec3 V, float reach)

@@ -1,4 +1,4 @@
-// In place of a technique that knows what of a light arrives (see forward/lights.glsl): all of it.
+// Stands in for a technique that knows the visibility of lights (see forward/lights.glsl): nothing is occluded.
 float giVisibility(int shadow, vec3 P, vec3 N, vec3 facet, float bulge)
 {
   return 1.0;

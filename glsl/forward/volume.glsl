@@ -1,15 +1,16 @@
-// Into the shaders of shaded volumes: indirect light at a sample. Needs forward/indirect.glsl.
-// Which probes a sample sees is asked where its ray has gone this share of what light varies over, not at each.
+// Inserted into the shaders of shaded volumes: indirect light at a sample. Needs forward/indirect.glsl.
+// Distance along a ray after which the light is looked up again, as a share of the length over which light varies. A
+// lookup at each sample would be slow.
 const float GI_ASK_AGAIN = 0.125;
-// A sample is taken for one of a surface where the data changes by this share of its range, or more, from one point
-// of the data to the next; where it is constant, light goes on from there evenly. Between, both.
+// Change between neighbouring data points, as a share of the data's range, from which on a sample is shaded as a
+// surface. Where the data is constant, light is scattered evenly; in between, the two are blended.
 const float GI_STEEP = 0.001;
 
 vec3 giCube[6];
 vec3 giCubePlace = vec3(0.0);
 bool giCubeKnown = false;
 
-// How much the data changes from one of its points to the next, in its range. gradient: as VTK's computeGradient() has it.
+// Change between neighbouring data points, as a share of the data's range. gradient: as from VTK's computeGradient().
 float giChange(vec4 gradient, vec3 spacing)
 {
   float mean = (spacing.x + spacing.y + spacing.z) / 3.0;
@@ -34,7 +35,7 @@ vec3 giScattered(vec4 place, vec4 gradient, mat4 textureToEye, vec3 spacing)
   {
     return mean;
   }
-  // The side that is seen, whichever way the data grows.
+  // Turn the normal to the viewer, whichever way the data increases.
   N *= (dot(N, V) < 0.0 ? -1.0 : 1.0) / size;
   return mix(mean, giCubeLight(giCube, N), clamp(giChange(gradient, spacing) / GI_STEEP, 0.0, 1.0));
 }

@@ -1,7 +1,7 @@
 #version 430 core
-// How far surfaces are from points, by direction: an invocation for each texel of a point's octahedral map. Rays
-// are spread about the texel's direction by the 64th power of the cosine, as DDGI blends them. Variants: those of
-// rays/passage.glsl.
+// Distances of surfaces from points, by direction: one invocation per texel of a point's octahedral map. Rays
+// are distributed around the texel's direction by the 64th power of the cosine, as DDGI weights them. Variants: those
+// of rays/passage.glsl.
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -12,10 +12,10 @@
 layout(local_size_x = GI_GATHER_GROUP) in;
 
 uniform int pointCount;
-uniform int firstPoint; // of all that are asked for
-uniform int texels;     // across a map
-uniform int samples;    // rays of a texel
-uniform float farthest; // distances beyond it count as this
+uniform int firstPoint; // index of the first point among all requested ones
+uniform int texels;     // width of a map
+uniform int samples;    // rays per texel
+uniform float farthest; // upper bound of distances
 
 void main()
 {

@@ -1,8 +1,8 @@
 #version 430 core
-// The light that arrives at points in space or on surfaces, by paths. An invocation traces one path: software GL
-// ends loops after 65535 rounds, all of an invocation's loops counted together. A group adds up the paths of one
-// point, or of a few. Variants: GI_HEMISPHERE (points with normals), GI_DIRECTIONAL (of these, how light is
-// spread over directions too), and those of path_tracing/paths.glsl.
+// Gathers the light that arrives at points in space or on surfaces, by path tracing. An invocation traces only one
+// path, as software GL ends loops after 65535 iterations, counted over all loops of an invocation. A group adds up the
+// paths of one point or of a few. Variants: GI_HEMISPHERE (points with normals), GI_DIRECTIONAL (with normals, and with
+// the light's distribution over directions), and those of path_tracing/paths.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
 #include "shared/gathering.h"
@@ -28,25 +28,25 @@ const int COLORS = 1;
 const int COLORS = GI_HARMONICS;
 #endif
 const int NUMBERS = 3 * COLORS + GI_GATHER_SURROUNDINGS;
-const int MOST_LAMPS = 4; // of more, one is picked by chance
-const int GATHER_POINT = -1; // the vertex of a path before its first surface
+const int MAX_LIGHTS = 4; // with more lights, a random one is sampled
+const int GATHER_POINT = -1; // bounce index of the point itself, before a path's first surface
 
 layout(local_size_x = GI_GATHER_GROUP) in;
 
 uniform int pointCount;
 uniform int firstSample;
 uniform int samples;
-uniform int lanes;     // of a group for a point, a power of two
-uniform int blocks;    // groups for a point, where it has more samples than a group
+uniform int lanes;     // invocations of a group per point, a power of two
+uniform int blocks;    // groups per point, if it has more samples than a group
 uniform int seedOfAll;
-uniform float offset;  // off the surface that points lie on
-uniform bool lamps;    // their own light counts
-uniform bool indirect; // all other light does
+uniform float offset;  // distance of rays' origins from the surface
+uniform bool lamps;    // gather the lights' direct light
+uniform bool indirect; // gather all other light
 
 vec3 lightSums[COLORS];
-shared float found[GI_GATHER_GROUP * NUMBERS];
+shared float partialSums[GI_GATHER_GROUP * NUMBERS];
 
-// Radiance from L, over the density of L.
+// Adds a sample. radiance: from direction L, divided by the density of L.
 void add(vec3 N, vec3 L, vec3 radiance)
 {
   radiance = any(isnan(radiance)) || any(isinf(radiance)) ? vec3(0.0) : radiance;
@@ -70,7 +70,7 @@ void add(vec3 N, vec3 L, vec3 radiance)
 #endif
 }
 
-// How rays are spread over directions, per solid angle.
+// Probability density per solid angle of sampleDirection().
 float directionDensity(vec3 N, vec3 L)
 {
 #ifdef GI_HEMISPHERE
@@ -89,7 +89,7 @@ vec3 sampleDirection(vec3 N, vec2 u)
 {
 #ifdef GI_HEMISPHERE
 #ifdef GI_DIRECTIONAL
-  // One half evenly over the hemisphere, the other by the cosine.
+  // Half of the samples have uniform density over the hemisphere, the other half cosine density.
   bool even = u.x < 0.5;
   u.x = even ? 2.0 * u.x : 2.0 * u.x - 1.0;
   return giBasis(N) * (even ? giSamplePower(u, 0.0) : giSampleCosine(u));
@@ -104,7 +104,7 @@ vec3 sampleDirection(vec3 N, vec2 u)
 #endif
 }
 
-// What is sampled where it comes from: a point of the emitters, a direction of the sky.
+// Adds samples of the sources: a point of the emitters, a direction of the sky.
 void addSources(vec3 P, vec3 N, inout uint state)
 {
   if (emitterCount > 0)
@@ -129,31 +129,31 @@ void addSources(vec3 P, vec3 N, inout uint state)
 #endif
 }
 
-// Straight from the lamps: an irradiance of pi times their colour, as Phong materials take it.
-void addLamps(vec3 P, vec3 N, inout uint state)
+// Adds the lights' direct light, with an irradiance of pi times their colour, as on Phong materials.
+void addLights(vec3 P, vec3 N, inout uint state)
 {
-  bool all = lightCount <= MOST_LAMPS;
+  bool all = lightCount <= MAX_LIGHTS;
   for (int i = 0; i < (all ? lightCount : 1); ++i)
   {
     int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
-    LightData lamp = lights[chosen];
-    GiIncident incident = giIncident(lamp, P);
-    bool local = lamp.Kind.x == GI_LIGHT_POSITIONAL;
-    vec3 direction = local ? lamp.Position.xyz - P : -lamp.Direction.xyz;
-    vec3 light = lamp.Color.rgb * (incident.Attenuation * GI_PI * (all ? 1.0 : float(lightCount)));
+    LightData light = lights[chosen];
+    GiIncident incident = giIncident(light, P);
+    bool local = light.Kind.x == GI_LIGHT_POSITIONAL;
+    vec3 direction = local ? light.Position.xyz - P : -light.Direction.xyz;
+    vec3 irradiance = light.Color.rgb * (incident.Attenuation * GI_PI * (all ? 1.0 : float(lightCount)));
     bool faces = true;
 #ifdef GI_HEMISPHERE
     faces = dot(N, direction) > 0.0;
 #endif
-    if (faces && dot(light, vec3(1.0)) > 0.0 &&
+    if (faces && dot(irradiance, vec3(1.0)) > 0.0 &&
       !blocked(Ray(P, 0.0, direction, local ? 1.0 : RAY_FAR), state))
     {
-      add(N, normalize(direction), light);
+      add(N, normalize(direction), irradiance);
     }
   }
 }
 
-// Along a ray to where light was reflected.
+// Adds the light along a random ray.
 void addPath(vec3 P, vec3 N, inout uint state, inout vec3 surroundings)
 {
   vec3 L = sampleDirection(N, sample2D(GATHER_POINT, 1));
@@ -169,7 +169,7 @@ void addPath(vec3 P, vec3 N, inout uint state, inout vec3 surroundings)
   if (hit.instance >= 0)
   {
     surroundings += vec3(at.front ? 0.0 : 1.0, 1.0, length(at.position - P));
-    // Emitters are met from here, whatever the ray passed.
+    // The origin is the point itself, as the weight of an emitter needs the distance from there.
     add(N, L, pathRadiance(Ray(P, 0.0, L, RAY_FAR), at, density, state) / density);
   }
 #ifdef GI_RAY_SKY
@@ -197,7 +197,7 @@ void main()
   {
     vec3 N = gatherPoints[point].Normal.xyz;
     vec3 P = gatherPoints[point].Position.xyz + offset * N;
-    // The same place has the same samples, whatever other points there are.
+    // Seed by the position, so that a point's samples do not depend on the other points.
     uvec3 bits = floatBitsToUint(P);
     seed = giHash(bits.x ^ giHash(bits.y ^ giHash(bits.z ^ giHash(uint(seedOfAll)))));
     sampleNumber = firstSample + number;
@@ -208,7 +208,7 @@ void main()
     }
     if (lamps)
     {
-      addLamps(P, N, state);
+      addLights(P, N, state);
     }
     if (indirect)
     {
@@ -217,20 +217,20 @@ void main()
   }
   for (int i = 0; i < COLORS; ++i)
   {
-    found[local * NUMBERS + 3 * i] = lightSums[i].r;
-    found[local * NUMBERS + 3 * i + 1] = lightSums[i].g;
-    found[local * NUMBERS + 3 * i + 2] = lightSums[i].b;
+    partialSums[local * NUMBERS + 3 * i] = lightSums[i].r;
+    partialSums[local * NUMBERS + 3 * i + 1] = lightSums[i].g;
+    partialSums[local * NUMBERS + 3 * i + 2] = lightSums[i].b;
   }
-  found[local * NUMBERS + 3 * COLORS + GI_GATHER_BACKS] = surroundings.x;
-  found[local * NUMBERS + 3 * COLORS + GI_GATHER_HITS] = surroundings.y;
-  found[local * NUMBERS + 3 * COLORS + GI_GATHER_DISTANCE] = surroundings.z;
+  partialSums[local * NUMBERS + 3 * COLORS + GI_GATHER_BACKS] = surroundings.x;
+  partialSums[local * NUMBERS + 3 * COLORS + GI_GATHER_HITS] = surroundings.y;
+  partialSums[local * NUMBERS + 3 * COLORS + GI_GATHER_DISTANCE] = surroundings.z;
   barrier();
   for (int k = lane; k < NUMBERS && point < pointCount; k += lanes)
   {
     float sum = 0.0;
     for (int i = 0; i < lanes; ++i)
     {
-      sum += found[(local - lane + i) * NUMBERS + k];
+      sum += partialSums[(local - lane + i) * NUMBERS + k];
     }
     gatherResults[(point * blocks + block) * NUMBERS + k] = sum;
   }

@@ -1,5 +1,5 @@
 #version 430 core
-// Whether nothing is between two points: 1 or 0. The second one stands in place of a normal. Variants: those of
+// Visibility between two points: 1 or 0. The second point is in GatherPoint::Normal. Variants: those of
 // rays/passage.glsl.
 #include "shared/gathering.h"
 #include "rays/trace.glsl"

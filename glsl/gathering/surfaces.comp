@@ -1,7 +1,7 @@
 #version 430 core
-// Points spread evenly over all surfaces: where lines that are spread evenly over space meet them (Crofton's formula,
-// see Santalo 1976, Integral Geometry and Geometric Probability). An invocation for each line, which keeps one of
-// the points that it meets. Variants: those of rays/passage.glsl.
+// Samples points with uniform density over all surfaces: the intersections with lines of uniform density in space
+// (Crofton's formula, see Santalo 1976, Integral Geometry and Geometric Probability). Each invocation follows one line
+// and keeps a random one of its intersections. Variants: those of rays/passage.glsl.
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -11,11 +11,11 @@
 
 layout(local_size_x = GI_GATHER_GROUP) in;
 
-const int MOST_SURFACES = 64; // along a line
+const int MAX_SURFACES = 64; // maximum number of intersections along a line
 
 uniform int pointCount;
-uniform vec3 middle;  // of the scene
-uniform float radius; // of a ball around it
+uniform vec3 middle;  // centre of the scene
+uniform float radius; // of its bounding sphere
 
 void main()
 {
@@ -27,7 +27,8 @@ void main()
   }
   vec2 u = giSample2D(uint(index), 1u);
   float z = 2.0 * u.x - 1.0;
-  vec3 direction = vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(6.28318530717959 * u.y), sin(6.28318530717959 * u.y)), z);
+  vec3 direction =
+    vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(6.28318530717959 * u.y), sin(6.28318530717959 * u.y)), z);
   vec2 across = radius * giSampleDisc(giSample2D(uint(index), 2u));
   vec3 start = middle + giBasis(direction) * vec3(across, -radius);
   Ray ray = Ray(start, 0.0, direction, 2.0 * radius);
@@ -35,7 +36,7 @@ void main()
   vec3 place = vec3(0.0);
   vec3 normal = vec3(0.0);
   int met = 0;
-  while (met < MOST_SURFACES)
+  while (met < MAX_SURFACES)
   {
     RaySurfacePoint at;
     float first;

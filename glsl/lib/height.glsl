@@ -1,5 +1,5 @@
-// A height of any scale in [0, 1], for unsigned normalized storage: by its logarithm, to a thousandth of
-// itself in 16 bits. Zero and less are zero.
+// Encodes a height of any scale in [0, 1] by its logarithm, for unsigned normalized storage. In 16 bits the relative
+// error is about a thousandth. Heights of zero or less become zero.
 float giEncodeHeight(float height)
 {
   return height > 0.0 ? clamp(log2(height) / 128.0 + 0.5, 1e-4, 1.0) : 0.0;

@@ -1,8 +1,8 @@
-// What reaches a point from a light, as VTK means its lights. Needs shared/light.h.
+// Light that arrives at a point, by VTK's definition of its lights. Needs shared/light.h.
 struct GiIncident
 {
-  vec3 Travel;       // unit, the way the light goes at the point
-  float Attenuation; // of distance and cone
+  vec3 Travel;       // unit vector along which the light travels at the point
+  float Attenuation; // by distance and cone
 };
 
 GiIncident giIncident(LightData light, vec3 position)

@@ -1,5 +1,5 @@
-// Unit vectors in two numbers: Cigolle et al. 2014, A Survey of Efficient Representations for
-// Independent Unit Vectors. The result lies in [0, 1], for unsigned normalized storage.
+// Encodes a unit vector in two numbers: Cigolle et al. 2014, A Survey of Efficient Representations for
+// Independent Unit Vectors. They lie in [0, 1], for unsigned normalized storage.
 vec2 giEncodeOctahedral(vec3 n)
 {
   vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));

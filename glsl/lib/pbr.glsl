@@ -24,10 +24,10 @@ vec3 giFresnelSchlick(vec3 f0, vec3 f90, float HdL)
   return f0 + (f90 - f0) * pow(1.0 - HdL, 5.0);
 }
 
-// Radiance toward the eye for light of unit irradiance at normal incidence. matter: share of the light that is
-// reflected by more than the highlight.
+// Radiance toward the eye for light of unit irradiance at normal incidence. diffuseShare: share of the light that the
+// diffuse term reflects; 0 leaves only the highlight.
 vec3 giReflectPBR(
-  vec3 N, vec3 V, vec3 L, vec3 albedo, float metallic, float roughness, vec3 f0, vec3 f90, float matter)
+  vec3 N, vec3 V, vec3 L, vec3 albedo, float metallic, float roughness, vec3 f0, vec3 f90, float diffuseShare)
 {
   vec3 H = normalize(V + L);
   float NdV = clamp(dot(N, V), 1e-5, 1.0);
@@ -36,7 +36,7 @@ vec3 giReflectPBR(
   float HdL = clamp(dot(H, L), 1e-5, 1.0);
   vec3 F = giFresnelSchlick(f0, f90, HdL);
   vec3 specular = giDistributionGGX(NdH, roughness) * giVisibilitySmith(NdV, NdL, roughness) * F;
-  vec3 diffuse = matter * (1.0 - metallic) * (1.0 - F) * albedo / GI_PI;
+  vec3 diffuse = diffuseShare * (1.0 - metallic) * (1.0 - F) * albedo / GI_PI;
   return (diffuse + specular) * NdL;
 }
 

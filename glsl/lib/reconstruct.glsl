@@ -1,4 +1,4 @@
-// Positions from window depth. Needs shared/view.h.
+// View-space positions from window depth. Needs shared/view.h.
 vec3 giViewPosition(vec2 window, float depth)
 {
   vec2 ndc = (window - view.Viewport.xy) / view.Viewport.zw * 2.0 - 1.0;
@@ -6,7 +6,7 @@ vec3 giViewPosition(vec2 window, float depth)
   return p.xyz / p.w;
 }
 
-// z in view coordinates.
+// View-space z at a window depth.
 float giViewDepth(float depth)
 {
   float ndc = depth * 2.0 - 1.0;

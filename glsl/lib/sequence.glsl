@@ -1,4 +1,4 @@
-// Numbers spread evenly over the samples of a pixel.
+// Low-discrepancy numbers for the samples of a pixel.
 
 // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (JCGT 9:3): PCG.
 uint giHash(uint v)
@@ -31,7 +31,7 @@ uint giSobolSecond(uint index)
   return result;
 }
 
-// Point `index` of a (0, 2)-sequence of its own for every seed, in [0, 1).
+// Point `index` of a (0, 2)-sequence in [0, 1). Each seed gives another sequence.
 vec2 giSample2D(uint index, uint seed)
 {
   uint shuffled = giOwenScramble(index, giHash(seed));

@@ -4,7 +4,7 @@
 // of Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment Maps.
 const int GI_HARMONICS = 9;
 
-// The values of all nine in a unit direction.
+// Values of all nine harmonics in a unit direction.
 void giHarmonics(vec3 d, out float y[GI_HARMONICS])
 {
   y[0] = 0.28209479177;           // sqrt(1 / (4 pi))

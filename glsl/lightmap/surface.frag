@@ -1,7 +1,7 @@
 #version 430 core
-// Baked light on the pixels that show its surface. Variants: GI_LIGHTMAP_DIRECTIONAL (the map holds first moments
-// too, for normals that pictures bend), GI_LIGHTMAP_LAMPS (and light straight from lamps), GI_LIGHTMAP_HOLES (some
-// surface may be seen through; else a depth test has left only pixels that show the map's).
+// Applies baked light to the pixels that show its surface. Variants: GI_LIGHTMAP_DIRECTIONAL (the map also holds first
+// moments, for normal maps), GI_LIGHTMAP_LAMPS (and the lights' direct light), GI_LIGHTMAP_HOLES (some
+// surfaces may have holes; else a depth test has left only pixels that show the map's surface).
 #ifdef GI_LIGHTMAP_HOLES
 layout(binding = 0) uniform sampler2D depthTexture;
 #endif
@@ -11,7 +11,7 @@ layout(binding = 1) uniform sampler2DArray lightTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
 uniform mat3 viewToWorld;
 in vec3 normalWC;
-const int LAYERS = 4; // of one kind of light
+const int LAYERS = 4; // per kind of light
 #else
 const int LAYERS = 1;
 #endif
@@ -26,8 +26,8 @@ layout(location = 1) out vec4 lampLight;
 #endif
 
 #ifdef GI_LIGHTMAP_HOLES
-// Of a depth buffer of 24 bits, which another program fills: four of its last digits, and what rounding of corners
-// to a fraction of a pixel comes to on a slope.
+// Tolerances of a 24-bit depth buffer that another program filled: four units in the last place, and the effect
+// on slopes of rounding corners to a fraction of a pixel.
 const float DIGITS = 2.4e-7;
 const float PIXELS = 0.02;
 #endif
@@ -38,28 +38,29 @@ vec3 layer(int number)
 }
 
 #ifdef GI_LIGHTMAP_DIRECTIONAL
-// The first moments along a vector.
+// First moment along a vector.
 vec3 along(vec3 direction, int first)
 {
   return direction.x * layer(first + 1) + direction.y * layer(first + 2) + direction.z * layer(first + 3);
 }
 
-// What a normal meets more than the baked one. To first order that is twice the moments along its turn, as what sinks below
-// the horizon had no share in the baked light. To second order the cosine takes from it, but nothing from light that has
-// sunk: the moment along the baked normal knows how much, at most as if none could sink.
-vec3 gained(vec3 now, vec3 baked, vec3 light, int first)
+// Difference of the light at a shading normal from the light at the baked normal. To first order it is twice the moment
+// along the change of the normal, as light that sinks below the horizon had no share in the baked light. To second
+// order the cosine reduces it, except for light that has sunk. The moment along the baked normal tells how much, at
+// most as if no light could sink.
+vec3 differenceAt(vec3 shadingNormal, vec3 bakedNormal, vec3 light, int first)
 {
-  float cosine = dot(now, baked);
-  vec3 lost = 2.0 * clamp(along(baked, first), vec3(0.0), 0.5 * light);
-  return 2.0 * along(now - cosine * baked, first) - (1.0 - cosine) * lost;
+  float cosine = dot(shadingNormal, bakedNormal);
+  vec3 lost = 2.0 * clamp(along(bakedNormal, first), vec3(0.0), 0.5 * light);
+  return 2.0 * along(shadingNormal - cosine * bakedNormal, first) - (1.0 - cosine) * lost;
 }
 
-// Light with what it gains. It never falls below 0: between a straight line, as a point's light falls, and a parabola, as that of
-// half the sky does.
-vec3 turned(vec3 light, vec3 gain)
+// Light plus its difference, never below 0. It falls between linearly, as light from a point does, and as a parabola,
+// as light from half the sky does.
+vec3 addDifference(vec3 light, vec3 difference)
 {
-  vec3 kept = max(light + min(gain, 0.0) / 1.5, 0.0);
-  return kept * sqrt(kept / max(light, 1e-9)) + max(gain, 0.0);
+  vec3 kept = max(light + min(difference, 0.0) / 1.5, 0.0);
+  return kept * sqrt(kept / max(light, 1e-9)) + max(difference, 0.0);
 }
 #endif
 
@@ -67,7 +68,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef GI_LIGHTMAP_HOLES
-  // What hides the surface, be it by a hair, is lit by another technique, and so is what is seen through it.
+  // Surfaces in front of the baked one, however close, and surfaces seen through its holes are lit by other techniques.
   float apart = abs(texelFetch(depthTexture, pixel, 0).r - gl_FragCoord.z);
   if (apart > DIGITS + PIXELS * fwidth(gl_FragCoord.z))
   {
@@ -79,12 +80,12 @@ void main()
   vec3 lamps = layer(LAYERS);
 #endif
 #ifdef GI_LIGHTMAP_DIRECTIONAL
-  vec3 baked = normalize(normalWC);
-  vec3 now = viewToWorld * giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
-  light = turned(light, gained(now, baked, light, 0));
+  vec3 bakedNormal = normalize(normalWC);
+  vec3 shadingNormal = viewToWorld * giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
+  light = addDifference(light, differenceAt(shadingNormal, bakedNormal, light, 0));
 #ifdef GI_LIGHTMAP_LAMPS
-  // A lamp's light falls with the cosine until it is gone.
-  lamps = max(lamps + gained(now, baked, lamps, LAYERS), vec3(0.0));
+  // Light from a single direction falls linearly with the cosine to zero.
+  lamps = max(lamps + differenceAt(shadingNormal, bakedNormal, lamps, LAYERS), vec3(0.0));
 #endif
 #endif
   irradiance = vec4(intensity * light, 1.0);

@@ -1,8 +1,8 @@
 #version 430 core
-// A baked triangle, where the picture shows it. Variants: GI_LIGHTMAP_DIRECTIONAL.
+// Draws a baked triangle at its position in the picture. Variants: GI_LIGHTMAP_DIRECTIONAL.
 layout(location = 0) in vec3 position; // relative to the map's origin
-layout(location = 1) in vec3 normal;   // world
-layout(location = 2) in vec2 place;    // in the map
+layout(location = 1) in vec3 normal;   // in world coordinates
+layout(location = 2) in vec2 place;    // texture coordinates in the map
 
 uniform mat4 mapToClip;
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiance along a ray by a path of reflections. Kajiya 1986, "The Rendering Equation"; next-event estimation
+// Radiance along a ray, by path tracing: Kajiya 1986, "The Rendering Equation"; next-event estimation
 // and multiple importance sampling after Veach 1997, "Robust Monte Carlo Methods for Light Transport
-// Simulation". Needs shared/light.h, rays/surface.glsl, rays/passage.glsl, rays/toward_light.glsl, lib/lights.glsl, lib/phong.glsl,
-// lib/pbr.glsl, lib/sampling.glsl. Variants: GI_RAY_SKY (the surroundings shine), and those of
-// rays/passage.glsl. Whoever includes it sets the seed.
+// Simulation". Needs shared/light.h, rays/surface.glsl, rays/passage.glsl, rays/toward_light.glsl, lib/lights.glsl,
+// lib/phong.glsl, lib/pbr.glsl, lib/sampling.glsl. Variants: GI_RAY_SKY (the environment shines), and those of
+// rays/passage.glsl. The including shader sets the seed and the sample number.
 #ifdef GI_RAY_SKY
 #include "rays/sky.glsl"
 #endif
@@ -16,32 +16,30 @@ uniform int lightCount;
 uniform int emitterCount;
 uniform int strategy;      // 0 both, 1 light sampling, 2 BSDF sampling
 
-uint seed;        // of the sequences
-
-int sampleNumber; // of the sample in hand
+uint seed;        // of the sample sequences
+int sampleNumber; // of the current path
 
 vec2 sample2D(int bounce, int purpose)
 {
   return giSample2D(uint(sampleNumber), seed + uint(bounce * 4 + purpose) * 0x9e3779b9u);
 }
 
-// What a lamp makes a surface send to V, were there nothing between them. VTK's lamps stand for an
-// irradiance of pi times their colour where Phong materials look at them, and of their colour where
-// PBR ones do.
-vec3 lampReflected(LightData lamp, GiReflector r, vec3 position, bool seen)
+// Radiance that a surface reflects from an unoccluded light toward V. A VTK light stands for an
+// irradiance of pi times its colour on Phong materials, and of its colour on PBR materials.
+vec3 lightReflected(LightData light, GiReflector r, vec3 position, bool seen)
 {
-  if (lamp.Kind.x == GI_LIGHT_HEADLIGHT && seen)
+  if (light.Kind.x == GI_LIGHT_HEADLIGHT && seen)
   {
     if (r.pbr)
     {
-      return lamp.Color.rgb * giReflectLamp(r, r.V);
+      return light.Color.rgb * giReflectPointLight(r, r.V);
     }
-    float facing = max(0.000001, dot(r.N, -lamp.Direction.xyz));
-    return lamp.Color.rgb * (r.albedo * facing + r.specular * pow(facing, r.power));
+    float facing = max(0.000001, dot(r.N, -light.Direction.xyz));
+    return light.Color.rgb * (r.albedo * facing + r.specular * pow(facing, r.power));
   }
-  GiIncident incident = giIncident(lamp, position);
-  vec3 reaching = lamp.Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI);
-  return reaching * giReflectLamp(r, -incident.Travel);
+  GiIncident incident = giIncident(light, position);
+  vec3 reaching = light.Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI);
+  return reaching * giReflectPointLight(r, -incident.Travel);
 }
 
 float powerHeuristic(float a, float b)
@@ -49,7 +47,8 @@ float powerHeuristic(float a, float b)
   return a * a / max(a * a + b * b, 1e-30);
 }
 
-// Density per area of light sampling at a point seen along a direction, per solid angle.
+// Converts the density of light sampling from per area to per solid angle. from: where the solid angle is measured;
+// to, normal: the sampled point.
 float emitterDensity(float perArea, vec3 from, vec3 to, vec3 normal)
 {
   vec3 path = to - from;
@@ -71,12 +70,12 @@ int pickEmitter(float u)
   return low;
 }
 
-// A point of an emitter, picked by u.
+// A sampled point of an emitter.
 struct EmitterPoint
 {
-  vec3 path;      // to there
+  vec3 path;      // from the receiver to the point
   vec3 emission;
-  float density;  // per solid angle, seen from where the path starts
+  float density;  // per solid angle at the receiver
 };
 
 EmitterPoint emitterPoint(vec2 u, vec3 from)
@@ -100,20 +99,19 @@ EmitterPoint emitterPoint(vec2 u, vec3 from)
   return point;
 }
 
-// Light on its way to a surface: what of it the surface sends to its viewer, and the ray that must
-// be free for that.
+// A sample of direct light and its shadow ray.
 struct Arrival
 {
-  vec3 reflected;
-  vec4 toward; // as of rayTowardLight()
-  bool open;   // nothing can be in the way
+  vec3 reflected; // radiance toward the viewer if the light is unoccluded
+  vec4 toward;    // the shadow ray, as from rayTowardLight()
+  bool open;      // nothing can occlude the light
 };
 
-Arrival fromLamp(LightData lamp, GiReflector r, RaySurfacePoint at, bool seen)
+Arrival fromLight(LightData light, GiReflector r, RaySurfacePoint at, bool seen)
 {
-  // A headlight reaches all that the eye sees.
-  return Arrival(lampReflected(lamp, r, at.position, seen),
-    rayTowardLight(lamp, at.position, eye), lamp.Kind.z != 0 && seen);
+  // A headlight reaches everything that the eye sees.
+  return Arrival(lightReflected(light, r, at.position, seen),
+    rayTowardLight(light, at.position, eye), light.Kind.z != 0 && seen);
 }
 
 Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
@@ -127,7 +125,7 @@ Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
 }
 
 #ifdef GI_RAY_SKY
-// What a surface sends to its viewer of the surroundings' light from a direction, per solid angle.
+// Radiance that a surface reflects from the environment in direction L toward its viewer, per solid angle.
 vec3 skyReflected(GiReflector r, vec3 L)
 {
   vec3 even = raySkyRadiance(L);
@@ -146,30 +144,30 @@ Arrival fromSky(vec2 u, GiReflector r)
 }
 #endif
 
-// What the lamps, one point of the emitters and one direction of the sky make a surface send to its
-// viewer.
+// Estimates the direct light that a surface reflects to its viewer, from the lights, one point of the emitters and one
+// direction of the sky.
 vec3 directLight(GiReflector r, RaySurfacePoint at, bool seen, int bounce, inout uint state)
 {
   vec3 sum = vec3(0.0);
-  // All lamps where the eye looks, one of them elsewhere.
+  // All lights at the first surface, a random one at later ones.
   bool all = seen || lightCount <= 1;
-  int lamps = all ? lightCount : min(lightCount, 1);
-  int emitters = emitterCount > 0 && strategy != 2 ? 1 : 0;
+  int lightSamples = all ? lightCount : min(lightCount, 1);
+  int emitterSamples = emitterCount > 0 && strategy != 2 ? 1 : 0;
 #ifdef GI_RAY_SKY
-  int skies = strategy != 2 ? 1 : 0;
+  int skySamples = strategy != 2 ? 1 : 0;
 #else
-  const int skies = 0;
+  const int skySamples = 0;
 #endif
-  for (int i = 0; i < lamps + emitters + skies; ++i)
+  for (int i = 0; i < lightSamples + emitterSamples + skySamples; ++i)
   {
     Arrival arrival;
-    if (i < lamps)
+    if (i < lightSamples)
     {
       int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
-      arrival = fromLamp(lights[chosen], r, at, seen);
+      arrival = fromLight(lights[chosen], r, at, seen);
       arrival.reflected *= all ? 1.0 : float(lightCount);
     }
-    else if (i < lamps + emitters)
+    else if (i < lightSamples + emitterSamples)
     {
       arrival = fromEmitter(sample2D(bounce, 0), r, at);
     }
@@ -188,15 +186,15 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, bool seen, int bounce, inout
   return sum;
 }
 
-// Radiance along a ray from its first surface on. density: with which the ray's direction was sampled, per solid
-// angle, where light sampling competes with it; 0 for a ray from the eye.
+// Radiance along a ray, given its first surface. density: probability density per solid angle with which the ray's
+// direction was sampled, for its weight against light sampling; 0 for a ray from the eye.
 vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
 {
   bool fromEye = density <= 0.0;
   vec3 radiance = vec3(0.0);
   vec3 throughput = vec3(1.0);
   vec3 from = ray.origin;
-  // After the last reflection, one ray more finds emitters and the sky.
+  // After the last reflection, one more ray finds emitters and the sky.
 #ifdef GI_RAY_SKY
   int last = bounces + (strategy != 1 ? 1 : 0);
 #else
@@ -216,7 +214,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     {
       break;
     }
-    // VTK looks from the camera's place in a parallel projection too.
+    // VTK takes the view direction from the camera's position in a parallel projection too.
     bool seen = bounce == 0 && fromEye;
     vec3 V = seen ? normalize(eye - at.position) : -ray.direction;
     GiReflector r = giReflector(at, surface.Where.z & GI_SURFACE_MODEL, V);
@@ -227,7 +225,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     }
     vec3 L = giSampleReflection(r, giRandom(state), sample2D(bounce, 1));
     density = giReflectionDensity(r, L);
-    vec3 arriving = throughput / max(density, 1e-30); // times what is reflected of it
+    vec3 arriving = throughput / max(density, 1e-30); // still to be multiplied by the reflectance
     throughput *= density > 0.0 ? giReflect(r, L) / density : vec3(0.0);
     float survive = bounce < 3 ? 1.0 : min(0.95, max(throughput.r, max(throughput.g, throughput.b)));
     bool closed;

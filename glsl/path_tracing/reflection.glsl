@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a surface reflects: the same formulas as direct_light/resolve.frag, with the densities by
-// which directions are sampled. Needs rays/surface.glsl, lib/pbr.glsl, lib/phong.glsl,
+// Reflection of a surface, by the same formulas as direct_light/resolve.frag, and importance sampling of its
+// directions. Needs rays/surface.glsl, lib/pbr.glsl, lib/phong.glsl,
 // lib/sampling.glsl.
 
-// Below this roughness a lobe is as good as a mirror: its width, the square, is less than a pixel, and floats no longer
-// tell its half vectors apart.
+// Below this roughness a lobe is as good as a mirror: its width, the square of the roughness, is less than a pixel, and
+// floats no longer distinguish its half vectors.
 const float GI_MIRROR_ROUGHNESS = 0.0316;
 
 struct GiReflector
@@ -18,11 +18,11 @@ struct GiReflector
   bool pbr;
   float metallic;
   float roughness;
-  float lobe; // roughness of the lobe that directions are sampled by
+  float lobe; // roughness of the lobe for sampling, at least GI_MIRROR_ROUGHNESS
   vec3 f0;
   vec3 f90;
   float occlusion;
-  float gloss; // chance to sample the highlight
+  float gloss; // probability of sampling the highlight
 };
 
 GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
@@ -48,9 +48,9 @@ GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
   return r;
 }
 
-// Radiance toward V for unit radiance from a unit solid angle about L, the cosine included. roughness: of PBR. matter:
-// share of the light that is reflected by more than the highlight.
-vec3 giReflect(GiReflector r, vec3 L, float roughness, float matter)
+// Radiance toward V for unit radiance from a unit solid angle about L, including the cosine. roughness: of a PBR lobe.
+// diffuseShare: as in giReflectPBR().
+vec3 giReflect(GiReflector r, vec3 L, float roughness, float diffuseShare)
 {
   float facing = dot(r.N, L);
   if (facing <= 0.0)
@@ -59,25 +59,25 @@ vec3 giReflect(GiReflector r, vec3 L, float roughness, float matter)
   }
   if (r.pbr)
   {
-    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90, matter);
+    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90, diffuseShare);
   }
-  return (matter * r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
+  return (diffuseShare * r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
 }
 
-// Of what has an extent: emitters, surfaces, the surroundings.
+// Reflection of extended sources: emitters, surfaces, the environment.
 vec3 giReflect(GiReflector r, vec3 L)
 {
   return giReflect(r, L, r.lobe, 1.0);
 }
 
-// Of that, the highlight's part.
+// The highlight's part of giReflect().
 vec3 giReflectGloss(GiReflector r, vec3 L)
 {
   return giReflect(r, L, r.lobe, 0.0);
 }
 
-// Of a lamp, which is a point: a perfect mirror shows nothing of it, as VTK draws it.
-vec3 giReflectLamp(GiReflector r, vec3 L)
+// Reflection of a point light. As in VTK, a perfect mirror shows nothing of it.
+vec3 giReflectPointLight(GiReflector r, vec3 L)
 {
   return giReflect(r, L, r.roughness, 1.0);
 }
@@ -96,7 +96,7 @@ vec3 giSampleReflection(GiReflector r, float lobe, vec2 u)
   return giBasis(reflect(-r.V, r.N)) * giSamplePower(u, r.power);
 }
 
-// Per solid angle, of what giSampleReflection returns.
+// Probability density per solid angle of giSampleReflection().
 float giReflectionDensity(GiReflector r, vec3 L)
 {
   float matte = max(dot(r.N, L), 0.0) / GI_PI;

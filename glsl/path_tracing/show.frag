@@ -1,5 +1,5 @@
 #version 430 core
-// The mean of the samples so far. Variant GI_RADIANCE: linear, not as displayed.
+// Mean of the samples so far. Variant: GI_RADIANCE (linear radiance, not the colour for display).
 layout(binding = 0) uniform sampler2D sumShown;
 layout(binding = 1) uniform sampler2D sumEncoded;
 layout(binding = 2) uniform sampler2D colorTexture;
@@ -16,7 +16,7 @@ void main()
 #ifdef GI_RADIANCE
   color.rgb = (shown.rgb + encoded) / samples;
 #else
-  // The part of the pixel that PBR surfaces cover is encoded as VTK does, once it is averaged.
+  // The part of the pixel that PBR surfaces cover is averaged first and then encoded as in VTK.
   vec3 mean = shown.a > 0.0 ? pow(max(encoded / shown.a, 0.0), vec3(1.0 / 2.2)) : vec3(0.0);
   color.rgb = (shown.rgb + shown.a * mean) / samples;
 #endif

@@ -1,5 +1,5 @@
 #version 430 core
-// One path through every pixel, added to sums. Variants: GI_RAY_EDGES (some surfaces show the edges of
+// Traces one path per pixel and adds it to the sums. Variants: GI_RAY_EDGES (some surfaces show the edges of
 // their cells), GI_VISIBLE_SKY (a skybox is behind everything), and those of path_tracing/paths.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
@@ -24,10 +24,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // Sums over samples.
-layout(rgba32f, binding = 0) uniform image2D sumShown;   // rgb as displayed; a: how many are PBR
-layout(rgba32f, binding = 1) uniform image2D sumEncoded; // rgb of PBR, linear; a: squared luminance
-layout(rgba32f, binding = 2) uniform image2D sumAlbedo;  // rgb; a: samples that met a surface
-layout(rgba32f, binding = 3) uniform image2D sumNormal;  // xyz in the world; w: depth
+layout(rgba32f, binding = 0) uniform image2D sumShown;   // rgb for display; a: number of PBR samples
+layout(rgba32f, binding = 1) uniform image2D sumEncoded; // linear rgb of PBR samples; a: squared luminance
+layout(rgba32f, binding = 2) uniform image2D sumAlbedo;  // rgb; a: samples that hit a surface
+layout(rgba32f, binding = 3) uniform image2D sumNormal;  // xyz in world coordinates; w: depth
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
@@ -39,10 +39,10 @@ layout(binding = 4) uniform sampler2D skyTexture;
 #endif
 
 uniform mat3 viewToScene;
-uniform int sampleIndex;   // samples in the sums already
-uniform float drawnReach;  // surfaces this much farther than a line or point hide it
+uniform int sampleIndex;   // number of samples in the sums
+uniform float drawnReach;  // share of the distance to a line or point within which a surface hides it
 
-const float DEPTH_ERROR = 2.5e-7; // of a depth buffer of 24 bits
+const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
 
 void main()
 {
@@ -56,7 +56,7 @@ void main()
   sampleNumber = sampleIndex;
   uint state = giHash(seed ^ giHash(uint(sampleIndex)));
 
-  // The frame's shift is in the matrices.
+  // The matrices contain the frame's jitter.
   vec2 center = vec2(window) + 0.5;
   vec3 near = giViewPosition(center, 0.0);
   vec3 path = giViewPosition(center, 1.0) - near;
@@ -74,7 +74,7 @@ void main()
   vec3 start = ray.origin;
   float first;
   RayHit hit = traceThrough(ray, at, first, state);
-  // What the rasterizer drew well before the first surface is of a kind that rays do not meet.
+  // If the rasterizer drew something well in front of the first hit, rays do not see that prop.
   float farthest = length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - near);
   bool hidden = captured && drawnReach < 1.0 && first > farthest * (2.0 - drawnReach);
   bool met = hit.instance >= 0 && !hidden;

@@ -1,24 +1,25 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which probes light a point between them, and how much. Probes stand in grids, a little off their places; of each
-// it is known how far surfaces are in every direction, mean and mean square in an octahedral map with a border of
-// one texel, and which of its neighbours it sees. What the probes hold is up to the includer. After Majercik et
-// al. 2019, Dynamic Diffuse Global Illumination with Ray-Traced Irradiance Fields. The first grid is around
-// everything; each later one is a part of it, of smaller cells than those before, and counts where it reaches. Grids that
-// move keep their probes where they are: one is stored by its place modulo the grid's size
-// (Majercik et al. 2021, Scaling Probe-Based Real-Time Dynamic Global Illumination for Production). Needs
-// lib/octahedral.glsl. Coordinates are those of the rays' scene.
+// Selects and weights the probes that light a point. Probes stand in grids, at an offset from their grid points. Each
+// probe has an octahedral map, with a border of one texel, of the mean and mean square distance to surfaces, and a mask
+// of the neighbours that it sees. The including shader decides what light the probes hold. After Majercik et
+// al. 2019, Dynamic Diffuse Global Illumination with Ray-Traced Irradiance Fields. The first grid encloses the scene.
+// Each later one covers a part of it with smaller cells and takes precedence there. When a grid scrolls, its probes
+// stay in place: a probe is stored by its position modulo the grid's size (Majercik et al. 2021, Scaling Probe-Based
+// Real-Time Dynamic Global Illumination for Production). Needs lib/octahedral.glsl. Coordinates are those of the ray
+// scene.
 #include "shared/probe_field.h"
 layout(binding = 5) uniform sampler2D fieldDistance;
-layout(binding = 6) uniform sampler2D fieldProbes; // xyz how far a probe stands off its grid's place, w which neighbours it sees
+// xyz: a probe's offset from its grid point; w: mask of the neighbours that it sees.
+layout(binding = 6) uniform sampler2D fieldProbes;
 
 uniform int fieldGrids;
-uniform vec3 fieldOrigins[GI_FIELD_GRIDS];  // of each grid's first place
+uniform vec3 fieldOrigins[GI_FIELD_GRIDS];  // first grid point of each grid
 uniform vec3 fieldSpacings[GI_FIELD_GRIDS];
-uniform ivec3 fieldCounts[GI_FIELD_GRIDS];  // of its probes
-uniform ivec3 fieldWraps[GI_FIELD_GRIDS];   // where in storage its first place is
-uniform int fieldBegins[GI_FIELD_GRIDS + 1]; // its first probe; after the last, all of them
-uniform int fieldColumns; // maps in a row of their textures
+uniform ivec3 fieldCounts[GI_FIELD_GRIDS];  // probes along each axis
+uniform ivec3 fieldWraps[GI_FIELD_GRIDS];   // storage index of the first grid point
+uniform int fieldBegins[GI_FIELD_GRIDS + 1]; // first probe of each grid; the last entry is the number of probes
+uniform int fieldColumns; // number of maps per row of their textures
 uniform float fieldBias;  // in cells
 
 struct fieldGrid
@@ -32,7 +33,8 @@ struct fieldGrid
 
 fieldGrid fieldGridOf(int number)
 {
-  return fieldGrid(fieldOrigins[number], fieldSpacings[number], fieldCounts[number], fieldWraps[number], fieldBegins[number]);
+  return fieldGrid(
+    fieldOrigins[number], fieldSpacings[number], fieldCounts[number], fieldWraps[number], fieldBegins[number]);
 }
 
 fieldGrid fieldGridWith(int probe)
@@ -52,16 +54,16 @@ float fieldCellSize(fieldGrid grid)
 
 int fieldIndex(fieldGrid grid, ivec3 cell)
 {
-  ivec3 kept = cell + grid.wrap;
-  kept -= grid.counts * ivec3(greaterThanEqual(kept, grid.counts));
-  return grid.first + kept.x + grid.counts.x * (kept.y + grid.counts.y * kept.z);
+  ivec3 stored = cell + grid.wrap;
+  stored -= grid.counts * ivec3(greaterThanEqual(stored, grid.counts));
+  return grid.first + stored.x + grid.counts.x * (stored.y + grid.counts.y * stored.z);
 }
 
 ivec3 fieldCell(fieldGrid grid, int probe)
 {
-  int kept = probe - grid.first;
-  int row = kept / grid.counts.x;
-  ivec3 cell = ivec3(kept % grid.counts.x, row % grid.counts.y, row / grid.counts.y) - grid.wrap;
+  int stored = probe - grid.first;
+  int row = stored / grid.counts.x;
+  ivec3 cell = ivec3(stored % grid.counts.x, row % grid.counts.y, row / grid.counts.y) - grid.wrap;
   return cell + grid.counts * ivec3(lessThan(cell, ivec3(0)));
 }
 
@@ -70,7 +72,7 @@ ivec2 fieldTile(int probe)
   return ivec2(probe % fieldColumns, probe / fieldColumns);
 }
 
-// Where a probe would stand if nothing were in the way.
+// Grid point of a probe.
 vec3 fieldHome(fieldGrid grid, int probe)
 {
   return grid.origin + grid.spacing * vec3(fieldCell(grid, probe));
@@ -81,8 +83,8 @@ vec3 fieldPosition(fieldGrid grid, int probe)
   return fieldHome(grid, probe) + texelFetch(fieldProbes, fieldTile(probe), 0).xyz;
 }
 
-// The offsets of the neighbours that a probe keeps a bit for, and the bit of an offset: those that come after
-// the probe, by z, y and x.
+// Offset of the neighbour that a bit of a probe's mask stands for. The mask has a bit for each neighbour that comes
+// after the probe in z, y, x order.
 ivec3 fieldNeighbour(int bit)
 {
   int number = bit + 14;
@@ -100,9 +102,9 @@ vec4 fieldFetch(sampler2D maps, int probe, vec3 direction, float texels)
   return textureLod(maps, at / vec2(textureSize(maps, 0)), 0.0);
 }
 
-// Whether a probe sees a point: Chebyshev's bound on the share of its distances that are greater (Donnelly and
-// Lauritzen 2006, Variance Shadow Maps), cubed, as it is but a bound.
-float fieldSees(int probe, vec3 fromProbe)
+// Visibility of a point from a probe: Chebyshev's bound on the share of greater distances (Donnelly and
+// Lauritzen 2006, Variance Shadow Maps), cubed, as it is only an upper bound.
+float fieldVisibility(int probe, vec3 fromProbe)
 {
   float distance = length(fromProbe);
   vec2 moments = fieldFetch(fieldDistance, probe, fromProbe / max(distance, 1e-20), float(GI_FIELD_DISTANCE)).xy;
@@ -116,25 +118,25 @@ float fieldSees(int probe, vec3 fromProbe)
   return bound * bound * bound;
 }
 
-// The map of distances of the place that a probe left.
-int fieldLeft(int probe)
+// Index of the distance map of a probe's grid point, which is kept when the probe is relocated.
+int fieldGridPointMap(int probe)
 {
   return fieldBegins[fieldGrids] + probe;
 }
 
-// Of those that count so much together.
+// Weight of a probe, given the share of the weights that belong to probes that see it.
 float fieldAgreement(float part)
 {
   return (part * part) * (part * part);
 }
 
-// A walk through the grids that tell of a point, the finest first.
+// A walk through the grids that cover a point, finest grid first.
 struct fieldWalk
 {
   fieldGrid grid;
-  float share; // of the point's light, that this grid tells
-  int next;    // grid
-  float left;  // of the light, for those to come
+  float share; // weight of this grid
+  int next;    // index of the next grid
+  float left;  // weight that remains for the next grids
 };
 
 fieldWalk fieldWalkFromFinest()
@@ -146,9 +148,9 @@ fieldWalk fieldWalkFromFinest()
   return walk;
 }
 
-// All of the light that is left, but in a grid's outermost cells, where it fades to that of those around. Not where it
-// reaches out of the scene, whose bounds are half a cell within the first grid.
-float fieldCovers(fieldGrid grid, vec3 P)
+// Share of the remaining weight that a grid takes: 1, with a fade to the next coarser grid in its outermost cells.
+// There is no fade where the grid extends beyond the scene's bounds, which are half a cell inside the first grid.
+float fieldCoverage(fieldGrid grid, vec3 P)
 {
   vec3 last = grid.origin + grid.spacing * vec3(grid.counts - 1);
   vec3 lowest = fieldOrigins[0] + 0.5 * fieldSpacings[0];
@@ -161,13 +163,13 @@ float fieldCovers(fieldGrid grid, vec3 P)
   return clamp(min(inside.x, min(inside.y, inside.z)), 0.0, 1.0);
 }
 
-// False at the end.
+// Advances to the next grid. Returns false at the end.
 bool fieldStep(inout fieldWalk walk, vec3 P)
 {
   while (walk.next >= 0 && walk.left > 0.0)
   {
     walk.grid = fieldGridOf(walk.next);
-    walk.share = walk.left * (walk.next > 0 ? fieldCovers(walk.grid, P) : 1.0);
+    walk.share = walk.left * (walk.next > 0 ? fieldCoverage(walk.grid, P) : 1.0);
     walk.left -= walk.share;
     --walk.next;
     if (walk.share > 0.0)
@@ -178,31 +180,31 @@ bool fieldStep(inout fieldWalk walk, vec3 P)
   return false;
 }
 
-// Before a block: what it does is done for each grid that tells of a point, by the name of walk. Variant:
-// GI_FIELD_NESTED (there are several; software renderers take a fifth longer for a loop that ends after one).
+// Runs the following block for each grid that covers a point, as the variable `walk`. Variant:
+// GI_FIELD_NESTED (there are several grids; in software renderers a loop of one iteration costs a fifth more time).
 #ifdef GI_FIELD_NESTED
 #define fieldEachGrid(P) for (fieldWalk walk = fieldWalkFromFinest(); fieldStep(walk, P);)
 #else
 #define fieldEachGrid(P) fieldWalk walk = fieldWalk(fieldGridOf(0), 1.0, -1, 0.0);
 #endif
 
-// How much a probe at a position tells of a point of a surface, without its share in the grid. off: a little before the
-// point.
-float fieldTells(int probe, vec3 position, vec3 P, vec3 N, vec3 off)
+// Weight of a probe at a point of a surface, without its trilinear weight. off: the point, offset from its surface.
+float fieldProbeWeight(int probe, vec3 position, vec3 P, vec3 N, vec3 off)
 {
   // Probes behind the surface fade out smoothly.
   float facing = 0.5 + 0.5 * dot(normalize(position - P), N);
-  float weight = facing * facing * fieldSees(probe, off - position);
-  // Where weights are small they are made smaller, without a step: the light of rooms next door.
+  float weight = facing * facing * fieldVisibility(probe, off - position);
+  // Crush small weights, continuously: they are light that leaks from adjacent rooms.
   weight *= weight < 0.2 ? weight * weight / 0.04 : 1.0;
   return max(weight, 1e-6);
 }
 
-// A grid's eight probes around a point of a surface, and weights that add up to 1, or to less where probes left their
-// places (dark: as nothing but what is in the dark was seen from there, which is still known). V: unit, to where the
-// point is seen from; reach: how far that is, with nothing between. Where none of a finer grid's probes sees the point, as
-// when they are new, it tells nothing of it, and the grids around do.
-void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, bool dark, out int probes[8], out float weights[8])
+// The eight probes of a grid around a point of a surface, and their weights. The weights add up to 1, or to less with
+// `dark` if probes were relocated: the grid points that they left still count, as dark, since only dark surfaces
+// are visible from there. V: unit vector to the viewpoint; reach: unoccluded distance to it. If no probe of a finer
+// grid sees the point, for example because the probes are new, the coarser grids get the grid's weight.
+void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, bool dark, out int probes[8],
+  out float weights[8])
 {
   fieldGrid grid = walk.grid;
   float cell = fieldCellSize(grid);
@@ -211,11 +213,11 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
   ivec3 base = clamp(ivec3(floor(place)), ivec3(0), max(grid.counts - 2, ivec3(0)));
   vec3 share = clamp(place - vec3(base), vec3(0.0), vec3(1.0));
   int seen[8];
-  float told = 0.0;
-  float total = 0.0; // of their squares
-  float left = 0.0;  // weights of the places that probes left
-  float lefts = 0.0; // squares of those
-  int away = 0;      // bits of the probes that left
+  float weightSum = 0.0;
+  float squareSum = 0.0; // sum of their squares
+  float vacatedSum = 0.0; // sum of the weights of vacated grid points
+  float vacatedSquares = 0.0; // sum of their squares
+  int relocated = 0; // mask of the relocated probes
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
@@ -226,32 +228,33 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
     float linear = shares.x * shares.y * shares.z;
     vec4 record = texelFetch(fieldProbes, fieldTile(probe), 0);
     vec3 home = grid.origin + grid.spacing * vec3(at);
-    weights[i] = linear * fieldTells(probe, home + record.xyz, P, N, off);
+    weights[i] = linear * fieldProbeWeight(probe, home + record.xyz, P, N, off);
     seen[i] = int(record.w);
-    told += weights[i];
-    total += weights[i] * weights[i];
-    away |= dark && record.xyz != vec3(0.0) ? 1 << i : 0;
+    weightSum += weights[i];
+    squareSum += weights[i] * weights[i];
+    relocated |= dark && record.xyz != vec3(0.0) ? 1 << i : 0;
   }
-  for (; away != 0; away &= away - 1)
+  for (; relocated != 0; relocated &= relocated - 1)
   {
-    int i = findLSB(away);
+    int i = findLSB(relocated);
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
     vec3 shares = mix(1.0 - share, share, vec3(corner));
     vec3 home = grid.origin + grid.spacing * vec3(min(base + corner, grid.counts - 1));
-    float tells = shares.x * shares.y * shares.z * fieldTells(fieldLeft(probes[i]), home, P, N, off);
-    left += tells;
-    lefts += tells * tells;
+    float vacatedWeight =
+      shares.x * shares.y * shares.z * fieldProbeWeight(fieldGridPointMap(probes[i]), home, P, N, off);
+    vacatedSum += vacatedWeight;
+    vacatedSquares += vacatedWeight * vacatedWeight;
   }
-  // A probe counts as far as the others that count see it: one behind a wall may seem to see the point where
-  // that is close to the wall, but none of those before the wall sees the probe.
+  // A probe's weight depends on how many of the other contributing probes see it. A probe behind a wall may seem to
+  // see a point close to the wall, but no probe in front of the wall sees the probe.
   float agreements[8];
 #ifdef GI_FIELD_NESTED
-  float known = grid.first > 0 ? min(1e4 * (told + left), 1.0) : 1.0;
+  float known = grid.first > 0 ? min(1e4 * (weightSum + vacatedSum), 1.0) : 1.0;
   walk.left += (1.0 - known) * walk.share;
   walk.share *= known;
 #endif
-  total = max(total + lefts, 1e-30);
-  float all = left * fieldAgreement(lefts / total);
+  squareSum = max(squareSum + vacatedSquares, 1e-30);
+  float all = vacatedSum * fieldAgreement(vacatedSquares / squareSum);
   for (int i = 0; i < 8; ++i)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
@@ -264,7 +267,7 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
       bool sees = i == j || (seen[low] >> fieldNeighbourBit(offset) & 1) != 0;
       agreed += sees ? weights[j] * weights[j] : 0.0;
     }
-    agreements[i] = fieldAgreement(agreed / total);
+    agreements[i] = fieldAgreement(agreed / squareSum);
     all += weights[i] * agreements[i];
   }
   for (int i = 0; i < 8; ++i)

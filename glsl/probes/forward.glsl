@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What probes send to points of what VTK draws itself (see forward/indirect.glsl). Needs probes/field.glsl,
+// Light of probes on props that VTK draws itself (see forward/indirect.glsl). Needs probes/field.glsl,
 // fieldIrradiance() and fieldCubeAt().
 uniform mat4 fieldFromView;
 uniform float fieldIntensity;
@@ -9,11 +9,11 @@ vec4 fieldIndirect(vec3 P, vec3 N, vec3 V, float reach)
 {
   if (fieldColumns == 0)
   {
-    return vec4(0.0); // a mapper that sets no uniforms
+    return vec4(0.0); // this mapper sets no uniforms
   }
   mat3 turn = mat3(fieldFromView);
   vec3 place = (fieldFromView * vec4(P, 1.0)).xyz;
-  vec3 D = turn * N; // what is near is not known here
+  vec3 D = turn * N; // there is no bent normal here
   return vec4(fieldIntensity * fieldIrradiance(place, D, D, turn * V, reach), 1.0);
 }
 

@@ -1,5 +1,5 @@
-// What probes send to each pixel's surface, divided by pi. Needs shared/view.h, lib/octahedral.glsl,
-// lib/reconstruct.glsl and fieldIrradiance(). Variant: GI_BENT (light is asked for where it comes from past what is near).
+// Irradiance from probes at each pixel's surface, divided by pi. Needs shared/view.h, lib/octahedral.glsl,
+// lib/reconstruct.glsl and fieldIrradiance(). Variant: GI_BENT (look up light in the direction of the bent normal).
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
@@ -25,7 +25,7 @@ void main()
   vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
   vec3 D = N;
 #ifdef GI_BENT
-  // Where nearly nothing arrives its direction says little.
+  // Where hardly any light arrives, its direction says little.
   vec3 open = transpose(mat3(view.ViewToWorld)) * (texelFetch(openTexture, pixel, 0).gba * 2.0 - 1.0);
   D = normalize(open + 0.02 * N);
 #endif

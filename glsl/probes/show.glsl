@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Balls at the probes over the picture: white and lit by what each of them holds, with a coloured rim where a probe
-// is not at its grid's place or rests. Needs shared/view.h, lib/reconstruct.glsl, probes/field.glsl,
-// probes/spheres.glsl, and of the includer
-//   vec3 probeIrradiance(int probe, vec3 N), divided by pi;
-//   bool probeIsResting(int probe): it is hardly updated, as nothing asks it;
-//   const int PROBE_STRAYS: how many cells off its own a probe may stand.
+// Draws balls at the probes over the picture: white, lit by the light that each of them holds, with a coloured rim if
+// the probe has been relocated or rests. Needs shared/view.h, lib/reconstruct.glsl, probes/field.glsl,
+// probes/spheres.glsl, and from the including shader
+//   vec3 probeIrradiance(int probe, vec3 N): irradiance divided by pi;
+//   bool probeIsResting(int probe): whether it is rarely updated, as no surface uses it;
+//   const int PROBE_STRAYS: maximum distance of a probe from its own cell, in cells.
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D before;
 
@@ -15,7 +15,7 @@ uniform float radius; // in cells
 
 layout(location = 0) out vec4 color;
 
-// For the eye alone: told apart from each other and from the light of most scenes, also by the colour-blind.
+// Rim colours, chosen to differ from each other and from the light of most scenes, also for colour-blind people.
 const vec3 MOVED = vec3(1.0, 0.42, 0.0);
 const vec3 RESTING = vec3(0.0, 0.35, 1.0);
 const float RIM = 0.6; // cosine to the eye: a fifth of the radius

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Balls at probes, to look at them. Needs probes/field.glsl.
-const int SPHERE_CELLS = 512; // that a ray may cross
+// Intersects rays with the balls that show probes. Needs probes/field.glsl.
+const int SPHERE_CELLS = 512; // maximum number of cells that a ray crosses
 
-// How far along a ray it enters a probe's ball; negative where it passes by or begins within.
+// Distance at which a ray enters a probe's ball; negative if it misses or starts inside.
 float sphereAt(fieldGrid grid, int probe, vec3 origin, vec3 direction, float radius)
 {
   vec3 to = fieldPosition(grid, probe) - origin;
@@ -12,15 +12,16 @@ float sphereAt(fieldGrid grid, int probe, vec3 origin, vec3 direction, float rad
   return square > 0.0 ? along - sqrt(square) : -1.0;
 }
 
-// Whether finer grids tell all of the light there, so that a grid's probe is not asked.
-bool isToldByFiner(fieldGrid grid, vec3 P)
+// Whether finer grids take the whole weight there, so that this grid's probe is not used.
+bool isCoveredByFiner(fieldGrid grid, vec3 P)
 {
   fieldWalk walk = fieldWalkFromFinest();
   return fieldStep(walk, P) && walk.share >= 1.0 && walk.grid.first > grid.first;
 }
 
-// The first ball of the probes of a range of cells, where that is nearer than the nearest known.
-void nearestSphere(fieldGrid grid, ivec3 low, ivec3 high, vec3 origin, vec3 direction, float radius, inout int nearest, inout float at)
+// Finds the first ball of the probes in a range of cells, if it is nearer than the nearest one so far.
+void nearestSphere(fieldGrid grid, ivec3 low, ivec3 high, vec3 origin, vec3 direction, float radius,
+  inout int nearest, inout float at)
 {
   low = max(low, ivec3(0));
   high = min(high, grid.counts - 1);
@@ -32,7 +33,7 @@ void nearestSphere(fieldGrid grid, ivec3 low, ivec3 high, vec3 origin, vec3 dire
       {
         int probe = fieldIndex(grid, ivec3(x, y, z));
         float here = sphereAt(grid, probe, origin, direction, radius);
-        if (here > 0.0 && here < at && !isToldByFiner(grid, fieldHome(grid, probe)))
+        if (here > 0.0 && here < at && !isCoveredByFiner(grid, fieldHome(grid, probe)))
         {
           nearest = probe;
           at = here;
@@ -42,12 +43,12 @@ void nearestSphere(fieldGrid grid, ivec3 low, ivec3 high, vec3 origin, vec3 dire
   }
 }
 
-// A grid's first ball along a ray, or -1. farthest: how far to look, then how far it is. radius: world units. A ball lies within so many cells (strays)
-// of its probe's own, the cell around its place in the grid. Cells are walked through as in Amanatides and Woo
-// 1987, A Fast Voxel Traversal Algorithm for Ray Tracing.
+// Probe of the first ball of a grid along a ray, or -1. farthest: length of the ray; set to the distance of the ball.
+// radius: in world units. strays: maximum distance of a ball from its probe's own cell, in cells. Traverses the cells
+// as in Amanatides and Woo 1987, A Fast Voxel Traversal Algorithm for Ray Tracing.
 int fieldSphere(fieldGrid grid, vec3 origin, vec3 direction, float radius, int strays, inout float farthest)
 {
-  // In cells around the places: the first from 0 to 1.
+  // Coordinates in cells, each centred on its grid point: the first cell extends from 0 to 1.
   vec3 start = (origin - grid.origin) / grid.spacing + 0.5;
   vec3 path = direction / grid.spacing;
   path = mix(path, vec3(1e-20), lessThan(abs(path), vec3(1e-20)));
@@ -70,7 +71,7 @@ int fieldSphere(fieldGrid grid, vec3 origin, vec3 direction, float radius, int s
     t = min(next.x, min(next.y, next.z));
     if (at <= t)
     {
-      break; // what is met in cells to come is farther
+      break; // hits in the next cells are farther
     }
     bvec3 along3 = lessThanEqual(next, vec3(t));
     ivec3 axis = along3.x ? ivec3(1, 0, 0) : (along3.y ? ivec3(0, 1, 0) : ivec3(0, 0, 1));
@@ -80,7 +81,7 @@ int fieldSphere(fieldGrid grid, vec3 origin, vec3 direction, float radius, int s
     {
       break;
     }
-    // Of the cells around, those ahead: the others are known.
+    // Visit only the cells ahead in the neighbourhood; the others have been visited.
     low = cell - strays * (ivec3(1) - axis - axis * way);
     high = cell + strays * (ivec3(1) - axis + axis * way);
   }

@@ -1,5 +1,5 @@
 #version 430 core
-// The share of each light that reaches a pixel, by rays to points of the light. Variants: those of
+// Visibility of each light at a pixel, by rays to points of the light. Variants: those of
 // rays/passage.glsl.
 #include "shared/view.h"
 #include "shared/light.h"
@@ -13,7 +13,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rgba8, binding = 0) uniform writeonly image2DArray visibility; // four lights a layer
+layout(rgba8, binding = 0) uniform writeonly image2DArray visibility; // four lights per layer
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
@@ -24,23 +24,23 @@ uniform vec3 eye;      // relative to the scene's origin
 uniform int lightCount;
 uniform int layerCount;
 uniform int samples;
-uniform vec2 size;     // tangent of half a directional light's angle; radius of a lamp
+uniform vec2 size;     // x: tangent of half the angle of directional lights; y: radius of positional lights
 
-const float DEPTH_ERROR = 2.5e-7; // of a depth buffer of 24 bits
-const float REACH = 1e-3;         // of the distance: where the surface is looked for
+const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
+const float REACH = 1e-3;         // half length of the ray that looks for the surface, as a share of the distance
 
-// The surface that the rasterizer drew at a pixel: a ray that starts just before it finds it exactly.
+// The surface that the rasterizer drew at a pixel. A ray that starts just in front of it finds it exactly.
 RaySurfacePoint surfaceAt(ivec2 window)
 {
   vec2 center = vec2(window) + 0.5;
   float depth = texelFetch(depthTexture, window, 0).r;
-  vec3 there = giViewPosition(center, depth);
-  vec3 from = giViewPosition(center, 0.0);
-  float distance = length(there - from);
+  vec3 surfacePosition = giViewPosition(center, depth);
+  vec3 nearPosition = giViewPosition(center, 0.0);
+  float distance = length(surfacePosition - nearPosition);
   float reach = REACH * distance +
-    length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - there);
-  vec3 direction = viewToScene * normalize(there - from);
-  vec3 position = eye + viewToScene * there;
+    length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - surfacePosition);
+  vec3 direction = viewToScene * normalize(surfacePosition - nearPosition);
+  vec3 position = eye + viewToScene * surfacePosition;
   vec3 N = viewToScene * giDecodeOctahedral(texelFetch(normalTexture, window, 0).xy);
   Ray ray = Ray(position - reach * direction, 0.0, direction, 2.0 * reach);
   RayHit hit = traceClosest(ray);
@@ -51,7 +51,7 @@ RaySurfacePoint surfaceAt(ivec2 window)
   }
   else
   {
-    // What rays do not see receives shadows all the same.
+    // Props that rays do not see still receive shadows.
     at.position = position;
     at.error = reach;
     at.geometric = N;
@@ -62,9 +62,9 @@ RaySurfacePoint surfaceAt(ivec2 window)
   return at;
 }
 
-float reaching(LightData lamp, RaySurfacePoint at, uint seed, inout uint state)
+float lightVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint state)
 {
-  vec4 toward = rayTowardLight(lamp, at.position, eye);
+  vec4 toward = rayTowardLight(light, at.position, eye);
   mat3 across = giBasis(normalize(toward.xyz));
   float radius = toward.w <= 1.0 ? size.y : size.x;
   int count = radius > 0.0 ? samples : 1;
@@ -94,10 +94,10 @@ void main()
     vec4 open = vec4(1.0);
     for (int i = 0; i < lightCount; ++i)
     {
-      LightData lamp = lights[i];
-      if (lamp.Kind.y >= 0 && lamp.Kind.y / 4 == layer)
+      LightData light = lights[i];
+      if (light.Kind.y >= 0 && light.Kind.y / 4 == layer)
       {
-        open[lamp.Kind.y & 3] = reaching(lamp, at, seed + uint(i) * 0x9e3779b9u, state);
+        open[light.Kind.y & 3] = lightVisibility(light, at, seed + uint(i) * 0x9e3779b9u, state);
       }
     }
     imageStore(visibility, ivec3(window, layer), open);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays through what lets them pass: culled sides, clipped parts, and surfaces that are not opaque, by
-// chance. Needs rays/surface.glsl, lib/sampling.glsl. Variants: GI_RAY_PARTLY (some surfaces let rays
+// Rays that pass culled faces, clipped parts and, with a probability of one minus the opacity, translucent surfaces.
+// Needs rays/surface.glsl, lib/sampling.glsl. Variants: GI_RAY_PARTLY (some surfaces let rays
 // pass), and those of rays/surface.glsl.
-const int RAY_PASSES = 64; // through so many
+const int RAY_PASSES = 64; // maximum number of surfaces that a ray passes
 const float RAY_FAR = 1e30;
 
 bool rayPasses(RaySurfacePoint at, int flags, inout uint state)
@@ -15,8 +15,8 @@ bool rayPasses(RaySurfacePoint at, int flags, inout uint state)
   return culled || (at.color.a < 1.0 && giRandom(state) >= at.color.a);
 }
 
-// Where the ray ends, through what lets it pass. ray.origin moves along. first: how far the first
-// surface is that it meets.
+// Traces a ray to the first surface that it does not pass. Moves ray.origin along the ray. first: distance to the first
+// surface of any kind.
 RayHit traceThrough(inout Ray ray, out RaySurfacePoint at, out float first, inout uint state)
 {
   RayHit hit = traceClosest(ray);

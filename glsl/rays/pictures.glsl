@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures on surfaces, filtered as a texture unit does, without mipmaps: paths through every pixel
+// Images on surfaces, filtered as a texture unit does. There are no mipmaps, as the many paths through a pixel
 // average them. Needs shared/ray_surface.h with GI_RAY_PICTURES.
 
 vec4 rayPixel(int first, uvec4 shape, ivec2 at)
@@ -24,7 +24,7 @@ vec4 rayPixel(int first, uvec4 shape, ivec2 at)
   return value;
 }
 
-// The pixel that stands for one outside the picture; false where that is the border.
+// Wraps the coordinates of a pixel outside the image. Returns false where the border's colour applies.
 bool rayWrap(int mode, ivec2 size, inout ivec2 at)
 {
   bool inside = all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size));
@@ -47,12 +47,12 @@ vec4 rayPicture(int head, vec2 coordinates)
   ivec2 size = ivec2(shape.xy);
   int mode = int(shape.z >> GI_PICTURE_WRAP_SHIFT) & 3;
   int first = head + 2;
-  // Beyond this floats no longer tell pixels apart; and what is not a number shows the first.
-  vec2 place = clamp(coordinates, vec2(-1e6), vec2(1e6)) * vec2(size);
-  place = mix(place, vec2(0.0), isnan(coordinates));
+  // Beyond this limit floats no longer distinguish pixels. NaN shows the first pixel.
+  vec2 position = clamp(coordinates, vec2(-1e6), vec2(1e6)) * vec2(size);
+  position = mix(position, vec2(0.0), isnan(coordinates));
   bool nearest = (shape.z & GI_PICTURE_NEAREST) != 0u;
-  vec2 corner = nearest ? floor(place) : floor(place - 0.5);
-  vec2 weight = nearest ? vec2(0.0) : place - 0.5 - corner;
+  vec2 corner = nearest ? floor(position) : floor(position - 0.5);
+  vec2 weight = nearest ? vec2(0.0) : position - 0.5 - corner;
   vec4 sum = vec4(0.0);
   for (int i = 0; i < (nearest ? 1 : 4); ++i)
   {

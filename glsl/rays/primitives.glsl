@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a ray meets a triangle, a sphere or a cylinder. Each test narrows hit.x, the distance,
-// where it finds a nearer one within [tMin, hit.x), and then returns true; hit.yz are surface
-// parameters.
+// Intersections of a ray with a triangle, a sphere or a cylinder. Each test returns true if it finds one at a distance
+// in [tMin, hit.x), and then sets hit.x to that distance and hit.yz to the surface parameters.
 
-// A ray seen along its dominant axis: what the triangle test needs of its direction.
+// Shear of a ray along its dominant axis, for the triangle test.
 struct RayShear
 {
   int axis; // the largest component of the direction
@@ -27,9 +26,9 @@ RayShear rayShear(vec3 direction)
 }
 
 // Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection" (JCGT 2:1). Both triangles at an
-// edge compute the same products for it, so no ray passes between them; `precise` keeps a compiler
-// from fusing one product of a difference, which would break that. Their fallback to doubles where
-// an edge function is zero is left out: zero counts as inside on both sides, so it would only
+// edge compute the same products for it, so no ray passes between them. `precise` keeps a compiler
+// from fusing one product of a difference, which would break that. The paper's fallback to doubles where
+// an edge function is zero is left out: zero counts as inside on both sides, so the fallback would only
 // choose between the neighbours.
 bool rayTriangle(
   vec3 origin, RayShear ray, float tMin, vec3 v0, vec3 v1, vec3 v2, inout vec3 hit)
@@ -45,7 +44,7 @@ bool rayTriangle(
   precise float w = pb.x * pa.y - pb.y * pa.x;
   bool inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
   float area = u + v + w;
-  // Weights first: of a tiny triangle the products with them would be too small for floats.
+  // Divide before multiplying: for a tiny triangle the products would underflow.
   float t = dot(vec3(u, v, w) / area, vec3(a.z, b.z, c.z)) * ray.shear.z;
   if (inside && area != 0.0 && t >= tMin && t < hit.x)
   {
@@ -56,7 +55,7 @@ bool rayTriangle(
 }
 
 // Haines, Günther, Akenine-Möller 2019, "Precision improvements for ray/sphere intersection" (Ray
-// Tracing Gems, ch. 7): the discriminant from the point of the ray nearest to the centre.
+// Tracing Gems, ch. 7): computes the discriminant at the point of the ray nearest to the centre.
 bool raySphere(
   vec3 origin, vec3 direction, float tMin, vec3 center, float radius, inout vec3 hit)
 {
@@ -74,8 +73,8 @@ bool raySphere(
   return false;
 }
 
-// The same for the part of the ray across the axis, started from the point nearest to the middle of
-// the cylinder. hit.y runs from 0 to 1 along the axis, hit.z is 0 on the side and 1 on a cap.
+// Applies the same method to the component of the ray across the axis, from the point of the ray nearest to the middle
+// of the cylinder. hit.y runs from 0 to 1 along the axis; hit.z is 0 on the side and 1 on a cap.
 bool rayCylinder(vec3 origin, vec3 direction, float tMin, vec3 end0, vec3 end1, float radius,
   bool capped, inout vec3 hit)
 {
@@ -108,8 +107,8 @@ bool rayCylinder(vec3 origin, vec3 direction, float tMin, vec3 end0, vec3 end1, 
   for (int i = 0; i < 2; ++i)
   {
     float t = (float(i) * axisLength - height) / along;
-    vec3 there = offset + t * across;
-    if (capped && along != 0.0 && dot(there, there) <= radius * radius && start + t >= tMin &&
+    vec3 cap = offset + t * across;
+    if (capped && along != 0.0 && dot(cap, cap) <= radius * radius && start + t >= tMin &&
       start + t < hit.x)
     {
       hit = vec3(start + t, float(i), 1.0);

@@ -1,6 +1,6 @@
 #version 430 core
-// One ray per invocation, from a buffer into a buffer. Variants: GI_RAY_ANY (report whether there
-// is a hit, in Hit.x as 0 or -1, not which), those of rays/trace.glsl.
+// Traces one ray per invocation, from a buffer of queries to a buffer of answers. Variants: GI_RAY_ANY (answer only
+// whether there is a hit: Hit.x is 0 or -1), and those of rays/trace.glsl.
 #include "rays/trace.glsl"
 #include "shared/ray_query.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of the surroundings, a picture of longitude and latitude as VTK lays it out, and
-// directions picked in proportion to it. Needs shared/ray_surface.h. Variant: GI_RAY_SKY_CELLS (see raySkyMean).
-layout(binding = GI_RAY_SKY_UNIT) uniform sampler2DArray raySky; // for matter; for highlights where that differs
+// Radiance of the environment, an equirectangular image in VTK's layout, and importance sampling of its directions.
+// Needs shared/ray_surface.h. Variant: GI_RAY_SKY_CELLS (see raySkyMean).
+layout(binding = GI_RAY_SKY_UNIT) uniform sampler2DArray raySky; // layer 0: diffuse; layer 1: highlights, if different
 #ifdef GI_RAY_SKY_CELLS
 layout(binding = GI_RAY_SKY_CELLS_UNIT) uniform sampler2D raySkyCells;
 #endif
@@ -12,7 +12,7 @@ uniform ivec2 skyCells;
 
 const float SKY_PI = 3.14159265358979;
 
-vec2 raySkyPlace(vec3 direction)
+vec2 raySkyCoordinates(vec3 direction)
 {
   vec3 d = sceneToSky * direction;
   return vec2(atan(d.z, d.x) / (2.0 * SKY_PI), asin(clamp(d.y, -1.0, 1.0)) / SKY_PI) + 0.5;
@@ -20,18 +20,19 @@ vec2 raySkyPlace(vec3 direction)
 
 vec3 raySkyRadiance(vec3 direction)
 {
-  return textureLod(raySky, vec3(raySkyPlace(direction), 0.0), 0.0).rgb;
+  return textureLod(raySky, vec3(raySkyCoordinates(direction), 0.0), 0.0).rgb;
 }
 
-// What highlights reflect: VTK may decode the picture otherwise for them. A layer that is not there is the last.
+// Radiance that highlights reflect, for which VTK may decode the image differently. Without a second layer the lookup
+// is clamped to the first.
 vec3 raySkyGloss(vec3 direction)
 {
-  return textureLod(raySky, vec3(raySkyPlace(direction), 1.0), 0.0).rgb;
+  return textureLod(raySky, vec3(raySkyCoordinates(direction), 1.0), 0.0).rgb;
 }
 
 #ifdef GI_RAY_SKY_CELLS
-// The mean over the part of the sphere that a ray stands for, where a few rays are spread evenly: single rays would miss
-// a sun, or take it for as large as that part.
+// Mean radiance over the solid angle that one of a few evenly distributed rays represents. A point lookup would miss
+// a sun, or make it as large as that solid angle.
 vec3 raySkyMean(vec3 direction)
 {
   vec3 d = sceneToSky * direction;
@@ -44,7 +45,7 @@ float raySkyCumulative(int row, int cell)
   return texelFetch(raySkyTable, ivec2(cell, row), 0).r;
 }
 
-// The last cell of a row of the table that begins at u or before.
+// Finds the last cell in a row of the table that begins at or before u.
 int raySkyFind(int row, int cells, float u)
 {
   int low = 0;
@@ -59,7 +60,7 @@ int raySkyFind(int row, int cells, float u)
   return low;
 }
 
-// Per solid angle, for a direction at this place of the picture.
+// Probability density per solid angle of the directions in a cell.
 float raySkyDensityAt(ivec2 cell)
 {
   float band = raySkyCumulative(skyCells.y, cell.y + 1) - raySkyCumulative(skyCells.y, cell.y);
@@ -71,19 +72,19 @@ float raySkyDensityAt(ivec2 cell)
 
 float raySkyDensity(vec3 direction)
 {
-  ivec2 cell = ivec2(raySkyPlace(direction) * vec2(skyCells));
+  ivec2 cell = ivec2(raySkyCoordinates(direction) * vec2(skyCells));
   return raySkyDensityAt(clamp(cell, ivec2(0), skyCells - 1));
 }
 
-// Evenly within the cell that u picks.
+// Samples a direction: u selects a cell, and the density is uniform within it.
 vec3 raySkySample(vec2 u, out float density)
 {
   ivec2 cell;
   cell.y = raySkyFind(skyCells.y, skyCells.y, u.y);
   cell.x = raySkyFind(cell.y, skyCells.x, u.x);
-  vec2 from = vec2(raySkyCumulative(cell.y, cell.x), raySkyCumulative(skyCells.y, cell.y));
-  vec2 to = vec2(raySkyCumulative(cell.y, cell.x + 1), raySkyCumulative(skyCells.y, cell.y + 1));
-  vec2 within = clamp((u - from) / max(to - from, vec2(1e-20)), 0.0, 1.0);
+  vec2 cellBegin = vec2(raySkyCumulative(cell.y, cell.x), raySkyCumulative(skyCells.y, cell.y));
+  vec2 cellEnd = vec2(raySkyCumulative(cell.y, cell.x + 1), raySkyCumulative(skyCells.y, cell.y + 1));
+  vec2 within = clamp((u - cellBegin) / max(cellEnd - cellBegin, vec2(1e-20)), 0.0, 1.0);
   float longitude = ((float(cell.x) + within.x) / float(skyCells.x) - 0.5) * 2.0 * SKY_PI;
   vec2 heights = sin((vec2(cell.y, cell.y + 1) / float(skyCells.y) - 0.5) * SKY_PI);
   float height = mix(heights.x, heights.y, within.y);

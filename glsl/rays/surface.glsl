@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a ray sees where it ends: position, normals and material, as VTK draws them. Needs
+// Position, normals and material of the surface that a ray hits, as VTK draws them. Needs
 // rays/trace.glsl, lib/octahedral.glsl. Variants: GI_RAY_CLIPPED (some surfaces
-// have clipping planes), GI_RAY_PICTURES (some have pictures), and those of rays/trace.glsl.
+// have clipping planes), GI_RAY_PICTURES (some have images), and those of rays/trace.glsl.
 #include "shared/ray_surface.h"
 #ifdef GI_RAY_PICTURES
 #include "rays/pictures.glsl"
@@ -11,19 +11,19 @@
 struct RaySurfacePoint
 {
   vec3 position;  // relative to the scene's origin
-  float error;    // by how much it may be off
-  vec3 geometric; // unit, to the side the ray comes from
-  vec3 normal;    // unit, for shading
-  bool front;     // seen from the side from which its corners run counter-clockwise
+  float error;    // bound on the position's error
+  vec3 geometric; // unit geometric normal on the side that the ray comes from
+  vec3 normal;    // unit shading normal
+  bool front;     // whether the ray hits the side on which the corners run counter-clockwise
   vec4 color;     // diffuse reflectance or base colour; a: opacity
   vec3 emission;
-  vec4 specular;  // as RaySurface's
+  vec4 specular;  // as RaySurface::Specular
   float metallic;
   float roughness;
-  float occlusion; // share of its light that a PBR surface is drawn with
-  int surface;     // index of its material
-  vec3 bulge;      // from the flat triangle to the round surface that its normals stand for
-  float bend;      // sine of the largest angle between those normals and the triangle's
+  float occlusion; // ambient occlusion factor of a PBR material
+  int surface;     // index of its RaySurface
+  vec3 bulge;      // offset from the flat triangle to the curved surface that the point normals represent
+  float bend;      // sine of the largest angle between the point normals and the triangle's normal
   int primitive;
 };
 
@@ -33,13 +33,13 @@ vec3 rayToMeshTransposed(int instance, vec3 v)
   return rayInstance(at).xyz * v.x + rayInstance(at + 1).xyz * v.y + rayInstance(at + 2).xyz * v.z;
 }
 
-// Zero where the point has none.
+// Normal of a point, zero if it has none.
 vec3 rayPointNormal(uint bits)
 {
   return bits == GI_RAY_NO_NORMAL ? vec3(0.0) : giDecodeOctahedral(unpackUnorm2x16(bits));
 }
 
-// The surface in a colour that stands in place of the material's.
+// Replaces the material's colour by a mapped one.
 RaySurface rayColored(RaySurface surface, vec4 mapped)
 {
   bool phong = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
@@ -49,7 +49,7 @@ RaySurface rayColored(RaySurface surface, vec4 mapped)
 }
 
 #ifdef GI_RAY_CLIPPED
-// Whether a clipping plane takes this point of a surface away.
+// Whether a clipping plane removes this point of a surface.
 bool rayClipped(RaySurface surface, vec3 position)
 {
   bool clipped = false;
@@ -78,7 +78,7 @@ vec2 rayTextureCoordinates(ivec3 corner, vec2 barycentrics)
 }
 
 #ifdef GI_RAY_PICTURES
-// The material where its pictures have these coordinates; occlusion as RaySurfacePoint's.
+// Applies a material's images at these texture coordinates. occlusion: as RaySurfacePoint::occlusion.
 RaySurface rayPictured(RaySurface surface, vec2 uv, bool front, out float occlusion)
 {
   occlusion = 1.0;
@@ -92,7 +92,7 @@ RaySurface rayPictured(RaySurface surface, vec2 uv, bool front, out float occlus
   {
     vec4 base = rayPicture(surface.Pictures.x, uv);
     surface.Color *= base;
-    // VTK multiplies what a Phong material sends, by whatever way.
+    // For Phong materials VTK multiplies all outgoing light by the texture.
     surface.Specular.rgb *= model == GI_SURFACE_PBR ? vec3(1.0) : base.rgb;
     surface.Emission.rgb *= model == GI_SURFACE_PBR ? vec3(1.0) : base.rgb;
   }
@@ -109,8 +109,8 @@ RaySurface rayPictured(RaySurface surface, vec2 uv, bool front, out float occlus
   return surface;
 }
 
-// The normal as a picture bends it. Tangents follow the picture's first axis, as
-// vtkPolyDataTangents makes them: without a handedness.
+// Shading normal with the normal map applied. Tangents follow the image's first axis and have no handedness, as those
+// of vtkPolyDataTangents.
 vec3 rayBentNormal(RaySurface surface, ivec3 corner, vec2 uv, vec3 edge1, vec3 edge2, mat3 toScene, vec3 N)
 {
   vec2 a = uintBitsToFloat(texelFetch(rayPoints, corner.x).zw);
@@ -130,7 +130,7 @@ vec3 rayBentNormal(RaySurface surface, ivec3 corner, vec2 uv, vec3 edge1, vec3 e
 }
 #endif
 
-// The material at a point of one of its primitives; occlusion as RaySurfacePoint's.
+// Material at a point of a primitive. occlusion: as RaySurfacePoint::occlusion.
 RaySurface rayMaterial(
   RaySurface surface, int primitive, vec2 barycentrics, bool front, out float occlusion)
 {
@@ -138,8 +138,8 @@ RaySurface rayMaterial(
   occlusion = 1.0;
   if ((flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0)
   {
-    uvec4 found = texelFetch(rayAttributes, surface.Where.x + primitive);
-    vec4 mapped = unpackUnorm4x8(found.w);
+    uvec4 attributes = texelFetch(rayAttributes, surface.Where.x + primitive);
+    vec4 mapped = unpackUnorm4x8(attributes.w);
     if ((flags & GI_SURFACE_POINT_COLORS) != 0)
     {
       ivec3 corner = rayCorners(surface, primitive);
@@ -180,52 +180,52 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   result.surface = rayHitInstance(hit).y;
   RaySurface surface = raySurfaces[result.surface];
   vec3 position = ray.origin + hit.t * ray.direction;
-  vec3 there = vec3(dot(x.xyz, position) + x.w, dot(y.xyz, position) + y.w,
+  vec3 meshPosition = vec3(dot(x.xyz, position) + x.w, dot(y.xyz, position) + y.w,
     dot(z.xyz, position) + z.w);
-  vec3 mesh;         // the normal in the mesh
-  float above = 0.0; // by how much the point is off the surface there
+  vec3 meshNormal;    // in mesh coordinates
+  float height = 0.0; // of the computed point over the surface
   bool triangle = true;
-  vec3 extent = abs(a.xyz - there);
+  vec3 extent = abs(a.xyz - meshPosition);
 #if defined(GI_RAY_SPHERES) || defined(GI_RAY_CYLINDERS)
   int kind = floatBitsToInt(b.w);
   triangle = kind != GI_RAY_SPHERE && kind < GI_RAY_CYLINDER;
   if (kind == GI_RAY_SPHERE)
   {
-    above = length(there - a.xyz) - c.w;
-    mesh = normalize(there - a.xyz);
+    height = length(meshPosition - a.xyz) - c.w;
+    meshNormal = normalize(meshPosition - a.xyz);
   }
   else if (kind >= GI_RAY_CYLINDER)
   {
     vec3 axis = normalize(b.xyz - a.xyz);
-    vec3 across = (there - a.xyz) - dot(there - a.xyz, axis) * axis;
+    vec3 across = (meshPosition - a.xyz) - dot(meshPosition - a.xyz, axis) * axis;
     bool cap = hit.barycentrics.y > 0.5;
-    above = cap ? 0.0 : length(across) - c.w;
-    mesh = cap ? axis * (hit.barycentrics.x > 0.5 ? 1.0 : -1.0) : normalize(across);
+    height = cap ? 0.0 : length(across) - c.w;
+    meshNormal = cap ? axis * (hit.barycentrics.x > 0.5 ? 1.0 : -1.0) : normalize(across);
   }
   else
 #endif
   {
     vec3 edge1 = b.xyz - a.xyz;
     vec3 edge2 = c.xyz - a.xyz;
-    // In units of the triangle's size: of tiny ones the product's square would be zero.
+    // Scale by the triangle's size: the squared cross product of a tiny triangle would underflow.
     vec3 sides = max(abs(edge1), abs(edge2));
     float size = max(sides.x, max(sides.y, sides.z));
-    mesh = normalize(cross(edge1 / size, edge2 / size));
-    above = dot(there - a.xyz, mesh);
-    extent = max(extent, max(abs(b.xyz - there), abs(c.xyz - there)));
+    meshNormal = normalize(cross(edge1 / size, edge2 / size));
+    height = dot(meshPosition - a.xyz, meshNormal);
+    extent = max(extent, max(abs(b.xyz - meshPosition), abs(c.xyz - meshPosition)));
   }
-  // The distance along the ray has the error of the ray's length; one step of Newton's method brings
-  // the point to the surface, so that what leaves there need not be moved far.
-  vec3 outward = x.xyz * mesh.x + y.xyz * mesh.y + z.xyz * mesh.z;
+  // The error of the hit distance grows with the ray's length. One step of Newton's method brings
+  // the point to the surface, so that rays that leave from there need only a small offset.
+  vec3 outward = x.xyz * meshNormal.x + y.xyz * meshNormal.y + z.xyz * meshNormal.z;
   float scale = length(outward);
-  result.position = position - outward * (above / (scale * scale));
+  result.position = position - outward * (height / (scale * scale));
   outward /= scale;
-  vec3 size = max(abs(result.position), abs(there) / scale);
-  // A large triangle is met imprecisely even by a ray that starts close to the coordinates' origin: on
-  // squares seen there, 6e-8 of their size was too little and 1e-7 enough.
+  vec3 size = max(abs(result.position), abs(meshPosition) / scale);
+  // The hit point on a large triangle is imprecise even if the ray starts close to the coordinates' origin. For
+  // squares seen from there, 6e-8 of their size was too little and 1e-7 enough.
   result.error = 1e-6 * max(size.x, max(size.y, size.z)) +
     3e-7 / scale * max(extent.x, max(extent.y, extent.z));
-  // A mirroring transformation turns the corners' order round, and their cross product with it.
+  // A mirroring transformation reverses the order of the corners and thus their cross product.
   float mirrored = dot(cross(x.xyz, y.xyz), z.xyz) < 0.0 ? -1.0 : 1.0;
   result.front = dot(outward, ray.direction) * mirrored < 0.0;
   bool toward = dot(outward, ray.direction) < 0.0;
@@ -243,11 +243,11 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
     vec3 n = mat3(x.xyz, y.xyz, z.xyz) * (normals * share);
     n = result.front ? n : -n;
     result.normal = dot(n, n) > 0.0 ? normalize(n) : result.geometric;
-    bool everywhere = texelFetch(rayPoints, corner.x).x != GI_RAY_NO_NORMAL &&
+    bool allCorners = texelFetch(rayPoints, corner.x).x != GI_RAY_NO_NORMAL &&
       texelFetch(rayPoints, corner.y).x != GI_RAY_NO_NORMAL && texelFetch(rayPoints, corner.z).x != GI_RAY_NO_NORMAL;
-    if (everywhere && dot(result.normal, result.geometric) > 0.0)
+    if (allCorners && dot(result.normal, result.geometric) > 0.0)
     {
-      // How far the point is below the planes at the corners.
+      // Depth of the point below the tangent planes at the corners.
       vec3 bulge = vec3(0.0);
       float least = 1.0;
       float side = result.front ? 1.0 : -1.0;
@@ -255,8 +255,8 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
       for (int i = 0; i < 3; ++i)
       {
         vec3 outside = side * normals[i];
-        bulge -= share[i] * min(dot(there - corners[i], outside), 0.0) * outside;
-        least = min(least, abs(dot(outside, mesh)));
+        bulge -= share[i] * min(dot(meshPosition - corners[i], outside), 0.0) * outside;
+        least = min(least, abs(dot(outside, meshNormal)));
       }
       result.bulge = inverse(transpose(mat3(x.xyz, y.xyz, z.xyz))) * bulge;
       result.bend = sqrt(max(0.0, 1.0 - least * least));
@@ -289,20 +289,19 @@ RaySurfacePoint raySurfaceAt(Ray ray, RayHit hit)
   return result;
 }
 
-// Where a ray leaves a surface toward a side of it: far enough not to meet it again.
+// Origin of a ray that leaves a surface, offset to the direction's side so that the ray does not hit the surface again.
 vec3 rayLeave(RaySurfacePoint at, vec3 direction)
 {
   float side = dot(at.geometric, direction) >= 0.0 ? 1.0 : -1.0;
   return at.position + side * at.error * at.geometric;
 }
 
-// Where light arrives from a direction above the shading normal's plane. Where it grazes, that is on
-// the round surface that the normals stand for, or facets would show as dark teeth where light ends
-// (Hanika 2021, Hacking the Shadow Terminator). blocked: the direction leads straight into the
-// triangle.
+// Point where light arrives from a direction above the shading normal's plane. At grazing angles the point lies on
+// the curved surface that the normals represent; otherwise facets would show as dark teeth along the terminator
+// (Hanika 2021, Hacking the Shadow Terminator). blocked: the direction points into the triangle.
 vec3 rayArrive(RaySurfacePoint at, vec3 direction, out bool blocked)
 {
-  // Elsewhere it would lift points out of the shadows of what touches the surface.
+  // At other angles the offset would lift points out of contact shadows.
   float grazing = min(2.0 * at.bend, 0.3);
   float share = grazing > 0.0 ? clamp(2.0 - 2.0 * dot(at.normal, direction) / grazing, 0.0, 1.0) : 0.0;
   vec3 lift = share * at.bulge;

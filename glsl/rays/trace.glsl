@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays against the scene that penumbra::RayScene bound. Coordinates are relative to the scene's
+// Traces rays in the scene that penumbra::RayScene has bound. Coordinates are relative to the scene's
 // origin, distances in units of the direction's length. Variants: GI_RAY_SPHERES, GI_RAY_CYLINDERS
-// (the scene has some; RayScene::ShaderDefines() says).
+// (the scene has some, see RayScene::ShaderDefines()).
 //
-// The shape of the loop is chosen for software GL, where one lane of a vector is one ray: both
-// sides of an if are executed, a store to a varying place of an array is eight branches, and only a
-// loop ends early, once its last lane is done. So nodes push and pop without conditions, and bounds
-// are compared as integers, which have no NaN to look after.
+// The loop is shaped for software GL, where each lane of a vector is a ray. Both
+// sides of an if are executed, a store to a varying index of an array takes eight branches, and only a
+// loop can end early, once its last lane is done. Nodes are therefore pushed and popped without conditions, and bounds
+// are compared as integers, which need no handling of NaN.
 #include "shared/ray_scene.h"
 #include "rays/primitives.glsl"
 
@@ -22,7 +22,7 @@ struct Ray
 struct RayHit
 {
   float t;           // tMax where nothing is hit
-  int instance;      // the instance's record, -1 where nothing is hit
+  int instance;      // the instance's record, -1 if nothing is hit
   int primitive;     // the primitive's record
   vec2 barycentrics; // triangle: weights of its second and third vertex
 };
@@ -40,8 +40,8 @@ vec4 rayInstance(int texel)
   return uintBitsToFloat(imageLoad(rayInstances, texel));
 }
 
-// 1/d, finite where d is zero: a slab's faces are then far away on either side of the origin, since
-// bounds are a little larger than what they bound and the origin is never on a face of interest.
+// 1 / direction, finite where a component is zero. A slab's faces are then far away on either side of the origin, since
+// bounds are a little larger than their contents and the origin is never on a face that matters.
 vec3 rayInverse(vec3 direction)
 {
   const float tiny = 1e-30;
@@ -59,8 +59,8 @@ RayHit rayTrace(Ray ray, const bool any)
   int instance = -1;
   bool top = true;
 
-  // The mark lies there twice, as lanes that are done still look below the one they took: with one
-  // alone, Mesa 26.1 with LLVM 21 makes rays against sticks that never end.
+  // The end mark is there twice, as lanes that are done still read the entry below it. With a single
+  // mark, Mesa 26.1 with LLVM 21 compiles traversals of sticks that never end.
   int stack[GI_RAY_STACK];
   stack[0] = GI_RAY_DONE;
   stack[1] = GI_RAY_DONE;
@@ -80,8 +80,8 @@ RayHit rayTrace(Ray ray, const bool any)
       precise vec3 q0 = (upper0.xyz - origin) * inverse;
       precise vec3 p1 = (lower1 - origin) * inverse;
       precise vec3 q1 = (upper1 - origin) * inverse;
-      // Floats of one sign compare as integers do, and what the sign itself decides survives: the
-      // entry is not before `nearest`, and an exit before it is a miss whatever its size.
+      // Floats of equal sign compare like integers, and mixed signs do no harm: the
+      // entry is never before `nearest`, and an exit before that is a miss whatever its value.
       ivec3 enter0 = min(floatBitsToInt(p0), floatBitsToInt(q0));
       ivec3 leave0 = max(floatBitsToInt(p0), floatBitsToInt(q0));
       ivec3 enter1 = min(floatBitsToInt(p1), floatBitsToInt(q1));
@@ -89,8 +89,8 @@ RayHit rayTrace(Ray ray, const bool any)
       int farthest = floatBitsToInt(result.t);
       int near0 = max(max(enter0.x, enter0.y), max(enter0.z, nearest));
       int near1 = max(max(enter1.x, enter1.y), max(enter1.z, nearest));
-      // Ize 2013, "Robust BVH ray traversal" (JCGT 2:2): the computed exit may be two units in the
-      // last place too early, the entry as much too late.
+      // Ize 2013, "Robust BVH ray traversal" (JCGT 2:2): the computed exit may be too early by two units in the
+      // last place, the entry too late by as much.
       int far0 = min(min(leave0.x, leave0.y), min(leave0.z, farthest)) + 4;
       int far1 = min(min(leave1.x, leave1.y), min(leave1.z, farthest)) + 4;
       bool hit0 = near0 <= far0;
@@ -104,7 +104,7 @@ RayHit rayTrace(Ray ray, const bool any)
       size += hit0 && hit1 ? 1 : (hit0 || hit1 ? 0 : -1);
     }
 
-    // The records of a leaf of a mesh.
+    // Intersect the records of a leaf of a mesh.
     bool leaf = !top && current > GI_RAY_LEAVE;
     int first = ~current >> GI_RAY_LEAF_SHIFT;
     int count = leaf ? (~current & (GI_RAY_LEAF_SIZE - 1)) + 1 : 0;
@@ -192,7 +192,7 @@ bool traceAny(Ray ray)
   return rayTrace(ray, true).instance >= 0;
 }
 
-// What was hit, by the caller's numbers: x the instance, y the number given with it.
+// The caller's numbers of the hit: x the instance, y RayInstance::User.
 ivec2 rayHitInstance(RayHit hit)
 {
   return floatBitsToInt(rayInstance(hit.instance * GI_RAY_INSTANCE_TEXELS + 3).yz);

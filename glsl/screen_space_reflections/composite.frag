@@ -1,8 +1,8 @@
 #version 430 core
-// The picture with reflections: what was found on the screen takes the place of the surroundings' light
+// Adds reflections to the picture: where rays hit something, they replace the light of the surroundings
 // that VTK reflects there. Variants: GI_EXTENDED (textures, PBR), GI_SURROUNDINGS (VTK's image-based
-// reflection is kept apart), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear, not as displayed), GI_DEBUG
-// (paint how rays ended).
+// reflection is known separately), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear radiance, not the colour for display),
+// GI_DEBUG (show how rays ended).
 #include "shared/view.h"
 #include "shared/material.h"
 #include "shared/reflection.h"
@@ -26,8 +26,8 @@ layout(binding = 10) uniform sampler2D endTexture;
 uniform int debugView; // 1: reasons, 2: confidence
 #endif
 
-uniform vec3 ambientLight; // what a white diffuse surface reflects of the uniform surroundings
-uniform float keep;        // 1: the surroundings' light fills in what is missing; 0: nothing does
+uniform vec3 ambientLight; // radiance that a white diffuse surface reflects from uniform surroundings
+uniform float keep;        // 1: the light of the surroundings replaces missing reflections; 0: nothing does
 
 layout(location = 0) out vec4 color;
 
@@ -39,7 +39,7 @@ vec3 withReflection(ivec2 window, vec3 radiance, Lobe lobe)
 #ifdef GI_AMBIENT_VISIBILITY
   openness = texelFetch(ambientVisibility, window, 0).r;
 #endif
-  vec3 surroundings = vec3(0.0); // as direct_light/resolve.frag has added it
+  vec3 surroundings = vec3(0.0); // the part that direct_light/resolve.frag has added
 #ifdef GI_SURROUNDINGS
   surroundings = texelFetch(surroundingsTexture, window, 0).rgb;
 #endif
@@ -53,7 +53,7 @@ vec3 withReflection(ivec2 window, vec3 radiance, Lobe lobe)
 }
 
 #ifdef GI_DEBUG
-// The legend: docs/techniques/screen-space-reflections.md.
+// The legend is in docs/techniques/screen-space-reflections.md.
 const vec3 LEGEND[GI_REFLECTION_ENDS] = vec3[](vec3(0.0), vec3(0.1, 0.7, 0.1), vec3(0.9, 0.2, 0.2),
   vec3(0.6, 0.2, 0.8), vec3(1.0, 1.0, 1.0), vec3(0.5, 0.35, 0.2), vec3(0.95, 0.85, 0.1),
   vec3(0.2, 0.4, 0.95), vec3(0.95, 0.55, 0.1), vec3(0.35, 0.35, 0.35), vec3(0.0, 0.0, 0.0),

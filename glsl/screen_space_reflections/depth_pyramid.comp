@@ -1,9 +1,9 @@
 #version 430 core
-// Where surfaces begin and end along the view, as depths: of each pixel, and over squares of 2, 4, ...
-// 64 pixels, in one dispatch, as a group reduces 64 x 64 pixels (Greene, Kass and Miller 1993,
-// "Hierarchical Z-Buffer Visibility"). A surface ends behind its beginning by what it falls within the
-// pixel, and the thickness. Sizes are rounded up, so a texel covers exactly its pixels, of which there are fewer at the upper bounds of an
-// odd size.
+// Depth range of surfaces, for each pixel and over squares of 2, 4, ...
+// 64 pixels, in one dispatch: a group reduces 64 x 64 pixels (Greene, Kass and Miller 1993,
+// "Hierarchical Z-Buffer Visibility"). A surface extends from its depth by the change of depth within the
+// pixel plus the thickness. Sizes are rounded up, so that a texel covers exactly its pixels; at the upper bounds of an
+// odd size these are fewer.
 #include "shared/view.h"
 #include "shared/reflection.h"
 #include "lib/octahedral.glsl"
@@ -43,9 +43,9 @@ float depthAt(ivec2 pixel)
     texelFetch(depthTexture, clamp(pixel + low, low, low + ivec2(view.Viewport.zw) - 1), 0).r);
 }
 
-// By how much the view depth of a pixel's surface changes across the pixel: by its normal, but no more
-// than toward the neighbours, of those on either side the one that is more likely the same surface.
-float fall(ivec2 pixel, float depth, float z)
+// Change of the view depth of a surface across a pixel, by its normal, but no more
+// than the change toward the nearer neighbour along each axis, which is more likely on the same surface.
+float depthChange(ivec2 pixel, float depth, float z)
 {
   vec2 center = vec2(pixel) + view.Viewport.xy + 0.5;
   vec3 P = giViewPosition(center, depth);
@@ -70,7 +70,7 @@ vec2 surfaceAt(ivec2 pixel)
   }
   float depth = texelFetch(depthTexture, pixel + ivec2(view.Viewport.xy), 0).r;
   float z = giViewDepth(depth);
-  z -= 0.5 * fall(pixel, depth, z) + thickness;
+  z -= 0.5 * depthChange(pixel, depth, z) + thickness;
   float end = (view.ViewToClip[2].z * z + view.ViewToClip[3].z) /
     (view.ViewToClip[2].w * z + view.ViewToClip[3].w);
   vec2 range = vec2(depth, end * 0.5 + 0.5);
@@ -88,10 +88,10 @@ void main()
   {
     ivec2 texel = at * 2 + ivec2(i & 1, i >> 1);
     ivec2 pixel = texel * 2;
-    vec2 four = join(join(surfaceAt(pixel), surfaceAt(pixel + ivec2(1, 0))),
+    vec2 range2x2 = join(join(surfaceAt(pixel), surfaceAt(pixel + ivec2(1, 0))),
       join(surfaceAt(pixel + ivec2(0, 1)), surfaceAt(pixel + 1)));
-    store(1, texel, four);
-    range = join(range, four);
+    store(1, texel, range2x2);
+    range = join(range, range2x2);
   }
   store(2, at, range);
   ranges[slot] = range;

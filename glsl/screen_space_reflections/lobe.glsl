@@ -1,4 +1,4 @@
-// How a pixel's surface reflects from all around: the highlight of direct_light/resolve.frag as a lobe
+// Reflection lobe of a pixel's surface: the highlight of direct_light/resolve.frag as a distribution
 // of directions. Needs shared/view.h, shared/material.h, lib/octahedral.glsl, lib/reconstruct.glsl,
 // lib/pbr.glsl, lib/sampling.glsl. Variants: GI_EXTENDED (textures, PBR).
 #include "lib/luminance.glsl"
@@ -13,7 +13,7 @@ layout(binding = 4) uniform sampler2D lobeTable;
 uniform float maximumRoughness;
 uniform float minimumReflectance;
 
-// Below this width a lobe is a mirror: its blur is less than a pixel's.
+// Width below which a lobe is a mirror, as its blur is less than a pixel.
 const float MIRROR = 1e-3;
 
 struct Lobe
@@ -22,22 +22,23 @@ struct Lobe
   vec3 V;
   bool reflects;
   bool pbr;
-  float roughness; // of Phong: of the PBR lobe of the same width
+  float roughness; // for Phong: roughness of a PBR lobe of the same width
   float width;     // GGX
   float power;     // Phong
   vec3 f0;         // PBR
   vec3 f90;        // PBR
-  vec3 color;      // of the whole lobe
+  vec3 color;      // reflectance of the whole lobe
 };
 
-// Heights of the lobe's microfacets above a half vector spread as the cosine to the power 4 p + 2, which
-// is GGX's spread at its peak for a width of (2 / (4 p + 2))^(1/2) (Walter et al. 2007, equation 35).
+// Roughness of the GGX lobe that matches a Phong lobe. The half vectors of a Phong lobe with exponent p are distributed
+// as the cosine to the power 4 p + 2. At its peak GGX has this distribution for a width of (2 / (4 p + 2))^(1/2)
+// (Walter et al. 2007, equation 35).
 float phongRoughness(float power)
 {
   return pow(1.0 / (2.0 * power + 1.0), 0.25);
 }
 
-// x, y: what the metallic-roughness lobe reflects of uniform light, for f0 and f90; z: the part of a
+// x, y: reflectance of the metallic-roughness lobe under uniform light, the factors of f0 and f90; z: the part of a
 // Phong lobe that is above the horizon.
 vec3 lobeShares(float cosine, float roughness)
 {
@@ -110,7 +111,7 @@ float maskingGGX(float cosine, float width)
   return 2.0 * cosine / (cosine + sqrt(a2 + (1.0 - a2) * cosine * cosine));
 }
 
-// A direction of the lobe.
+// Samples a direction of the lobe.
 vec3 sampleLobe(Lobe lobe, vec2 u)
 {
   if (isMirror(lobe))
@@ -127,7 +128,7 @@ vec3 sampleLobe(Lobe lobe, vec2 u)
   return reflect(-lobe.V, basis * giSampleVisibleGGX(u, normalize(V), lobe.width));
 }
 
-// Per solid angle, of what sampleLobe returns.
+// Probability density per solid angle of sampleLobe().
 float lobeDensity(Lobe lobe, vec3 L)
 {
   if (!lobe.pbr)
@@ -140,8 +141,8 @@ float lobeDensity(Lobe lobe, vec3 L)
   return giDistributionGGX(NdH, lobe.roughness) * maskingGGX(NdV, lobe.width) / (4.0 * NdV);
 }
 
-// What the lobe makes of light from a direction, the cosine included, up to a factor that is the same
-// for all directions: the weight of this light in the reflection.
+// Weight of light from a direction in the reflection: the value of the lobe, including the cosine, up to a factor that
+// is the same for all directions.
 float lobeValue(Lobe lobe, vec3 L)
 {
   float NdL = dot(lobe.N, L);

@@ -1,5 +1,5 @@
 #version 430 core
-// What lobes reflect of uniform light, by the cosine to the eye (across) and the roughness (up): x and y
+// Reflectance of lobes under uniform light, by the cosine to the eye (column) and the roughness (row). x and y
 // are the factors of f0 and f90 of VTK's metallic-roughness model (Karis 2013, "Real Shading in Unreal
 // Engine 4"); z is the part of a Phong lobe that is above the horizon.
 #include "lib/sampling.glsl"
@@ -19,7 +19,7 @@ void main()
   float NdV = max(place.x, 1e-3);
   float roughness = place.y;
   float width = max(roughness * roughness, 1e-4);
-  float power = 0.5 / pow(max(roughness, 0.02), 4.0) - 0.5; // lobe.glsl's phongRoughness, inverted
+  float power = 0.5 / pow(max(roughness, 0.02), 4.0) - 0.5; // inverse of phongRoughness() in lobe.glsl
   vec3 V = vec3(sqrt(1.0 - NdV * NdV), 0.0, NdV);
   mat3 mirrored = giBasis(vec3(-V.xy, V.z));
   float a2 = width * width;

@@ -1,30 +1,30 @@
-// What a ray through the scene brings back where the screen does not show it: the direct light of the
-// surface that it meets, and where the environment lights PBR surfaces, one sample of it, unshadowed as
-// VTK's. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h, lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl,
-// rays/passage.glsl, path_tracing/reflection.glsl.
+// Radiance along a ray through the scene, for reflections that the screen does not show: the direct light on the
+// surface that the ray hits and, if the environment lights PBR surfaces, one sample of the environment, unshadowed as
+// in VTK. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h,
+// lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl, rays/passage.glsl, path_tracing/reflection.glsl.
 #ifdef GI_RAY_SKY
 #include "rays/sky.glsl"
 #endif
 uniform mat3 viewToScene;
 uniform vec3 eye;          // relative to the scene's origin
 uniform int lightCount;
-uniform float lampShare;   // of the lights' strength that comes from them
-uniform vec3 ambientLight; // what a white diffuse surface reflects of the rest
+uniform float lampShare;   // share of the lights' strength that is not spread over all directions
+uniform vec3 ambientLight; // radiance that a white diffuse surface reflects from the rest
 
-// Lamps shadow here where they do in the picture.
-bool reaches(LightData lamp, RaySurfacePoint at, inout uint state)
+// Only lights that cast shadows in the picture cast shadows here.
+bool isUnoccluded(LightData light, RaySurfacePoint at, inout uint state)
 {
-  if (lamp.Kind.y < 0)
+  if (light.Kind.y < 0)
   {
     return true;
   }
-  return rayReaches(rayTowardLight(lamp, at.position, eye), at, state);
+  return rayReaches(rayTowardLight(light, at.position, eye), at, state);
 }
 
-// False where the ray meets nothing. P, N, L: in view coordinates.
+// Returns false if the ray hits nothing. P, N, L: in view coordinates.
 bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
 {
-  // The depth buffer knows the place to about a millionth of the distance; slopes need more.
+  // The depth buffer is precise to about a millionth of the distance. Slopes need a larger offset.
   vec3 origin = eye + viewToScene * (P + 1e-4 * length(P) * N);
   Ray ray = Ray(origin, 0.0, viewToScene * L, RAY_FAR);
   RaySurfacePoint at;
@@ -46,8 +46,8 @@ bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
   {
     GiIncident incident = giIncident(lights[i], at.position);
     vec3 reflected = lights[i].Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI) *
-      giReflectLamp(r, -incident.Travel);
-    if (dot(reflected, vec3(1.0)) > 0.0 && reaches(lights[i], at, state))
+      giReflectPointLight(r, -incident.Travel);
+    if (dot(reflected, vec3(1.0)) > 0.0 && isUnoccluded(lights[i], at, state))
     {
       radiance += lampShare * reflected;
     }

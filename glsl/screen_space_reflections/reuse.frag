@@ -1,7 +1,7 @@
 #version 430 core
-// The light that a pixel's lobe finds, from its own rays and its neighbours', each weighted by what this
-// lobe makes of its direction (Stachowiak 2015, "Stochastic Screen-Space Reflections"). Writes the
-// radiance averaged over the lobe times the confidence, and that. Variants: GI_EXTENDED (textures, PBR).
+// Reflected light of a pixel's lobe, from its own rays and its neighbours', each weighted by this
+// lobe's value in its direction (Stachowiak 2015, "Stochastic Screen-Space Reflections"). Writes the
+// mean radiance over the lobe times the confidence, and the confidence. Variants: GI_EXTENDED (textures, PBR).
 #include "shared/view.h"
 #include "shared/material.h"
 #include "lib/octahedral.glsl"
@@ -15,22 +15,22 @@ layout(binding = 5) uniform sampler2DArray rayTexture;
 layout(binding = 6) uniform sampler2DArray foundTexture;
 
 uniform int samples;
-uniform int neighbours; // 0 takes a pixel's own rays only
+uniform int neighbours; // 0 uses only the pixel's own rays
 
 layout(location = 0) out vec4 reflection;
 
 const float WIDEST = 24.0; // pixels
 
-// How far, in pixels, the lobe spreads what it sees at this distance: the angle of the spread, which is
-// twice the microfacets', as seen from the eye, for which the reflected lies behind the mirror.
-float footprint(Lobe lobe, vec3 P, float far)
+// Radius in pixels over which the lobe blurs a reflection at this distance: the lobe's angle, which is
+// twice that of the microfacets, as seen from the eye, for which the reflected object lies behind the mirror.
+float footprint(Lobe lobe, vec3 P, float distanceToHit)
 {
-  float distance = view.Scene.y > 0.5 ? 1.0 : -P.z * (1.0 + far / length(P));
+  float distance = view.Scene.y > 0.5 ? 1.0 : -P.z * (1.0 + distanceToHit / length(P));
   float pixel = 2.0 * distance / (view.Viewport.w * view.ViewToClip[1].y);
-  return clamp(2.0 * lobe.width * far / pixel, 0.0, WIDEST);
+  return clamp(2.0 * lobe.width * distanceToHit / pixel, 0.0, WIDEST);
 }
 
-void gather(Lobe lobe, vec3 P, ivec2 window, inout vec4 sum, inout float weights)
+void addRays(Lobe lobe, vec3 P, ivec2 window, inout vec4 sum, inout float weights)
 {
   for (int i = 0; i < samples; ++i)
   {
@@ -60,10 +60,10 @@ void main()
     return;
   }
   float weights = 0.0;
-  gather(lobe, P, window, reflection, weights);
+  addRays(lobe, P, window, reflection, weights);
   vec4 own = texelFetch(rayTexture, ivec3(window, 0), 0);
-  float far = own.w > 0.0 ? length(own.xyz - P) : 0.0;
-  float radius = footprint(lobe, P, far);
+  float distanceToHit = own.w > 0.0 ? length(own.xyz - P) : 0.0;
+  float radius = footprint(lobe, P, distanceToHit);
   float turn = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;
@@ -71,10 +71,10 @@ void main()
   {
     ivec2 other = window + ivec2(round(radius * giVogelDisc(i, neighbours, turn)));
     vec4 normal = texelFetch(normalTexture, clamp(other, low, high), 0);
-    bool alike = dot(giDecodeOctahedral(normal.xy), lobe.N) > 0.9;
-    if (alike && other != window && all(equal(other, clamp(other, low, high))))
+    bool similar = dot(giDecodeOctahedral(normal.xy), lobe.N) > 0.9;
+    if (similar && other != window && all(equal(other, clamp(other, low, high))))
     {
-      gather(lobe, P, other, reflection, weights);
+      addRays(lobe, P, other, reflection, weights);
     }
   }
   reflection /= max(weights, 1e-20);

@@ -1,6 +1,6 @@
 #version 430 core
-// Rays from every reflecting pixel, in directions picked by its lobe, to what else is on the screen.
-// Variants: GI_EXTENDED (textures, PBR), GI_DEBUG (keep how rays ended), GI_FALLBACK_RAYS (rays
+// Traces rays on the screen from each reflecting pixel, in directions sampled from its lobe.
+// Variants: GI_EXTENDED (textures, PBR), GI_DEBUG (store how rays ended), GI_FALLBACK_RAYS (rays
 // through the scene find what the screen does not show; with the variants of rays/passage.glsl).
 #define GI_POSITIONAL 1
 #include "shared/view.h"
@@ -27,7 +27,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = 0) uniform writeonly image2DArray rays;  // xyz: end, w: density, -1 for none
-layout(rgba16f, binding = 1) uniform writeonly image2DArray light; // radiance times confidence, that
+layout(rgba16f, binding = 1) uniform writeonly image2DArray light; // rgb: radiance times a; a: confidence
 #ifdef GI_DEBUG
 layout(rgba32f, binding = 2) uniform writeonly image2D ends; // xy: pixel, z: reason, w: confidence
 #endif
@@ -81,31 +81,31 @@ void main()
   for (int i = 0; i < samples; ++i)
   {
     vec3 L = sampleLobe(lobe, giSample2D(uint(view.Frame.x * samples + i), seed));
-    Found found = Found(GI_REFLECTION_HORIZON, P, vec2(-1.0), 1.0);
+    MarchResult result = MarchResult(GI_REFLECTION_HORIZON, P, vec2(-1.0), 1.0);
     vec3 radiance = vec3(0.0);
     if (dot(lobe.N, L) > 0.0)
     {
-      found = march(pixel, depth, P, L, lobe.V);
-      radiance = found.end == GI_REFLECTION_HIT
-        ? found.confidence * litAt(found.window) : vec3(0.0);
+      result = march(pixel, depth, P, L, lobe.V);
+      radiance = result.end == GI_REFLECTION_HIT
+        ? result.confidence * litAt(result.window) : vec3(0.0);
 #ifdef GI_FALLBACK_RAYS
-      vec3 beyond;
-      if (found.confidence < 1.0 && rayRadiance(P, lobe.N, L, state, beyond))
+      vec3 rayLight;
+      if (result.confidence < 1.0 && rayRadiance(P, lobe.N, L, state, rayLight))
       {
-        radiance += (1.0 - found.confidence) * beyond;
-        found.confidence = 1.0;
-        found.end = found.end == GI_REFLECTION_HIT ? GI_REFLECTION_HIT : GI_REFLECTION_RAY;
+        radiance += (1.0 - result.confidence) * rayLight;
+        result.confidence = 1.0;
+        result.end = result.end == GI_REFLECTION_HIT ? GI_REFLECTION_HIT : GI_REFLECTION_RAY;
       }
 #endif
     }
-    float density = found.end == GI_REFLECTION_HORIZON ? -1.0
+    float density = result.end == GI_REFLECTION_HORIZON ? -1.0
       : isMirror(lobe) ? 0.0 : lobeDensity(lobe, L);
-    imageStore(rays, ivec3(window, i), vec4(found.position, density));
-    imageStore(light, ivec3(window, i), vec4(radiance, found.confidence));
+    imageStore(rays, ivec3(window, i), vec4(result.position, density));
+    imageStore(light, ivec3(window, i), vec4(radiance, result.confidence));
 #ifdef GI_DEBUG
     if (i == 0)
     {
-      imageStore(ends, window, vec4(found.window, float(found.end), found.confidence));
+      imageStore(ends, window, vec4(result.window, float(result.end), result.confidence));
     }
 #endif
   }

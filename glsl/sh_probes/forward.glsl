@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Baked probes for what VTK draws itself. Needs lib/octahedral.glsl, lib/cube_light.glsl and
+// Light of baked probes on props that VTK draws itself. Needs lib/octahedral.glsl, lib/cube_light.glsl and
 // lib/spherical_harmonics.glsl.
 #include "probes/field.glsl"
 #include "sh_probes/light.glsl"
 
-// In place of a surface: all around a point, which probes on every side light alike.
+// Light from all around a point in space, where no surface excludes the probes on one side.
 void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
 {
   vec4 sums[GI_FIELD_HARMONICS];
@@ -17,7 +17,7 @@ void fieldCubeAt(vec3 P, vec3 V, float reach, mat3 turn, inout vec3 cube[6])
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    // On opposite sides band 1 differs by its sign alone.
+    // In opposite directions only the sign of band 1 differs.
     float y[GI_HARMONICS];
     giHarmonics(turn * GI_CUBE_SIDES[2 * axis], y);
     vec3 even = y[0] * colors[0];

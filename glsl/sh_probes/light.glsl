@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What probes hold in spherical harmonics: irradiance divided by pi, nine coefficients of three colours, in
-// seven texels of four (Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment
+// Light of baked probes in spherical harmonics: irradiance divided by pi, nine coefficients of three colours, in
+// seven texels of four numbers (Ramamoorthi and Hanrahan 2001, An Efficient Representation for Irradiance Environment
 // Maps). Needs lib/spherical_harmonics.glsl, probes/field.glsl.
 layout(binding = 4) uniform sampler2D probeLight;
 
-uniform float lightScale; // of the numbers in the texture
+uniform float lightScale; // factor of the numbers in the texture
 
 void addProbe(int probe, float weight, inout vec4 sums[GI_FIELD_HARMONICS])
 {
@@ -16,14 +16,14 @@ void addProbe(int probe, float weight, inout vec4 sums[GI_FIELD_HARMONICS])
   }
 }
 
-// The coefficient of a harmonic.
+// Coefficient of harmonic k.
 vec3 harmonicColor(vec4 sums[GI_FIELD_HARMONICS], int k)
 {
   int at = 3 * k;
   return vec3(sums[at / 4][at % 4], sums[(at + 1) / 4][(at + 1) % 4], sums[(at + 2) / 4][(at + 2) % 4]);
 }
 
-// In a direction. Few harmonics can fall a little below zero there.
+// Irradiance in a direction, divided by pi. So few harmonics can fall slightly below zero.
 vec3 harmonicLight(vec4 sums[GI_FIELD_HARMONICS], vec3 N)
 {
   float y[GI_HARMONICS];
@@ -47,14 +47,14 @@ vec3 probeIrradiance(int probe, vec3 N)
   return harmonicLight(sums, N);
 }
 
-// Of the probes that light a point, as fieldWeights() weighs them.
+// Adds up the probes that light a point, weighted by fieldWeights().
 void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[GI_FIELD_HARMONICS])
 {
   for (int i = 0; i < GI_FIELD_HARMONICS; ++i)
   {
     sums[i] = vec4(0.0);
   }
-  const float least = 1e-4; // less makes no difference that is seen
+  const float least = 1e-4; // smaller weights make no visible difference
   fieldEachGrid(P)
   {
     int probes[8];
@@ -71,8 +71,8 @@ void addProbesAround(vec3 P, vec3 N, vec3 V, float reach, out vec4 sums[GI_FIELD
   }
 }
 
-// What arrives at a point of a surface, divided by pi. D: the mean direction that it may come from, N where nothing
-// near hides some. V, reach: as for fieldWeights().
+// Irradiance at a point of a surface, divided by pi. D: mean direction of the unoccluded light, N if nothing nearby
+// occludes it. V, reach: as for fieldWeights().
 vec3 fieldIrradiance(vec3 P, vec3 N, vec3 D, vec3 V, float reach)
 {
   vec4 sums[GI_FIELD_HARMONICS];

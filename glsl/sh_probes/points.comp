@@ -1,6 +1,6 @@
 #version 430 core
-// What baked probes send to points of surfaces, divided by pi, for an eye right before each. Variants: those of
-// rays/passage.glsl and probes/field.glsl.
+// Irradiance from baked probes at points of surfaces, divided by pi, for a viewpoint right in front of each point.
+// Variants: those of rays/passage.glsl and probes/field.glsl.
 #include "shared/gathering.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
@@ -14,7 +14,7 @@
 layout(local_size_x = GI_GATHER_GROUP) in;
 
 uniform int pointCount;
-uniform float offset; // off the surface that points lie on
+uniform float offset; // distance of rays' origins from the surface
 
 void main()
 {

@@ -1,5 +1,5 @@
 #version 430 core
-// Balls at the baked probes.
+// Draws balls at the baked probes.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -8,7 +8,7 @@
 #include "probes/spheres.glsl"
 #include "sh_probes/light.glsl"
 
-const int PROBE_STRAYS = 0; // moved by 0.4 cells at most
+const int PROBE_STRAYS = 0; // probes move by at most 0.4 cells
 
 bool probeIsResting(int probe)
 {

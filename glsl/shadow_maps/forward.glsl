@@ -1,5 +1,5 @@
-// What of a shadowed light reaches a point of what VTK draws itself (see forward/lights.glsl). P, N, facet
-// and bulge as capture/facet.glsl has them, in view coordinates. Variants: those of shadow_maps/receive.glsl.
+// Visibility of a light with shadow maps at a point of a prop that VTK draws itself (see forward/lights.glsl). P, N,
+// facet and bulge: as in capture/facet.glsl, in view coordinates. Variants: those of shadow_maps/receive.glsl.
 #include "shared/view.h"
 #include "shared/shadow.h"
 #include "lib/noise.glsl"
@@ -11,15 +11,15 @@ uniform sampler2D atlas;
 float giVisibility(int shadow, vec3 P, vec3 N, vec3 facet, float bulge)
 {
   GiShadowed surface = GiShadowed(P, N, facet, bulge, 0.0);
-  // The same noise in every frame, as nothing averages what VTK draws.
+  // The noise is the same in every frame, as nothing averages what VTK draws.
   float angle = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, 0);
-  return giReached(shadowLights[shadow], surface, angle);
+  return giShadowVisibility(shadowLights[shadow], surface, angle);
 }
 
-// Of a point that is no surface: N and facet face the light.
+// Visibility at a point in a volume. N and facet face the light.
 float giVisibility(int shadow, vec3 P)
 {
-  vec4 lamp = shadowLights[shadow].Position;
-  vec3 L = lamp.w > 0.5 ? normalize(lamp.xyz - P) : -shadowLights[shadow].Direction.xyz;
+  vec4 light = shadowLights[shadow].Position;
+  vec3 L = light.w > 0.5 ? normalize(light.xyz - P) : -shadowLights[shadow].Direction.xyz;
   return giVisibility(shadow, P, L, L, 0.0);
 }

@@ -1,5 +1,5 @@
 #version 430 core
-// The share of each light that reaches a pixel, four lights at a time. Variants: those of
+// Visibility of up to four lights at a pixel. Variants: those of
 // shadow_maps/receive.glsl.
 #include "shared/view.h"
 #include "shared/shadow.h"
@@ -23,7 +23,7 @@ uniform int lightCount;
 
 layout(location = 0) out vec4 visibility;
 
-// What a depth buffer of 24 bits and the way back from it cost.
+// Error of a 24-bit depth buffer and of the reconstruction from it.
 const float DepthError = 2.5e-7;
 
 void main()
@@ -46,6 +46,6 @@ void main()
   float angle = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);
   for (int i = 0; i < lightCount; ++i)
   {
-    visibility[i] = giReached(shadowLights[firstLight + i], surface, angle);
+    visibility[i] = giShadowVisibility(shadowLights[firstLight + i], surface, angle);
   }
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK draws itself, translucent surfaces and volumes. Compiled as C++ and as GLSL.
+// Constants of the light on translucent surfaces and volumes, which VTK draws itself. Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #endif
 
-// Lights that have shadows there; further ones shine without.
+// Number of lights that cast shadows there. Further lights are unshadowed.
 #define GI_FORWARD_LIGHTS 64

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A light as VTK means it, in view coordinates (for rays: relative to their scene's origin). Compiled as C++ and as GLSL.
+// A light by VTK's definition, in view coordinates (for rays: relative to their scene's origin). Compiled as C++ and as
+// GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -20,11 +21,11 @@ using ivec4 = glm::ivec4;
 struct LightData
 {
   vec4 Color;       // rgb: intensity times colour; w: cosine of the cone angle, -2 for no cone
-  vec4 Direction;   // xyz: the way the light travels; w: exponent of the cone's falloff
-  vec4 Position;    // xyz: of a positional light
-  vec4 Attenuation; // xyz: constant, linear, quadratic
-  ivec4 Kind;       // x: kind; y: layer of the visibility mask or -1; z: 1 if it shines from the eye;
-                    // w: 1 if it stays where it is when the camera moves
+  vec4 Direction;   // xyz: direction in which the light travels; w: exponent of the cone's falloff
+  vec4 Position;    // xyz: position, if positional
+  vec4 Attenuation; // xyz: constant, linear and quadratic coefficient
+  ivec4 Kind;       // x: kind; y: channel of the visibility mask or -1; z: 1 for a headlight;
+                    // w: 1 if the light does not follow the camera
 };
 
 #ifdef __cplusplus

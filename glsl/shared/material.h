@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface reflects beside what the G-buffer holds per pixel. Compiled as C++ and as GLSL.
+// Material parameters that the G-buffer does not hold per pixel. Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -12,8 +12,8 @@ using vec4 = glm::vec4;
 using ivec4 = glm::ivec4;
 #endif
 
-// How light is reflected. AS_DRAWN takes VTK's own colour: unlit primitives, and materials whose
-// reflection the G-buffer cannot hold (anisotropy, clear coat).
+// Reflection models. AS_DRAWN keeps VTK's own colour, for unlit primitives and for materials that the G-buffer cannot
+// represent (anisotropy, clear coat).
 #define GI_MATERIAL_AS_DRAWN 0
 #define GI_MATERIAL_PHONG 1
 #define GI_MATERIAL_PBR 2
@@ -21,8 +21,8 @@ using ivec4 = glm::ivec4;
 struct MaterialData
 {
   vec4 Specular; // Phong: rgb colour times coefficient, w power. PBR: rgb edge tint, w base F0
-  ivec4 Model;   // x: how light is reflected; y: 1 for lines and points, which rays do not meet;
-                 // z: row of the table of motions; w: a number of the prop that stays, below 2^24
+  ivec4 Model;   // x: reflection model; y: 1 for lines and points, which rays do not hit;
+                 // z: row of the motion table; w: persistent number of the prop, below 2^24
 };
 
 #ifdef __cplusplus

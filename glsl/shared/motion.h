@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where things were in the frame before. Compiled as C++ and as GLSL.
+// Transformations to the previous frame. Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -15,9 +15,9 @@ using vec4 = glm::vec4;
 struct MotionViewData
 {
   mat4 ViewToClip;         // of this frame, without jitter
-  mat4 PreviousViewToClip; // of the frame before, without jitter
-  mat4 ToPrevious;         // from view coordinates to those of the frame before
-  vec4 PreviousShift;      // xy: its jitter, in clip coordinates
+  mat4 PreviousViewToClip; // of the previous frame, without jitter
+  mat4 ToPrevious;         // from view coordinates to those of the previous frame
+  vec4 PreviousShift;      // xy: jitter of the previous frame, in clip coordinates
 };
 
 #ifdef __cplusplus
@@ -30,7 +30,7 @@ layout(std140, binding = 1) uniform MotionViewBlock
   MotionViewData motion;
 };
 
-// As ToPrevious, for each prop that moves; the first is that.
+// ToPrevious for static props, followed by the matrix of each prop that moves.
 layout(std430, binding = 2) readonly buffer MotionBlock
 {
   mat4 motions[];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The samples of a hemisphere. Compiled as C++ and as GLSL.
+// Sample offsets of the hemisphere. Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>

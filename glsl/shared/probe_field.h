@@ -5,7 +5,7 @@
 #pragma once
 #endif
 
-#define GI_FIELD_GRIDS 6     // at most, one within the other
-#define GI_FIELD_DISTANCE 16 // texels across a map of distances, without its border
-#define GI_FIELD_LIGHT 8     // texels across a live probe's map of irradiance, without its border
-#define GI_FIELD_HARMONICS 7 // texels of a baked probe's light: nine harmonics of three colours
+#define GI_FIELD_GRIDS 6     // maximum number of nested grids
+#define GI_FIELD_DISTANCE 16 // width of a distance map in texels, without its border
+#define GI_FIELD_LIGHT 8     // width of a live probe's irradiance map in texels, without its border
+#define GI_FIELD_HARMONICS 7 // texels of a baked probe: nine harmonics of three colours

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays asked and answered in buffers, for picking, tests and benchmarks. Compiled as C++ and as
+// Ray queries and their answers in buffers, for picking, tests and benchmarks. Compiled as C++ and as
 // GLSL.
 #ifdef __cplusplus
 #pragma once
@@ -21,7 +21,7 @@ using ivec2 = glm::ivec2;
 struct RayQuery
 {
   vec4 Origin;    // xyz: relative to the scene's origin; w: smallest distance
-  vec4 Direction; // xyz: of any length, which is the unit of distances; w: largest distance
+  vec4 Direction; // xyz: its length is the unit of distances; w: largest distance
 };
 
 struct RayAnswer
@@ -29,7 +29,7 @@ struct RayAnswer
   ivec2 Hit;         // x: instance, -1 for none; y: primitive
   vec2 Barycentrics; // weights of the triangle's second and third vertex
   float Distance;
-  int User; // the instance's
+  int User;          // RayInstance::User of the instance that was hit
   ivec2 Unused;
 };
 

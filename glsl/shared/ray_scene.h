@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What rays are traced against: two levels of binary trees over triangles, spheres and cylinders.
-// Compiled as C++ and as GLSL. The shader reads these records as texels of image buffers, not as
-// storage blocks: software GL gathers a 16-byte texel in two instructions a lane where it loads
-// each float of a storage block in a branch of its own, and allows 2 GiB a buffer instead of 128
-// MiB.
+// The acceleration structure that rays are traced in: two levels of binary trees over triangles, spheres and cylinders.
+// Compiled as C++ and as GLSL. The shader reads these records as texels of image buffers, not as storage blocks,
+// because of software GL. It gathers a 16-byte texel in two instructions per lane but loads each float of a storage
+// block in a branch of its own, and it allows 2 GiB per image buffer but 128 MiB per storage block.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -15,25 +14,25 @@ namespace shared
 {
 #endif
 
-// Image units, of the eight that every OpenGL 4.3 has.
+// Image units. Every OpenGL 4.3 implementation has eight.
 #define GI_RAY_NODE_UNIT 5
 #define GI_RAY_PRIMITIVE_UNIT 6
 #define GI_RAY_INSTANCE_UNIT 7
 
-// Texels of a record.
+// Texels per record.
 #define GI_RAY_NODE_TEXELS 4
 #define GI_RAY_PRIMITIVE_TEXELS 3
 #define GI_RAY_INSTANCE_TEXELS 4
 
-// A child is a node (0 and up) or a leaf: ~(first record * 8 + number of records - 1). In the top
-// level a leaf's record is an instance. Two values that no leaf has mark the ends of the levels.
+// A child is a node (0 and up) or a leaf: ~(first record * 8 + number of records - 1). The records of a leaf in the top
+// level are instances. Two values that no leaf has mark the ends of the levels on the stack.
 #define GI_RAY_LEAF_SHIFT 3
 #define GI_RAY_LEAF_SIZE 8
 #define GI_RAY_DONE (-2147483647 - 1)
 #define GI_RAY_LEAVE (-2147483647)
 
-// The deepest trees that the shader's stack of GI_RAY_STACK entries holds: a level each, and the
-// marks: two of the end, one between the levels.
+// Maximum depths of the trees. The shader's stack of GI_RAY_STACK entries holds one entry per level and three marks:
+// two for the end, one between the levels.
 #define GI_RAY_MESH_DEPTH 40
 #define GI_RAY_TOP_DEPTH 22
 #define GI_RAY_STACK 65
@@ -61,7 +60,7 @@ struct RayNode
 struct RayPrimitive
 {
   glm::vec3 A;
-  std::int32_t Primitive; ///< index in the geometry as given
+  std::int32_t Primitive; ///< index in the input geometry
   glm::vec3 B;
   std::int32_t Kind;
   glm::vec3 C;
@@ -75,7 +74,7 @@ struct RayInstance
   std::int32_t Root;
   std::int32_t Instance; ///< index that hits report
   std::int32_t User;     ///< the caller's number: a material, a prop
-  std::uint32_t Color;   ///< of this place, RGBA8
+  std::uint32_t Color;   ///< the instance's own colour, RGBA8
 };
 static_assert(sizeof(RayNode) == GI_RAY_NODE_TEXELS * 16, "texels");
 static_assert(sizeof(RayPrimitive) == GI_RAY_PRIMITIVE_TEXELS * 16, "texels");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a ray finds where it ends: materials, attributes of triangles and points, emitters. Compiled
+// Properties of the surfaces that rays hit: materials, attributes of primitives and points, emitters. Compiled
 // as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
@@ -17,34 +17,34 @@ using ivec4 = glm::ivec4;
 #define GI_RAY_SURFACE_BINDING 6
 #define GI_RAY_EMITTER_BINDING 7
 // Texture units.
-#define GI_RAY_SKY_UNIT 10       // radiance of the surroundings
-#define GI_RAY_SKY_TABLE_UNIT 11 // chances to pick a direction to them
-#define GI_RAY_ATTRIBUTE_UNIT 12 // one texel a triangle (or sphere, or cylinder)
-#define GI_RAY_POINT_UNIT 13     // one texel a point, or a clipping plane
-#define GI_RAY_SKY_CELLS_UNIT 15 // that radiance over cells of equal solid angles
-#define GI_RAY_PICTURE_UNIT 14   // pictures, each after two texels of its shape
+#define GI_RAY_SKY_UNIT 10       // radiance of the environment
+#define GI_RAY_SKY_TABLE_UNIT 11 // cumulative probabilities to sample its directions
+#define GI_RAY_ATTRIBUTE_UNIT 12 // one texel per triangle, sphere or cylinder
+#define GI_RAY_POINT_UNIT 13     // one texel per point or clipping plane
+#define GI_RAY_SKY_CELLS_UNIT 15 // radiance of the environment over cells of equal solid angle
+#define GI_RAY_PICTURE_UNIT 14   // images, each preceded by two texels that describe it
 
-// How a surface reflects, as GI_MATERIAL_..., in the lowest bits; unlit ones show their colour.
+// Flags of a surface. The lowest bits hold the reflection model, as GI_MATERIAL_...; unlit surfaces show their colour.
 #define GI_SURFACE_PHONG 1
 #define GI_SURFACE_PBR 2
 #define GI_SURFACE_UNLIT 3
 #define GI_SURFACE_MODEL 3
-#define GI_SURFACE_SMOOTH 4          // normals of points are interpolated
-#define GI_SURFACE_POINT_COLORS 8    // in place of the material's
-#define GI_SURFACE_CELL_COLORS 16
-#define GI_SURFACE_CULL_BACK 32      // not drawn where seen from behind
-#define GI_SURFACE_CULL_FRONT 64
-#define GI_SURFACE_PARTLY 128        // rays may pass: culled, translucent, clipped
-#define GI_SURFACE_PLACE_COLORS 256  // each instance has its own, in place of the material's
-#define GI_SURFACE_FRONT_PICTURES 512 // pictures are not drawn on the back
-#define GI_SURFACE_TANGENTS 1024      // the picture of normals counts
+#define GI_SURFACE_SMOOTH 4          // point normals are interpolated
+#define GI_SURFACE_POINT_COLORS 8    // points have colours that replace the material's
+#define GI_SURFACE_CELL_COLORS 16    // cells have
+#define GI_SURFACE_CULL_BACK 32      // back faces are not drawn
+#define GI_SURFACE_CULL_FRONT 64     // front faces are not drawn
+#define GI_SURFACE_PARTLY 128        // rays may pass: culled, translucent or clipped
+#define GI_SURFACE_PLACE_COLORS 256  // instances have colours that replace the material's
+#define GI_SURFACE_FRONT_PICTURES 512 // images are not drawn on back faces
+#define GI_SURFACE_TANGENTS 1024      // the normal map applies
 
-#define GI_RAY_NO_NORMAL 0u // in place of a point's normal: it has none, and its surface's own counts
+#define GI_RAY_NO_NORMAL 0u // marks a point without a normal, where the geometric normal applies
 
-#define GI_RAY_EDGE_SHIFT 29 // in the first point of an attribute
+#define GI_RAY_EDGE_SHIFT 29 // position of the edge bits in RayAttribute::Points[0]
 
-// Of a picture, in its first texel: x, y: size; z: these flags. The second is its border's colour.
-#define GI_PICTURE_FLOATS 1      // a texel holds one pixel, not four of 8 bits a channel
+// The first texel of an image holds its size in x and y, and these flags in z. The second holds the border's colour.
+#define GI_PICTURE_FLOATS 1      // a texel holds one pixel of floats, not four pixels of 8 bits per channel
 #define GI_PICTURE_NEAREST 2
 #define GI_PICTURE_SRGB 4
 #define GI_PICTURE_WRAP_SHIFT 3  // as vtkTexture::Wrap
@@ -57,23 +57,23 @@ struct RaySurface
 {
   vec4 Color;    // rgb: diffuse reflectance or base colour; a: opacity
   vec4 Specular; // Phong: rgb reflectance, w power. PBR: rgb edge tint, w base F0
-  vec4 Emission; // rgb: radiance; w: chance per area that an emitter sample picks a point here
-  vec4 Factors;  // x, y: colour to reflectance, to emission; z: metallic; w: roughness
-  ivec4 Where;   // x: first attribute; y: first point; z: flags; w: surface of the back or -1
-  ivec4 Clip;    // x: first clipping plane, a texel of the points; y: how many
-  // Where pictures begin, or -1: x: times a Phong material's colours, or PBR's base colour; y: PBR's
-  // occlusion, roughness, metallic; z: normals; w: emission, times the material's.
+  vec4 Emission; // rgb: radiance; w: probability density per area of emitter samples
+  vec4 Factors;  // x, y: factors from colour to reflectance and to emission; z: metallic; w: roughness
+  ivec4 Where;   // x: first attribute; y: first point; z: flags; w: surface of the back faces or -1
+  ivec4 Clip;    // x: first clipping plane, a texel of the points; y: number of planes
+  // First texels of images, or -1. x: factor of a Phong material's colours or of PBR's base colour; y: PBR's
+  // occlusion, roughness and metallic; z: normal map; w: factor of the emission.
   ivec4 Pictures;
-  // x: picture that is the colour, as an integer's bits; y: scale of the picture of normals; z: share
-  // of the picture of occlusion; w: opacity of edges
+  // x: first texel of the image that replaces the colour, as an integer's bits; y: scale of the normal map; z: strength
+  // of the occlusion map; w: opacity of edges
   vec4 More;
-  vec4 Edge; // of cells: rgb colour; a: width in pixels, 0 for none
+  vec4 Edge; // edges of cells: rgb colour; a: width in pixels, 0 for none
 };
 
-// A triangle that emits, in the scene's coordinates.
+// A triangle that emits light, in scene coordinates.
 struct RayEmitter
 {
-  vec4 A; // w: chance that this or an earlier emitter is picked
+  vec4 A; // w: cumulative probability of this and all earlier emitters
   vec4 B; // w: surface, as bits
   vec4 C; // w: primitive within the surface, as bits
 };
@@ -82,10 +82,10 @@ struct RayEmitter
 /// Attributes of a triangle, sphere or cylinder.
 struct RayAttribute
 {
-  /// Counted from the surface's first; in the first one's highest bits, the edges that are not a
-  /// cell's.
+  /// Indices relative to the surface's first point. The highest bits of the first index mark edges that are not
+  /// edges of a cell.
   std::uint32_t Points[3];
-  std::uint32_t Color;     ///< of the cell, RGBA8
+  std::uint32_t Color;     ///< the cell's colour, RGBA8
 };
 struct RayPoint
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow maps, each a square of one atlas, and the lights they belong to. Compiled as C++ and as GLSL.
+// Shadow maps, each a square of one atlas, and their lights. Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -13,25 +13,25 @@ using vec4 = glm::vec4;
 using ivec4 = glm::ivec4;
 #endif
 
-// What a light's maps are to each other.
+// Arrangements of a light's maps.
 #define GI_SHADOW_SINGLE 0
-#define GI_SHADOW_CUBE 1     // six, in the order +x -x +y -y +z -z
-#define GI_SHADOW_CASCADES 2 // nearest first
+#define GI_SHADOW_CUBE 1     // six maps, in the order +x -x +y -y +z -z
+#define GI_SHADOW_CASCADES 2 // nearest cascade first
 
 struct ShadowMapData
 {
-  mat4 ViewToMap; // view coordinates to places in the atlas and depth, all in [0, 1], before division
-  vec4 Area;      // of the atlas between the centres of the map's outer texels: x0, y0, x1, y1
-  vec4 Scale;     // x: width of a texel, at unit distance from a positional light; y, z: distances from
-                  // the light of depths 0 and 1
+  mat4 ViewToMap; // from view coordinates to atlas coordinates and depth, all in [0, 1], before division by w
+  vec4 Area;      // the map's area in the atlas, between the centres of its outer texels: x0, y0, x1, y1
+  vec4 Scale;     // x: width of a texel, at unit distance if the light is positional; y, z: distances from
+                  // the light at depths 0 and 1
 };
 
 struct ShadowLightData
 {
-  vec4 Direction; // xyz: the way a directional light travels, view coordinates
-  vec4 Position;  // xyz: of a positional light, view coordinates; w: 1 if positional
+  vec4 Direction; // xyz: direction in which a directional light travels, in view coordinates
+  vec4 Position;  // xyz: position of a positional light, in view coordinates; w: 1 if positional
   vec4 Ends;      // distances from the eye at which cascades end
-  vec4 Size;      // x: tangent of half a directional light's angle; a lamp's radius
+  vec4 Size;      // x: radius of a positional light; tangent of half the angle of a directional one
   ivec4 Maps;     // x: first map; y: number of maps; z: GI_SHADOW_...
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The view of a frame, one uniform block for every pass. Compiled as C++ and as GLSL.
+// View parameters of a frame, one uniform block for all passes. Compiled as C++ and as GLSL.
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -17,10 +17,10 @@ struct ViewData
 {
   mat4 ViewToClip; // with this frame's jitter
   mat4 ClipToView;
-  mat4 ViewToWorld; // rotation and translation; precise near the camera only
+  mat4 ViewToWorld; // rotation and translation; precise only near the camera
   vec4 Viewport;    // x, y, width, height in pixels of the window
   vec4 Scene;       // x: diagonal of the visible bounds; y: 1 for a parallel projection
-  ivec4 Frame;      // x: place in the sequences of noise; y: lights; z: frame number
+  ivec4 Frame;      // x: index in the noise sequences; y: number of lights; z: frame number
 };
 
 #ifdef __cplusplus

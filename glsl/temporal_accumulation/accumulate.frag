@@ -1,7 +1,7 @@
 #version 430 core
-// The mean of a result over the frames in which its surface was seen. Variants: GI_LAYERS (an array
-// texture), GI_STILL (nothing moves), GI_CLAMP (something changed: what was is held within what the neighbourhood now shows;
-// Karis 2014, High-Quality Temporal Supersampling; Salvi 2016, An Excursion in Temporal
+// Temporal mean of a result over the frames in which its surface was visible. Variants: GI_LAYERS (an array
+// texture), GI_STILL (nothing moves), GI_CLAMP (something changed: clamp the history to the current values in the
+// neighbourhood; Karis 2014, High-Quality Temporal Supersampling; Salvi 2016, An Excursion in Temporal
 // Supersampling).
 #include "shared/view.h"
 
@@ -18,13 +18,13 @@ layout(binding = 0) uniform sampler2D reprojection; // see reproject.frag
 layout(binding = 1) uniform GI_TEXTURE current;
 layout(binding = 2) uniform GI_TEXTURE history;
 
-uniform vec4 most;        // frames that each channel's mean may count, this one included
+uniform vec4 most;        // maximum number of frames in each channel's mean, including this one
 uniform float clampWidth; // in standard deviations
 
-layout(location = 0) out vec4 mean;  // kept
+layout(location = 0) out vec4 mean;  // the next frame's history
 layout(location = 1) out vec4 shown;
 
-vec4 before(ivec2 pixel, vec4 moved)
+vec4 historyAt(ivec2 pixel, vec4 moved)
 {
 #ifdef GI_STILL
   return texelFetch(history, GI_AT(pixel), 0);
@@ -51,17 +51,17 @@ vec4 before(ivec2 pixel, vec4 moved)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 now = texelFetch(current, GI_AT(pixel), 0);
+  vec4 currentValue = texelFetch(current, GI_AT(pixel), 0);
   vec4 moved = texelFetch(reprojection, pixel, 0);
-  mean = now;
+  mean = currentValue;
   if (int(moved.w) != 0)
   {
-    vec4 old = before(pixel, moved);
+    vec4 previousValue = historyAt(pixel, moved);
 #ifdef GI_CLAMP
     ivec2 low = ivec2(view.Viewport.xy);
     ivec2 high = low + ivec2(view.Viewport.zw) - 1;
-    vec4 first = vec4(0.0);
-    vec4 second = vec4(0.0);
+    vec4 moment1 = vec4(0.0);
+    vec4 moment2 = vec4(0.0);
     float count = 0.0;
     for (int i = 0; i < 9; ++i)
     {
@@ -69,16 +69,16 @@ void main()
       if (texelFetch(reprojection, at, 0).z > 0.0) // a surface
       {
         vec4 near = texelFetch(current, GI_AT(at), 0);
-        first += near;
-        second += near * near;
+        moment1 += near;
+        moment2 += near * near;
         count += 1.0;
       }
     }
-    first /= count;
-    vec4 width = clampWidth * sqrt(max(second / count - first * first, 0.0));
-    old = clamp(old, first - width, first + width);
+    moment1 /= count;
+    vec4 width = clampWidth * sqrt(max(moment2 / count - moment1 * moment1, 0.0));
+    previousValue = clamp(previousValue, moment1 - width, moment1 + width);
 #endif
-    mean = mix(old, now, 1.0 / max(min(vec4(moved.z), most), 1.0));
+    mean = mix(previousValue, currentValue, 1.0 / max(min(vec4(moved.z), most), 1.0));
   }
   shown = mean;
 }

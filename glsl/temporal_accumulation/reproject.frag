@@ -1,10 +1,10 @@
 #version 430 core
-// Where a pixel's surface was seen in the frame before, and for how many frames it was seen on end;
-// and what the next frame is to compare with.
-// A neighbour of that place counts if it lay in the same plane, faced the same way and was the same
+// Reprojection: finds a pixel's surface in the previous frame and the number of consecutive frames in which it was
+// visible, and stores the surface for the next frame.
+// A pixel around that position is accepted if it lay in the same plane, had a similar normal and belonged to the same
 // object (Nehab et al. 2007, Accelerating Real-Time Shading with Reverse Reprojection Caching).
-// Variants: GI_STILL (nothing moves), GI_PROPS_MOVE (not only the camera),
-// GI_DISPLACEMENT (the points of some move within them).
+// Variants: GI_STILL (nothing moves), GI_PROPS_MOVE (props move, not only the camera),
+// GI_DISPLACEMENT (some props deform).
 #include "shared/view.h"
 #include "shared/material.h"
 #include "shared/motion.h"
@@ -14,21 +14,21 @@
 
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
-layout(binding = 2) uniform sampler2D surfaceTexture; // of the frame before
+layout(binding = 2) uniform sampler2D surfaceTexture; // of the previous frame
 layout(binding = 3) uniform sampler2D displacementTexture;
 
 #ifdef GI_STILL
 const int taps = 1;
 #else
-const int taps = 4; // pixels around the place
+const int taps = 4; // pixels around the reprojected position
 #endif
 
-uniform vec2 tolerance; // distance from the plane, part of the depth; cosine between normals
-uniform float most;     // frames that a mean may count
-uniform bool continued; // whether the frame before was remembered
+uniform vec2 tolerance; // x: distance from the plane, relative to the depth; y: cosine between normals
+uniform float most;     // maximum number of frames in a mean
+uniform bool continued; // whether there is a history of the previous frame
 
-// How far away it was in the frame before, in pixels; the frames that agree, this one counted; which
-// of the four pixels around that place agree, a bit each.
+// xy: offset to the position in the previous frame, in pixels; z: number of consecutive frames, including this one;
+// w: bit mask of the accepted pixels among the four around that position.
 layout(location = 0) out vec4 result;
 layout(location = 1) out vec4 remembered;
 
@@ -38,7 +38,7 @@ vec2 windowOf(mat4 viewToClip, vec3 position)
   return view.Viewport.xy + (clip.xy / clip.w * 0.5 + 0.5) * view.Viewport.zw;
 }
 
-// A position seen in the frame before: of a pixel, at a depth along the view.
+// View-space position of a pixel in the previous frame, at a view depth.
 vec3 previousPosition(ivec2 pixel, float depth)
 {
   mat4 m = motion.PreviousViewToClip;
@@ -56,8 +56,8 @@ void main()
   int index = int(packedNormal.z * 65535.0 + 0.5);
   int object = materials[index].Model.w;
 #ifdef GI_STILL
-  vec3 before = P;
-  vec3 normalBefore = N;
+  vec3 previousP = P;
+  vec3 previousN = N;
 #else
   mat4 toPrevious = motion.ToPrevious;
 #ifdef GI_PROPS_MOVE
@@ -67,19 +67,19 @@ void main()
     toPrevious = motions[row];
   }
 #endif
-  vec3 before = P;
+  vec3 previousP = P;
 #ifdef GI_DISPLACEMENT
-  before += texelFetch(displacementTexture, pixel, 0).xyz;
+  previousP += texelFetch(displacementTexture, pixel, 0).xyz;
 #endif
-  before = (toPrevious * vec4(before, 1.0)).xyz;
-  vec3 normalBefore = mat3(toPrevious) * N;
+  previousP = (toPrevious * vec4(previousP, 1.0)).xyz;
+  vec3 previousN = mat3(toPrevious) * N;
 #endif
 
 #ifdef GI_STILL
   vec2 moved = vec2(0.0);
 #else
-  vec2 moved = windowOf(motion.PreviousViewToClip, before) - windowOf(motion.ViewToClip, P);
-  // What stays is fetched, not blended with its neighbours for a rounding's sake.
+  vec2 moved = windowOf(motion.PreviousViewToClip, previousP) - windowOf(motion.ViewToClip, P);
+  // A static surface is fetched exactly, not blended with its neighbours because of rounding.
   moved = max(abs(moved.x), abs(moved.y)) < 1e-2 ? vec2(0.0) : moved;
 #endif
   vec2 place = vec2(pixel) + moved;
@@ -88,7 +88,7 @@ void main()
 
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw);
-  int agreeing = 0;
+  int accepted = 0;
   float frames = 0.0;
   float weights = 0.0;
   for (int i = 0; i < taps && continued; ++i)
@@ -100,18 +100,18 @@ void main()
     {
       continue;
     }
-    GiSeenSurface seen = giUnpackSurface(texelFetch(surfaceTexture, at, 0));
-    vec3 there = previousPosition(at, seen.depth);
-    float off = abs(dot(normalBefore, there - before));
-    if (seen.object == object && off < tolerance.x * abs(before.z) &&
-      dot(seen.normal, normalBefore) > tolerance.y)
+    GiSurfaceRecord record = giUnpackSurface(texelFetch(surfaceTexture, at, 0));
+    vec3 recordP = previousPosition(at, record.depth);
+    float planeDistance = abs(dot(previousN, recordP - previousP));
+    if (record.object == object && planeDistance < tolerance.x * abs(previousP.z) &&
+      dot(record.normal, previousN) > tolerance.y)
     {
-      agreeing |= 1 << i;
-      frames += share.x * share.y * seen.frames;
+      accepted |= 1 << i;
+      frames += share.x * share.y * record.frames;
       weights += share.x * share.y;
     }
   }
   frames = weights > 0.0 ? min(frames / weights + 1.0, most) : 1.0;
-  result = vec4(moved, frames, float(agreeing));
-  remembered = giPackSurface(GiSeenSurface(N, P.z, object, frames));
+  result = vec4(moved, frames, float(accepted));
+  remembered = giPackSurface(GiSurfaceRecord(N, P.z, object, frames));
 }

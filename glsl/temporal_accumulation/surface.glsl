@@ -1,21 +1,21 @@
-// What is remembered of a pixel's surface, in four floats. Needs lib/octahedral.glsl.
-struct GiSeenSurface
+// History of a pixel's surface, packed in four floats. Needs lib/octahedral.glsl.
+struct GiSurfaceRecord
 {
   vec3 normal;  // in view coordinates
-  float depth;  // along the view's z axis, negative before the eye
+  float depth;  // view-space z, negative in front of the eye
   int object;
-  float frames; // that it was seen on end
+  float frames; // number of consecutive frames in which it was visible
 };
 
-vec4 giPackSurface(GiSeenSurface seen)
+vec4 giPackSurface(GiSurfaceRecord surface)
 {
-  vec2 e = floor(giEncodeOctahedral(seen.normal) * 4095.0 + 0.5);
-  return vec4(e.x * 4096.0 + e.y, seen.depth, float(seen.object), seen.frames);
+  vec2 e = floor(giEncodeOctahedral(surface.normal) * 4095.0 + 0.5);
+  return vec4(e.x * 4096.0 + e.y, surface.depth, float(surface.object), surface.frames);
 }
 
-GiSeenSurface giUnpackSurface(vec4 stored)
+GiSurfaceRecord giUnpackSurface(vec4 stored)
 {
   float high = floor(stored.x / 4096.0);
-  return GiSeenSurface(giDecodeOctahedral(vec2(high, stored.x - high * 4096.0) / 4095.0), stored.y,
+  return GiSurfaceRecord(giDecodeOctahedral(vec2(high, stored.x - high * 4096.0) / 4095.0), stored.y,
     int(stored.z), stored.w);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A number that stands for data, to tell whether it changed.
+ * A hash of data, to detect changes.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace penumbra
 {
-/// FNV-1a (Fowler, Noll, Vo) over words of eight bytes, with a last mixing of bits.
+/// FNV-1a (Fowler, Noll, Vo) over words of eight bytes, with additional mixing of bits.
 class Hasher
 {
 public:

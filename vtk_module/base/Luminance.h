@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Luminance of linear colours, after ITU-R BT.709.
+ * Luminance of linear colours (ITU-R BT.709).
  */
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Between VTK's row-major matrices and GLM's column-major ones.
+ * Conversion between VTK's row-major matrices and GLM's column-major ones.
  */
 #pragma once
 
@@ -29,7 +29,7 @@ inline glm::dmat4 ToMatrix(vtkMatrix4x4* m)
   return result;
 }
 
-/// Into a matrix of vtkOpenGLCamera's, which keeps its matrices transposed.
+/// Copy to a matrix of vtkOpenGLCamera, which stores its matrices transposed.
 inline void ToTransposed(const glm::dmat4& m, vtkMatrix4x4* result)
 {
   for (int row = 0; row < 4; ++row)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A loop over the cores, for passes over millions of elements. Plain threads: vtkSMPTools is
+ * A parallel loop for passes over millions of elements. It uses plain threads, as vtkSMPTools is
  * sequential in the distributions' builds of VTK.
  */
 #pragma once
@@ -13,13 +13,13 @@
 
 namespace penumbra
 {
-/// Call body(begin, end) on parts of [0, count), in several threads where that pays.
+/// Call body(begin, end) on parts of [0, count), in several threads if that pays off.
 template <typename Body>
 void ParallelFor(std::size_t count, const Body& body)
 {
   // Starting a thread costs as much as some ten thousand simple steps.
   constexpr std::size_t grain = 65536;
-  // Asking the system how many processors there are takes longer than small counts do.
+  // Asking the system for the number of processors takes longer than a loop of a small count.
   static const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(processors, (count + grain - 1) / grain);
   if (threads <= 1)

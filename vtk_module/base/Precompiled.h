@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Headers that most sources of the module read.
+ * Headers that most sources of the module include.
  */
 #pragma once
 

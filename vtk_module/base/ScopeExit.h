@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Undoes something on every way out of a scope.
+ * Calls a function when a scope ends, however it ends.
  */
 #pragma once
 

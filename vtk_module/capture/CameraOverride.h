@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws VTK props with other matrices than the active camera's, without touching the camera:
- * mappers take their matrices from vtkOpenGLCamera's cache, which this fills and puts back. So no
- * event is sent, no modification time moves, and no shader is rebuilt.
+ * Draws VTK props with other matrices than the active camera's, without changing the camera.
+ * Mappers take their matrices from vtkOpenGLCamera's cache, which this fills and restores. Thus no
+ * event is sent, no modification time changes, and no shader is rebuilt.
  */
 #pragma once
 
@@ -23,7 +23,7 @@ public:
   CameraOverride(const CameraOverride&) = delete;
   CameraOverride& operator=(const CameraOverride&) = delete;
 
-  /// The matrices that mappers use by themselves.
+  /// The matrices that mappers currently use.
   static glm::dmat4 WorldToView(vtkOpenGLRenderer* renderer);
   static glm::dmat4 ViewToClip(vtkOpenGLRenderer* renderer);
 

@@ -24,35 +24,35 @@ using penumbra::Contains;
 
 namespace
 {
-// VTK's template is filled in the order Color, Edges, Normal, Light, TCoord; a texture multiplies
-// the lit colour at TCoord. So the capture stands behind TCoord.
+// VTK's template is filled in the order Color, Edges, Normal, Light, TCoord. A texture multiplies
+// the lit colour at TCoord, so the capture comes after TCoord.
 const char* const Marker = "//PENUMBRA::Capture";
-const char* const NormalMarker = "//PENUMBRA::Normal"; // behind what VTK makes the normal of
+const char* const NormalMarker = "//PENUMBRA::Normal"; // after VTK's code for the normal
 
-// Impostors shade and place each pixel by themselves: their normal is the surface's. VTK's template names
-// gl_FragDepth in a comment, and what is drawn in front of coincident things moves its depth a little.
-bool PlacesPixels(const std::string& fragment)
+// Impostors compute the position of each pixel, and their normal is the surface's own. VTK's template mentions
+// gl_FragDepth in a comment, and for coincident topology it adds an offset to gl_FragCoord's depth; neither counts.
+bool WritesFragmentDepth(const std::string& fragment)
 {
-  static const std::regex placed("gl_FragDepth\\s*=(?!\\s*gl_FragCoord)");
-  return std::regex_search(fragment, placed);
+  static const std::regex assigned("gl_FragDepth\\s*=(?!\\s*gl_FragCoord)");
+  return std::regex_search(fragment, assigned);
 }
 }
 
 penumbra::Defines penumbra::PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders)
 {
-  if (!Contains(texts.Fragment, "vertexVC") || PlacesPixels(texts.Fragment))
+  if (!Contains(texts.Fragment, "vertexVC") || WritesFragmentDepth(texts.Fragment))
   {
     return {};
   }
-  // Where there is a geometry shader, VTK puts GSOut for VSOut into the fragment shader's names.
+  // With a geometry shader, VTK replaces VSOut by GSOut in the fragment shader's names.
   const std::string normal = " vec3 normalVCVSOutput;\n";
   const std::string round = " vec4 giRoundVSOutput;\n";
   const std::string declared = "out vec3 normalVCGSOutput;\n";
   const std::string passed = "normalVCGSOutput = normalVCVSOutput[i];";
   const std::size_t end = texts.Vertex.rfind('}');
-  const bool whole = texts.Geometry.empty() ||
+  const bool replaceable = texts.Geometry.empty() ||
     (Contains(texts.Geometry, declared.c_str()) && Contains(texts.Geometry, passed.c_str()));
-  if (!whole || !Contains(texts.Vertex, "vertexVCVSOutput =") ||
+  if (!replaceable || !Contains(texts.Vertex, "vertexVCVSOutput =") ||
     !Contains(texts.Vertex, ("out" + normal).c_str()) ||
     !Contains(texts.Fragment, ("in" + normal).c_str()))
   {
@@ -80,7 +80,7 @@ void vtkGICaptureHooks::SetOutputs(const penumbra::CaptureOutputs& outputs)
   if (!(this->Outputs == outputs))
   {
     this->Outputs = outputs;
-    this->Renew();
+    this->RebuildShaders();
   }
 }
 
@@ -105,7 +105,7 @@ void vtkGICaptureHooks::CheckSnippets() const
   {
     std::string text = this->Shaders->Source("capture/check.frag", all.SnippetDefines());
     vtkShaderProgram::Substitute(text, Marker, this->Snippet(name, all), false);
-    // As VTK does with its outputs.
+    // Declare outputs as VTK does.
     std::string outputs;
     for (std::size_t i = 0; i < all.Resources().size(); ++i)
     {
@@ -122,7 +122,7 @@ void vtkGICaptureHooks::BeforeMapper(
   const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp*)
 {
   penumbra::Defines variant;
-  // A geometry shader in between would have to pass it on.
+  // A geometry shader would have to pass the displacement on.
   if (this->Outputs.Has(penumbra::resource::Displacement) && texts.Geometry.empty() &&
     std::string(mapper->GetClassName()) == "vtkOpenGLPolyDataMapper")
   {
@@ -147,8 +147,8 @@ void vtkGICaptureHooks::BeforeMapper(
 void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop)
 {
   std::string& fragment = texts.Fragment;
-  // Mappers take the kind of projection from the camera object, after the hook that sets uniforms;
-  // a shadow map's view may be of the other kind, so the shaders ask a uniform of ours.
+  // Mappers take the kind of projection from the camera object, after the hook that sets uniforms.
+  // A shadow map's projection may be of the other kind, so the shaders use our own uniform.
   for (std::string* source : { &texts.Vertex, &texts.Geometry, &fragment })
   {
     vtkShaderProgram::Substitute(*source, "cameraParallel", "giParallel");
@@ -159,20 +159,20 @@ void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp*
   const bool pbr = Contains(fragment, "roughnessUniform");
   const bool layered =
     Contains(fragment, "#define ANISOTROPY") || Contains(fragment, "#define CLEAR_COAT");
-  const std::string direct = "  color += Lo;\n";
+  const std::string directLight = "  color += Lo;\n";
   const char* snippet = "as_drawn.glsl";
-  if (!unlit && pbr && !layered && actor && Contains(fragment, direct.c_str()))
+  if (!unlit && pbr && !layered && actor && Contains(fragment, directLight.c_str()))
   {
-    // What VTK adds before direct light is the light from all around.
+    // Before direct light VTK has added only the light of the surroundings.
     vtkShaderProgram::Substitute(
-      fragment, direct, "  vec3 giSurrounding = color;\n" + direct, false);
+      fragment, directLight, "  vec3 giSurrounding = color;\n" + directLight, false);
     snippet = "pbr.glsl";
   }
   else if (!unlit && !pbr && actor)
   {
     snippet = "phong.glsl";
   }
-  // Where VTK takes normals of points, and makes none itself.
+  // Only where VTK uses point normals, and does not compute normals itself.
   if (!unlit && Contains(fragment, "vertexVC") && Contains(fragment, "in vec3 normalVCVSOutput;"))
   {
     vtkShaderProgram::Substitute(
@@ -200,7 +200,7 @@ void vtkGICaptureHooks::SetDisplacement(vtkShaderProgram* program, vtkActor* act
   const penumbra::Deformations* shapes = this->Motion ? &this->Motion->Shapes() : nullptr;
   const GLuint texture = shapes ? shapes->TextureOf(actor) : 0;
   program->SetUniformi("giDeforms", texture != 0);
-  // Whether it is read or not, its unit may hold no texture of another kind.
+  // Even if the sampler is not read, its unit must not hold a texture of another kind.
   program->SetUniformi("giPointDisplacements", this->TextureUnit);
   if (texture == 0)
   {
@@ -227,7 +227,7 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   }
   if (program->IsUniformUsed("giAmbientAlpha"))
   {
-    program->SetUniformf("giAmbientAlpha", this->Materials->CoverInPart() ? 1.0f : 0.0f);
+    program->SetUniformf("giAmbientAlpha", this->Materials->HasPartialCoverage() ? 1.0f : 0.0f);
   }
   if (program->IsUniformUsed("giMendsNormals"))
   {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The one place that substitutes into VTK's shader templates: what a mapper is about to light is
- * written to the G-buffer instead. The inserted text itself lives in glsl/capture/.
+ * The only place that substitutes into VTK's shader templates for the capture: the inputs of the lighting are
+ * written to the G-buffer instead of being lit. The inserted text is in glsl/capture/.
  */
 #pragma once
 
@@ -31,33 +31,33 @@ public:
 
   void SetTables(penumbra::MaterialTable* materials, const penumbra::ShaderLibrary* shaders);
 
-  /// Which targets to write. Mappers rebuild their shaders when this changes.
+  /// Set the targets to write. Mappers rebuild their shaders when this changes.
   void SetOutputs(const penumbra::CaptureOutputs& outputs);
 
-  /// Compile the snippets by themselves. Throws std::runtime_error with the compiler's message where
+  /// Compile the snippets by themselves. Throws std::runtime_error with the compiler's message if
   /// one that was replaced from a folder is not valid.
   void CheckSnippets() const;
 
-  /// The kind of projection of the draws that follow, whatever the active camera's is.
+  /// Set the kind of projection of the following draws, regardless of the active camera's.
   void SetParallel(bool parallel) { this->Parallel = parallel; }
 
-  /// Whether the draws that follow are of casters' depths; the texel in which the pattern starts that
-  /// casters are thinned out by where they cover in part (see glsl/capture/coverage.glsl).
+  /// Set whether the following draws write the depth of occluders to a shadow map. anchor: texel in which the pattern
+  /// of thresholds for partial coverage starts (see glsl/capture/coverage.glsl).
   void SetCasting(bool casting, const glm::ivec2& anchor);
 
-  /// Which of the props is drawn next.
+  /// Set the index of the prop that is drawn next.
   void SetLayer(int layer) { this->Layer = layer; }
 
-  /// Whether what has no usable normal is captured with its flat pieces' own, or as VTK draws it.
+  /// Set whether surfaces without usable normals are captured with the normals of their facets, or as VTK draws them.
   void SetMendsNormals(bool mends) { this->MendsNormals = mends; }
 
-  /// Have the motion of what is drawn recorded; nullptr: nobody asks.
+  /// Set the table that records the motion of props; nullptr for none.
   void SetMotion(penumbra::MotionTable* motion) { this->Motion = motion; }
 
-  /// A texture unit that nobody else uses while props are drawn, and the view they are drawn in.
+  /// Set a texture unit that nobody else uses while props are drawn, and the renderer that draws them.
   void SetTextureUnit(int unit, vtkOpenGLRenderer* renderer);
 
-  /// Put this pass on the props' list of passes, and take it off.
+  /// Add this pass to the props' list of passes, and remove it.
   void Attach(const vtkRenderState* state) { this->PreRender(state); }
   void Detach(const vtkRenderState* state) { this->PostRender(state); }
 
@@ -82,7 +82,7 @@ private:
   penumbra::MaterialTable* Materials = nullptr;
   penumbra::MotionTable* Motion = nullptr;
   int TextureUnit = 0;
-  vtkOpenGLRenderer* Renderer = nullptr; ///< of the draws that follow
+  vtkOpenGLRenderer* Renderer = nullptr; ///< of the following draws
   const penumbra::ShaderLibrary* Shaders = nullptr;
   penumbra::CaptureOutputs Outputs;
   bool Parallel = false;

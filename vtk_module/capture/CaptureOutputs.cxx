@@ -6,28 +6,28 @@
 
 namespace penumbra
 {
-std::vector<const CaptureOutputs::Optional*> CaptureOutputs::Chosen() const
+std::vector<const CaptureOutputs::Optional*> CaptureOutputs::RequestedTargets() const
 {
-  std::vector<const Optional*> chosen;
+  std::vector<const Optional*> targets;
   for (const Optional& optional : All)
   {
     if (this->Has(optional.Resource))
     {
-      chosen.push_back(&optional);
+      targets.push_back(&optional);
     }
   }
-  return chosen;
+  return targets;
 }
 
 std::vector<const char*> CaptureOutputs::Resources() const
 {
-  std::vector<const char*> resources = { resource::Albedo, resource::Normal, this->Third };
+  std::vector<const char*> resources = { resource::Albedo, resource::Normal, this->AmbientTarget };
   if (this->Extended)
   {
     resources.push_back(resource::Surface);
     resources.push_back(resource::Emission);
   }
-  for (const Optional* optional : this->Chosen())
+  for (const Optional* optional : this->RequestedTargets())
   {
     resources.push_back(optional->Resource);
   }
@@ -41,7 +41,7 @@ Defines CaptureOutputs::SnippetDefines() const
   {
     defines["GI_EXTENDED"] = "1";
   }
-  for (const Optional* optional : this->Chosen())
+  for (const Optional* optional : this->RequestedTargets())
   {
     defines[optional->Name] = "1";
   }
@@ -51,7 +51,7 @@ Defines CaptureOutputs::SnippetDefines() const
 void CaptureOutputs::NumberTargets(std::string& snippet) const
 {
   std::size_t number = this->Extended ? 5 : 3;
-  for (const Optional* optional : this->Chosen())
+  for (const Optional* optional : this->RequestedTargets())
   {
     vtkShaderProgram::Substitute(snippet, std::string("gl_FragData[") + optional->Name + "]",
       "gl_FragData[" + std::to_string(number++) + "]");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which targets the capture writes in a frame: three always, two more where the scene holds textures
- * or PBR, and those that techniques ask for.
+ * Targets that the capture writes in a frame: three always, two more if the scene has textures
+ * or PBR, and those that techniques request.
  */
 #pragma once
 
@@ -18,7 +18,7 @@ namespace penumbra
 class CaptureOutputs
 {
 public:
-  /// One that is written on request: its resource, the name by which snippets know it, its format.
+  /// A target that is written on request: its resource, its macro in snippets, its format.
   struct Optional
   {
     const char* Resource;
@@ -31,9 +31,9 @@ public:
     { resource::Facet, "GI_FACET", GL_RGBA16 },
   } };
 
-  bool Extended = false; ///< textures or PBR
-  /// What the third target is. Shaders write the same, whatever it is.
-  const char* Third = resource::Ambient;
+  bool Extended = false; ///< whether there are textures or PBR
+  /// Resource of the third target. Shaders write the same values in any case.
+  const char* AmbientTarget = resource::Ambient;
 
   void Request(const char* resource) { this->Requested.insert(resource); }
   bool Has(const char* resource) const { return this->Requested.count(resource) > 0; }
@@ -43,16 +43,16 @@ public:
     return this->Extended == other.Extended && this->Requested == other.Requested;
   }
 
-  /// Those of the optional ones that were asked for, in the order of their targets.
-  std::vector<const Optional*> Chosen() const;
+  /// The requested optional targets, in order.
+  std::vector<const Optional*> RequestedTargets() const;
 
   /// The resources of all targets, in order.
   std::vector<const char*> Resources() const;
 
-  /// For a snippet: what is written.
+  /// Macros of a snippet for the targets that are written.
   Defines SnippetDefines() const;
 
-  /// Name targets by number, as VTK expects them.
+  /// Replace the names of targets in a snippet by numbers, as VTK expects them.
   void NumberTargets(std::string& snippet) const;
 
 private:

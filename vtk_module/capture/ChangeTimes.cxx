@@ -36,8 +36,8 @@ vtkMTimeType DataTime(vtkDataObject* data)
   return time;
 }
 
-// A prop's own time counts a mapper's first input only where that is one dataset, and neither other
-// inputs (glyphs' shapes) nor what clipping planes are.
+// A prop's own time includes a mapper's first input only if that is a single dataset. It includes neither other
+// inputs (shapes of glyphs) nor the clipping planes' own changes.
 vtkMTimeType MapperTime(vtkMapper* mapper)
 {
   vtkMTimeType time = mapper->GetMTime();
@@ -76,7 +76,7 @@ vtkMTimeType PropertyTime(vtkProperty* property)
 }
 }
 
-vtkMTimeType LookTime(vtkActor* actor)
+vtkMTimeType AppearanceTime(vtkActor* actor)
 {
   vtkMTimeType time = PropertyTime(actor->GetProperty());
   time = std::max(time, actor->GetMapper() ? MapperTime(actor->GetMapper()) : 0);

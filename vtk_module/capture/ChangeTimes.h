@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * When what is drawn last changed, beyond what VTK's own modification times tell.
+ * Times of the last change of what is drawn, more complete than VTK's own modification times.
  */
 #pragma once
 
@@ -12,9 +12,10 @@ class vtkMapper;
 
 namespace penumbra
 {
-/// Of all that an actor shows, wherever it is: data, colours, textures, clipping planes.
-vtkMTimeType LookTime(vtkActor* actor);
+/// Time of the last change of an actor's appearance, regardless of its position: data, colours, textures, clipping
+/// planes.
+vtkMTimeType AppearanceTime(vtkActor* actor);
 
-/// Of the surface that a mapper shows, not of its colours where the two can be told apart.
+/// Time of the last change of a mapper's surface, without its colours if the two can be distinguished.
 vtkMTimeType ShapeTime(vtkMapper* mapper);
 }

@@ -15,7 +15,7 @@ namespace penumbra
 {
 namespace
 {
-// The surface of an actor whose mapper draws its points by their numbers.
+// Surface of an actor whose mapper draws its points by index.
 vtkPolyData* SurfaceOf(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -34,30 +34,33 @@ std::vector<double> Copy(vtkDataArray* points)
   return std::vector<double>(range.begin(), range.end());
 }
 
-std::vector<float> Difference(const std::vector<double>& then, const std::vector<double>& now)
+std::vector<float> Difference(
+  const std::vector<double>& previous, const std::vector<double>& current)
 {
-  std::vector<float> way(now.size());
-  std::transform(then.begin(), then.end(), now.begin(), way.begin(),
+  std::vector<float> displacements(current.size());
+  std::transform(previous.begin(), previous.end(), current.begin(), displacements.begin(),
     [](double a, double b) { return static_cast<float>(a - b); });
-  return way;
+  return displacements;
 }
 }
 
-// Whether it is known how the points came to where they are. The way back goes to the GPU.
-bool Deformations::Follow(Shape& shape, vtkDataArray* points, vtkIdType cells)
+// Uploads the displacements to the previous positions. Returns false if these are not known.
+bool Deformations::UploadDisplacements(Shape& shape, vtkDataArray* points, vtkIdType cells)
 {
-  const bool same = shape.Points == points;
-  const bool alike = shape.Points && shape.Cells == cells &&
+  const bool sameArray = shape.Points == points;
+  const bool sameTopology = shape.Points && shape.Cells == cells &&
     shape.Points->GetNumberOfTuples() == points->GetNumberOfTuples();
-  // An array that was changed since holds its old points no more, unless they were kept.
-  const bool intact = alike && !same && shape.Points->GetMTime() <= shape.Time;
-  shape.InPlace |= same;
-  if (!intact && !(alike && same && !shape.Kept.empty()))
+  // The previous positions are in the previous array, unless that was changed since, or in a copy.
+  const bool previousIntact = sameTopology && !sameArray && shape.Points->GetMTime() <= shape.Time;
+  shape.InPlace |= sameArray;
+  if (!previousIntact && !(sameTopology && sameArray && !shape.PreviousPoints.empty()))
   {
     return false;
   }
-  const std::vector<float> way = Difference(intact ? Copy(shape.Points) : shape.Kept, Copy(points));
-  shape.Displacements.Upload(GL_TEXTURE_BUFFER, way.data(), way.size() * sizeof(float));
+  const std::vector<float> displacements =
+    Difference(previousIntact ? Copy(shape.Points) : shape.PreviousPoints, Copy(points));
+  shape.Displacements.Upload(
+    GL_TEXTURE_BUFFER, displacements.data(), displacements.size() * sizeof(float));
   if (!shape.Texture)
   {
     GLuint name = 0;
@@ -87,14 +90,14 @@ bool Deformations::Update(const std::vector<vtkProp*>& props)
     vtkDataArray* points = surface->GetPoints()->GetData();
     const vtkMTimeType time = std::max(surface->GetPoints()->GetMTime(), points->GetMTime());
     const bool changed = shape.Points != points || shape.Time != time;
-    shape.Moved = changed && Follow(shape, points, surface->GetNumberOfCells());
+    shape.Moved = changed && UploadDisplacements(shape, points, surface->GetNumberOfCells());
     any |= shape.Moved;
     if (changed)
     {
       shape.Points = points;
       shape.Time = time;
       shape.Cells = surface->GetNumberOfCells();
-      shape.Kept = shape.InPlace ? Copy(points) : std::vector<double>();
+      shape.PreviousPoints = shape.InPlace ? Copy(points) : std::vector<double>();
     }
   }
   for (auto it = this->Shapes.begin(); it != this->Shapes.end();)
@@ -104,7 +107,7 @@ bool Deformations::Update(const std::vector<vtkProp*>& props)
   return any;
 }
 
-bool Deformations::Knows(vtkActor* actor) const
+bool Deformations::HasDisplacements(vtkActor* actor) const
 {
   const auto found = this->Shapes.find(actor);
   return found != this->Shapes.end() && found->second.Moved;
@@ -112,7 +115,7 @@ bool Deformations::Knows(vtkActor* actor) const
 
 GLuint Deformations::TextureOf(vtkActor* actor) const
 {
-  return this->Knows(actor) ? this->Shapes.at(actor).Texture.Get() : 0;
+  return this->HasDisplacements(actor) ? this->Shapes.at(actor).Texture.Get() : 0;
 }
 
 GLuint Deformations::AnyTexture() const

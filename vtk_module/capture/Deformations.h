@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How the points of surfaces moved within their props since the frame before, as data that deform do:
- * for each point, where it was, where both frames hold the same number of points and cells.
+ * Motion of points within their props since the previous frame, as in deforming data. It is known
+ * if both frames have the same numbers of points and cells.
  */
 #pragma once
 
@@ -22,17 +22,17 @@ namespace penumbra
 class Deformations
 {
 public:
-  /// Compare with the last call's props. Returns whether points of any moved.
+  /// Compare with the props of the last call. Returns whether any points moved.
   bool Update(const std::vector<vtkProp*>& props);
 
-  /// Whether an actor's points moved, in a way that is known.
-  bool Knows(vtkActor* actor) const;
+  /// Whether an actor's points moved and their displacements are known.
+  bool HasDisplacements(vtkActor* actor) const;
 
-  /// A buffer texture of the way back of each point, three floats in the prop's coordinates; 0 where
-  /// none moved.
+  /// Buffer texture of the displacement of each point to its previous position, three floats in the prop's coordinates;
+  /// 0 if none moved.
   GLuint TextureOf(vtkActor* actor) const;
 
-  /// Any of them, to be bound where a shader asks for one and none is meant.
+  /// Any of these textures, to be bound if a shader needs one but does not read it.
   GLuint AnyTexture() const;
 
 private:
@@ -41,13 +41,13 @@ private:
     vtkSmartPointer<vtkDataArray> Points; ///< kept alive until the next frame
     vtkMTimeType Time = 0;
     vtkIdType Cells = 0;
-    bool InPlace = false;     ///< its points are written anew in the same array
-    std::vector<double> Kept; ///< a copy of such points
+    bool InPlace = false;               ///< whether its points change within the same array
+    std::vector<double> PreviousPoints; ///< copy of such points
     Buffer Displacements;
     Handle<gl::DeleteTexture> Texture;
     bool Moved = false;
   };
-  static bool Follow(Shape& shape, vtkDataArray* points, vtkIdType cells);
+  static bool UploadDisplacements(Shape& shape, vtkDataArray* points, vtkIdType cells);
 
   std::map<vtkActor*, Shape> Shapes;
 };

@@ -12,7 +12,7 @@ void MaterialTable::Clear()
   this->Index.clear();
   this->PBR = false;
   this->Specular = false;
-  this->PartCover = false;
+  this->PartialCoverage = false;
 }
 
 int MaterialTable::Find(vtkProperty* property, const Owner& owner)

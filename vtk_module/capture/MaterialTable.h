@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The reflecting properties of a frame's materials beside what the G-buffer holds per pixel. Equal
- * properties share an entry; entry 0 reflects nothing and shows VTK's own colour.
+ * Reflection parameters of a frame's materials that the G-buffer does not hold per pixel. Equal
+ * materials share an entry. Entry 0 reflects nothing and shows VTK's own colour.
  */
 #pragma once
 
@@ -24,28 +24,28 @@ public:
   MaterialTable() { this->Clear(); }
   void Clear();
 
-  /// Which prop an entry is of, where that matters: the row of its motion, and a number that stays.
+  /// The prop that an entry belongs to, if that matters: the row of its motion, and its persistent number.
   struct Owner
   {
     int Motion = 0;
     int Number = 0;
   };
 
-  /// The entry of a property, made on first sight. The G-buffer holds 16 bits: materials past
-  /// 65535 different ones in a frame share the last.
+  /// Index of a property's entry, created at first use. The G-buffer holds 16 bits: materials beyond
+  /// 65535 different ones in a frame share the last entry.
   int Find(vtkProperty* property, const Owner& owner);
 
   bool HasPBR() const { return this->PBR; }
   bool HasSpecular() const { return this->Specular; }
 
-  /// Whether fragments drawn as opaque may cover a pixel in part, by the alpha of a texture or of
-  /// colours; VTK blends such fragments in the order of drawing.
-  void SetCoverInPart(bool part) { this->PartCover = part; }
-  bool CoverInPart() const { return this->PartCover; }
+  /// Whether fragments that are drawn as opaque may cover a pixel partly, by the alpha of a texture or of
+  /// colours. VTK blends such fragments in drawing order.
+  void SetPartialCoverage(bool part) { this->PartialCoverage = part; }
+  bool HasPartialCoverage() const { return this->PartialCoverage; }
 
-  /// Once the frame's materials are known.
+  /// Upload the entries, after all of the frame's props are drawn.
   void Upload();
-  /// For shaders that include shared/material.h.
+  /// Arguments of shaders that include shared/material.h.
   Arguments ShaderArguments() const { return Arguments().Block("MaterialBlock", this->Storage); }
   void ReleaseGraphicsResources() { this->Storage = Buffer(); }
 
@@ -54,7 +54,7 @@ private:
   std::map<std::array<float, 8>, int> Index;
   bool PBR = false;
   bool Specular = false;
-  bool PartCover = false;
+  bool PartialCoverage = false;
   Buffer Storage;
 };
 }

@@ -17,7 +17,7 @@
 
 namespace penumbra
 {
-MotionTable::Eye MotionTable::EyeOf(const View& view)
+MotionTable::Camera MotionTable::CameraOf(const View& view)
 {
   const glm::dvec3 shift(2.0 * view.Jitter / glm::dvec2(view.Viewport.z, view.Viewport.w), 0.0);
   return { view.WorldToView, glm::translate(glm::dmat4(1.0), -shift) * view.ViewToClip,
@@ -26,74 +26,75 @@ MotionTable::Eye MotionTable::EyeOf(const View& view)
 
 void MotionTable::Begin(const View& view)
 {
-  this->Before = this->Now;
-  this->TracksBefore.swap(this->TracksNow);
-  this->TracksNow.clear();
+  this->PreviousCamera = this->CurrentCamera;
+  this->PreviousTracks.swap(this->CurrentTracks);
+  this->CurrentTracks.clear();
   this->Continued = view.FrameNumber == this->FrameNumber + 1;
-  this->Current = &view;
-  this->Rows.assign(1, glm::mat4(this->Before.WorldToView * view.ViewToWorld));
+  this->CurrentView = &view;
+  this->Rows.assign(1, glm::mat4(this->PreviousCamera.WorldToView * view.ViewToWorld));
 }
 
 bool MotionTable::Deform(const std::vector<vtkProp*>& props)
 {
-  // Kept once it was seen, as mappers rebuild their shaders for it.
-  this->Deforms |= this->Points.Update(props);
+  // This never returns to false, as mappers rebuild their shaders when it changes.
+  this->Deforms |= this->PointMotions.Update(props);
   return this->Deforms;
 }
 
 const glm::dmat4& MotionTable::WorldToView() const
 {
-  return this->Current->WorldToView;
+  return this->CurrentView->WorldToView;
 }
 
 int MotionTable::NewNumber()
 {
-  constexpr int limit = 1 << 24; // a float holds every integer below
-  return this->Numbers = this->Numbers % (limit - 1) + 1;
+  constexpr int limit = 1 << 24; // a float represents all smaller integers
+  return this->LastNumber = this->LastNumber % (limit - 1) + 1;
 }
 
-int MotionTable::RowOf(const glm::dmat4& now, const Track* before)
+int MotionTable::RowOf(const glm::dmat4& propToWorld, const Track* previous)
 {
-  // At rest, or one of several places of which nobody can tell which it was.
-  if (!before || before->Places.size() != 1 || before->Places[0] == now)
+  // The prop is at rest, or it has several transformations that cannot be matched.
+  if (!previous || previous->Transforms.size() != 1 || previous->Transforms[0] == propToWorld)
   {
     return 0;
   }
-  this->Rows.emplace_back(
-    this->Before.WorldToView * before->Places[0] * glm::inverse(now) * this->Current->ViewToWorld);
+  this->Rows.emplace_back(this->PreviousCamera.WorldToView * previous->Transforms[0] *
+    glm::inverse(propToWorld) * this->CurrentView->ViewToWorld);
   return static_cast<int>(this->Rows.size()) - 1;
 }
 
 MaterialTable::Owner MotionTable::Find(vtkActor* actor)
 {
-  const glm::dmat4 now = ToMatrix(actor->GetMatrix());
-  Track& track = this->TracksNow[actor];
-  const auto place = std::find(track.Places.begin(), track.Places.end(), now);
-  if (place != track.Places.end())
+  const glm::dmat4 propToWorld = ToMatrix(actor->GetMatrix());
+  Track& track = this->CurrentTracks[actor];
+  const auto place = std::find(track.Transforms.begin(), track.Transforms.end(), propToWorld);
+  if (place != track.Transforms.end())
   {
-    return { track.Rows[place - track.Places.begin()], track.Number };
+    return { track.Rows[place - track.Transforms.begin()], track.Number };
   }
-  const auto found = this->TracksBefore.find(actor);
-  const Track* before = found == this->TracksBefore.end() ? nullptr : &found->second;
+  const auto found = this->PreviousTracks.find(actor);
+  const Track* previous = found == this->PreviousTracks.end() ? nullptr : &found->second;
   if (track.Number == 0)
   {
     track.Shape = actor->GetMapper() ? ShapeTime(actor->GetMapper()) : 0;
-    track.Number = before && (before->Shape == track.Shape || this->Points.Knows(actor))
-      ? before->Number
+    track.Number =
+      previous && (previous->Shape == track.Shape || this->PointMotions.HasDisplacements(actor))
+      ? previous->Number
       : this->NewNumber();
   }
-  track.Places.push_back(now);
-  track.Rows.push_back(this->RowOf(now, before));
+  track.Transforms.push_back(propToWorld);
+  track.Rows.push_back(this->RowOf(propToWorld, previous));
   return { track.Rows.back(), track.Number };
 }
 
 void MotionTable::Upload()
 {
-  this->Now = EyeOf(*this->Current);
-  this->FrameNumber = this->Current->FrameNumber;
-  const shared::MotionViewData data = { glm::mat4(this->Now.ViewToClip),
-    glm::mat4(this->Before.ViewToClip), this->Rows.front(),
-    glm::vec4(this->Before.Shift, 0.0, 0.0) };
+  this->CurrentCamera = CameraOf(*this->CurrentView);
+  this->FrameNumber = this->CurrentView->FrameNumber;
+  const shared::MotionViewData data = { glm::mat4(this->CurrentCamera.ViewToClip),
+    glm::mat4(this->PreviousCamera.ViewToClip), this->Rows.front(),
+    glm::vec4(this->PreviousCamera.Shift, 0.0, 0.0) };
   this->ViewBlock.Upload(GL_UNIFORM_BUFFER, &data, sizeof(data));
   this->RowBlock.Upload(
     GL_SHADER_STORAGE_BUFFER, this->Rows.data(), this->Rows.size() * sizeof(this->Rows[0]));

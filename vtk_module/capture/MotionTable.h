@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where a view's props were in the frame before, so that a pixel's surface can be found there.
+ * Motion of a view's props since the previous frame, for the reprojection of their surfaces.
  */
 #pragma once
 
@@ -24,29 +24,29 @@ struct View;
 class MotionTable
 {
 public:
-  /// Begin a frame. The view's matrices may be shifted until it is drawn.
+  /// Begin a frame. Jitter may still change the view's matrices until the frame is drawn.
   void Begin(const View& view);
 
-  /// Find out how the points of these props moved. Returns whether any prop needs more than a matrix,
-  /// now or in a frame before.
+  /// Find the motion of points within these props. Returns whether any prop deforms now or did so in an earlier
+  /// frame.
   bool Deform(const std::vector<vtkProp*>& props);
-  const Deformations& Shapes() const { return this->Points; }
+  const Deformations& Shapes() const { return this->PointMotions; }
 
-  /// The prop about to be drawn, as it is placed now. Its number is another one where what it shows
-  /// has changed, or where nobody can tell from where it came.
+  /// Motion row and number of the prop that is drawn next, at its current position. The number changes if the shape
+  /// has changed in an unknown way.
   MaterialTable::Owner Find(vtkActor* actor);
 
   const glm::dmat4& WorldToView() const;
 
-  /// Whether the frame before was recorded too.
+  /// Whether the previous frame was recorded too.
   bool IsContinued() const { return this->Continued; }
 
-  /// Whether props of this frame, once drawn, were found to have moved.
+  /// Whether props of this frame have moved. Valid after they are drawn.
   bool PropsMove() const { return this->Rows.size() > 1; }
 
-  /// Once the frame's props were seen: the matrices of both frames, and the motions.
+  /// Upload the matrices of both frames and the motions, after all of the frame's props are drawn.
   void Upload();
-  /// For shaders that include shared/motion.h.
+  /// Arguments of shaders that include shared/motion.h.
   Arguments ShaderArguments() const
   {
     return Arguments().Block("MotionViewBlock", this->ViewBlock).Block("MotionBlock", this->RowBlock);
@@ -57,32 +57,32 @@ private:
   {
     int Number = 0;
     vtkMTimeType Shape = 0;
-    std::vector<glm::dmat4> Places; ///< more than one where assemblies share the prop
-    std::vector<int> Rows;          ///< of each place
+    std::vector<glm::dmat4> Transforms; ///< transformations; more than one if assemblies share the prop
+    std::vector<int> Rows;              ///< motion row of each
   };
   using Tracks = std::map<vtkActor*, Track>;
 
-  /// The camera of a frame.
-  struct Eye
+  /// Camera of a frame.
+  struct Camera
   {
     glm::dmat4 WorldToView{ 1.0 };
     glm::dmat4 ViewToClip{ 1.0 }; ///< without jitter
-    glm::dvec2 Shift{ 0.0 };      ///< the jitter, in clip coordinates
+    glm::dvec2 Shift{ 0.0 };      ///< jitter in clip coordinates
   };
-  static Eye EyeOf(const View& view);
-  int RowOf(const glm::dmat4& now, const Track* before);
+  static Camera CameraOf(const View& view);
+  int RowOf(const glm::dmat4& propToWorld, const Track* previous);
   int NewNumber();
 
-  const View* Current = nullptr;
+  const View* CurrentView = nullptr;
   int FrameNumber = -2;
   bool Continued = false;
-  int Numbers = 0;
-  Eye Before;
-  Eye Now;
-  Tracks TracksBefore;
-  Tracks TracksNow;
-  std::vector<glm::mat4> Rows; ///< of the table
-  Deformations Points;
+  int LastNumber = 0;
+  Camera PreviousCamera;
+  Camera CurrentCamera;
+  Tracks PreviousTracks;
+  Tracks CurrentTracks;
+  std::vector<glm::mat4> Rows; ///< rows of the table
+  Deformations PointMotions;
   bool Deforms = false;
   Buffer ViewBlock;
   Buffer RowBlock;

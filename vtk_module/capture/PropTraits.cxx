@@ -30,7 +30,7 @@ bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
     parts->InitTraversal(cookie);
     while (vtkProp3D* part = parts->GetNextProp3D(cookie))
     {
-      if (AnyActor(part, other, holds))
+      if (AnyActor(part, other, predicate))
       {
         return true;
       }
@@ -38,11 +38,11 @@ bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
     return false;
   }
   vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor ? holds(actor) : other;
+  return actor ? predicate(actor) : other;
 }
 
-// Whether a user's own shader code says what the final colour is: there is no light to take apart.
-bool DecidesItsColor(vtkActor* actor)
+// Whether a user's own shader code writes the final colour, so that its light cannot be separated.
+bool WritesItsOwnColor(vtkActor* actor)
 {
   vtkShaderProperty* shader = actor->GetShaderProperty();
   if (shader->HasFragmentShaderCode())
@@ -68,7 +68,7 @@ bool DecidesItsColor(vtkActor* actor)
   return false;
 }
 
-// The most that a property's highlight reflects of light from all around, facing the eye.
+// Upper bound of the share of light from all around that a property's highlight reflects, facing the eye.
 double HighlightOf(vtkProperty* property)
 {
   if (!property || !property->GetLighting())
@@ -85,7 +85,7 @@ double HighlightOf(vtkProperty* property)
     (property->GetSpecularPower() + 1.0);
 }
 
-// Whether all of it is drawn as faces. VTK draws some lines and points as they are.
+// Whether all cells are drawn as faces. VTK does not light some lines and points.
 bool IsAllFaces(vtkDataObject* data)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
@@ -111,10 +111,10 @@ bool MayHaveAmbient(vtkProperty* property, bool environment)
   {
     return false;
   }
-  // Edges have their own colour by the ambient term.
+  // VTK draws edges with their own colour as the ambient term.
   const bool plain = property->GetLighting() && property->GetRepresentation() == VTK_SURFACE &&
     !property->GetEdgeVisibility() && !property->GetVertexVisibility();
-  // Of coats and brushed metal only the sum is known.
+  // For clear coat and anisotropy only the total colour is known.
   const bool pbr = property->GetInterpolation() == VTK_PBR;
   const bool layered =
     pbr && (property->GetCoatStrength() > 0.0 || property->GetAnisotropy() > 0.0);
@@ -146,7 +146,7 @@ bool ReflectsShare(vtkProp* prop, double share)
   });
 }
 
-bool MayCoverInPart(vtkProp* prop)
+bool MayHavePartialCoverage(vtkProp* prop)
 {
   return AnyActor(prop, false, [](vtkActor* actor) {
     return actor->GetForceOpaque() || actor->GetProperty()->GetNumberOfTextures() > 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What can be told of a prop before it is drawn. Of an assembly, of any of its parts.
+ * Properties of a prop that are known before it is drawn. They hold for an assembly if they hold for any of its parts.
  */
 #pragma once
 
@@ -9,21 +9,21 @@ class vtkProp;
 
 namespace penumbra
 {
-/// Whether a prop's mapper writes the G-buffer through the render pass hooks; of an assembly, whether all parts' do.
+/// Whether a prop's mapper writes the G-buffer through the render pass hooks. For an assembly, all parts must do so.
 bool CanCapture(vtkProp* prop);
 
-/// Whether the G-buffer needs what textures and physically based materials add to it.
+/// Whether the G-buffer needs the targets for textures and PBR.
 bool NeedsExtended(vtkProp* prop);
 
-/// Whether the highlight reflects this share of light from all around or more, facing the eye.
+/// Whether the highlight, facing the eye, reflects at least this share of light from all around.
 bool ReflectsShare(vtkProp* prop, double share);
 
-/// Whether opaque fragments may have an alpha below one: VTK looks at neither where the actor is forced opaque, nor at
-/// the textures of its property.
-bool MayCoverInPart(vtkProp* prop);
+/// Whether fragments drawn as opaque may have an alpha below one: if the actor is forced opaque, or by the textures of
+/// its property, which VTK does not check.
+bool MayHavePartialCoverage(vtkProp* prop);
 
-/// Whether a prop that is captured may leave anything in the G-buffer's ambient target: what it reflects of ambient
-/// light, or its colour where VTK draws it as it is. environment: images light physically based materials. Of what is
-/// not known for certain, it may.
+/// Whether a captured prop may write anything to the G-buffer's ambient target: reflected ambient
+/// light, or its colour if it is shown as drawn. environment: whether images light PBR materials. True if this is
+/// not known for certain.
 bool MayHaveAmbient(vtkProp* prop, bool environment);
 }

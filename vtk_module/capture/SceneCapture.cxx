@@ -38,15 +38,15 @@ SceneCapture::~SceneCapture() = default;
 void SceneCapture::ReloadShaders()
 {
   this->Hooks->CheckSnippets();
-  this->Hooks->Renew();
+  this->Hooks->RebuildShaders();
 }
 
 void SceneCapture::Collect(const vtkRenderState* state)
 {
   this->Captured.clear();
   this->Others.clear();
-  this->Behind.clear();
-  this->All.clear();
+  this->SkyProps.clear();
+  this->CasterProps.clear();
   this->Table.Clear();
   this->SetMotion(nullptr);
   bool extended = false;
@@ -55,11 +55,11 @@ void SceneCapture::Collect(const vtkRenderState* state)
   {
     vtkProp* prop = state->GetPropArray()[i];
     const bool captured = CanCapture(prop);
-    (captured ? this->Captured : (IsSky(prop) ? this->Behind : this->Others)).push_back(prop);
+    (captured ? this->Captured : (IsSky(prop) ? this->SkyProps : this->Others)).push_back(prop);
     extended |= captured && NeedsExtended(prop);
-    part |= captured && MayCoverInPart(prop);
+    part |= captured && MayHavePartialCoverage(prop);
   }
-  // VTK culls the list above to the view; what is behind the camera still casts shadows into it.
+  // VTK culls the list above to the view, but props outside of it still cast shadows into it.
   vtkPropCollection* props = state->GetRenderer()->GetViewProps();
   vtkCollectionSimpleIterator cookie;
   props->InitTraversal(cookie);
@@ -67,11 +67,11 @@ void SceneCapture::Collect(const vtkRenderState* state)
   {
     if (prop->GetVisibility() && CanCapture(prop))
     {
-      this->All.push_back(prop);
+      this->CasterProps.push_back(prop);
     }
   }
-  this->Table.SetCoverInPart(part);
-  this->Environment = state->GetRenderer()->GetUseImageBasedLighting();
+  this->Table.SetPartialCoverage(part);
+  this->HasEnvironment = state->GetRenderer()->GetUseImageBasedLighting();
   this->Outputs = CaptureOutputs();
   this->Outputs.Extended = extended;
 }
@@ -85,22 +85,22 @@ bool SceneCapture::Reflects(double share) const
 bool SceneCapture::MayHaveAmbient() const
 {
   return std::any_of(this->Captured.begin(), this->Captured.end(),
-    [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->Environment); });
+    [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->HasEnvironment); });
 }
 
 bool SceneCapture::StartForAmbient(const char* resource)
 {
-  // Blending would take its target's alpha for coverage.
-  const bool free = !this->Table.CoverInPart() && !this->MayHaveAmbient();
-  this->Outputs.Third = free ? resource : resource::Ambient;
+  // Blending would use the target's alpha as coverage.
+  const bool free = !this->Table.HasPartialCoverage() && !this->MayHaveAmbient();
+  this->Outputs.AmbientTarget = free ? resource : resource::Ambient;
   return free;
 }
 
-bool SceneCapture::CastsInPart() const
+bool SceneCapture::CastsPartialShadows() const
 {
   const auto translucent = [](vtkTexture* texture) { return texture && texture->IsTranslucent(); };
-  return std::any_of(this->All.begin(), this->All.end(), [&](vtkProp* prop) {
-    // Opaque by force, or by a colour of PBR, whose alpha VTK does not ask for.
+  return std::any_of(this->CasterProps.begin(), this->CasterProps.end(), [&](vtkProp* prop) {
+    // VTK does not check the alpha of actors that are forced opaque, or of PBR base colour textures.
     vtkActor* actor = vtkActor::SafeDownCast(prop);
     vtkProperty* property = actor ? actor->GetProperty() : nullptr;
     return prop->HasTranslucentPolygonalGeometry() ||
@@ -123,30 +123,30 @@ void SceneCapture::SetMotion(MotionTable* motion)
 
 void SceneCapture::Contribute(Frame& frame)
 {
-  if (this->Motion && this->Motion->Deform(this->All))
+  if (this->Motion && this->Motion->Deform(this->CasterProps))
   {
     this->Outputs.Request(resource::Displacement);
   }
   this->Hooks->SetOutputs(this->Outputs);
-  // Eight bits hold what VTK's eight-bit framebuffer shows; PBR is encoded for display later, so
+  // Eight bits suffice for VTK's eight-bit framebuffer. PBR is encoded for display later, so
   // its linear values need more.
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
-  // Blended fragments are rounded to the window's eight bits, as VTK's are.
-  const bool wide = this->Outputs.Extended || this->Outputs.Third != resource::Ambient ||
-    (frame.GetView().KeepsRadiance && !this->Table.CoverInPart());
+  // Blended fragments are rounded to the window's eight bits, as in VTK.
+  const bool wide = this->Outputs.Extended || this->Outputs.AmbientTarget != resource::Ambient ||
+    (frame.GetView().KeepsRadiance && !this->Table.HasPartialCoverage());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
-    .Write(this->Outputs.Third, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
-    .Write(resource::WindowDepth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
+    .Write(this->Outputs.AmbientTarget, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
+    .Write(resource::DepthCopy, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
   if (this->Outputs.Extended)
   {
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))
       .Write(resource::Emission, frame.WindowTexture(GL_RGBA16F));
   }
-  for (const CaptureOutputs::Optional* optional : this->Outputs.Chosen())
+  for (const CaptureOutputs::Optional* optional : this->Outputs.RequestedTargets())
   {
     pass.Write(optional->Resource, frame.WindowTexture(optional->Format));
   }
@@ -161,24 +161,24 @@ void SceneCapture::Draw(FrameContext& context)
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const auto window = static_cast<unsigned int>(bound);
   context.BindTarget(outputs, resource::Depth);
-  scope.Set(GL_BLEND, this->Table.CoverInPart());
-  if (this->Table.CoverInPart())
+  scope.Set(GL_BLEND, this->Table.HasPartialCoverage());
+  if (this->Table.HasPartialCoverage())
   {
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   }
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthMask(true);
-  // Where nothing is captured only the albedo's alpha is read; blending reads all.
+  // Where nothing is captured, only the albedo's alpha is read. Blending reads all targets.
   const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
-  const GLint cleared = this->Table.CoverInPart() ? static_cast<GLint>(outputs.size()) : 1;
+  const GLint cleared = this->Table.HasPartialCoverage() ? static_cast<GLint>(outputs.size()) : 1;
   for (GLint output = 0; output < cleared; ++output)
   {
     glClearBufferfv(GL_COLOR, output, nothing);
   }
   if (!context.Output(resource::Depth)->IsBorrowed())
   {
-    // Depth of our own starts from what the window holds: another layer's, or cleared.
+    // Our own depth buffer starts with the window's depth, which other layers may have drawn.
     const GLfloat far = 1.0f;
     glClearBufferfv(GL_DEPTH, 0, &far);
   }
@@ -192,16 +192,16 @@ void SceneCapture::Draw(FrameContext& context)
   const View& view = context.GetView();
   this->Hooks->SetParallel(view.Parallel);
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
-  this->Drawn = this->DrawProps(context.Renderer(), this->Captured, false);
+  this->CapturedPropCount = this->DrawProps(context.Renderer(), this->Captured, false);
   this->Table.Upload();
   if (this->Motion)
   {
     this->Motion->Upload();
   }
 
-  // A depth buffer must not be bound and read at once: techniques test against the one and read the
-  // other.
-  context.CopyDepth(context.Output(resource::Depth), context.Output(resource::WindowDepth));
+  // A depth buffer must not be bound and read at the same time. Techniques test against the original and read the
+  // copy.
+  context.CopyDepth(context.Output(resource::Depth), context.Output(resource::DepthCopy));
 }
 
 int SceneCapture::DrawProps(
@@ -228,7 +228,7 @@ int SceneCapture::DrawProps(
     drawn += prop->RenderOpaqueGeometry(renderer);
     if (translucent && prop->HasTranslucentPolygonalGeometry())
     {
-      // VTK's actors leave the depth alone where they are translucent, unless they are told.
+      // Translucent actors do not write depth unless this key is set.
       vtkInformation* keys = prop->GetPropertyKeys();
       keys->Set(vtkOpenGLActor::GLDepthMaskOverride(), 1);
       drawn += prop->RenderTranslucentPolygonalGeometry(renderer);
@@ -245,7 +245,7 @@ void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& wo
   this->Hooks->SetParallel(parallel);
   this->Hooks->SetCasting(true, anchor);
   const ScopeExit capture([&] { this->Hooks->SetCasting(false, anchor); });
-  this->DrawProps(renderer, this->All, true);
+  this->DrawProps(renderer, this->CasterProps, true);
 }
 
 int SceneCapture::DrawOthers(vtkOpenGLRenderer* renderer)

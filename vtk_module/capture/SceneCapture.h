@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Rasters props into the G-buffer or a shadow map by their own mappers, and knows which props can
- * take part: the rest is drawn by VTK as it stands.
+ * Rasterizes props into the G-buffer or a shadow map with their own mappers. Props that cannot be captured
+ * are drawn by VTK as usual.
  */
 #pragma once
 
@@ -33,67 +33,68 @@ public:
   SceneCapture(const ShaderLibrary& shaders);
   ~SceneCapture();
 
-  /// The shaders come from another folder: check those that VTK will compile, and have mappers take
-  /// them. Throws std::runtime_error where one is not valid.
+  /// Use shaders from another folder: check those that VTK will compile, and have mappers rebuild
+  /// theirs. Throws std::runtime_error if one is not valid.
   void ReloadShaders();
 
   /// Sort the props of a frame: those in view that can be captured, those that VTK must draw, and
   /// all visible ones, in view or not, that may cast shadows.
   void Collect(const vtkRenderState* state);
 
-  /// Record the motion of what is drawn, in this frame.
+  /// Set the table that records the motion of props in this frame; nullptr for none.
   void SetMotion(MotionTable* motion);
 
-  /// Whether points' normals that are zero or no numbers count as none, in this frame. VTK draws them black.
+  /// Set whether point normals that are zero or NaN count as missing in this frame. VTK draws them black.
   void SetMendsNormals(bool mends);
 
-  /// Have an optional resource written in this frame. Ask while techniques contribute.
+  /// Request an optional resource in this frame, while techniques contribute.
   void Request(const char* resource) { this->Outputs.Request(resource); }
 
-  /// Whether the highlight of any prop in view reflects this share of the incoming light or more.
+  /// Whether the highlight of any prop in view reflects at least this share of the incoming light.
   bool Reflects(double share) const;
 
-  /// Where no prop in view has an ambient term, have its target start another resource: rgb and a of 0 where something
-  /// was captured, anything elsewhere. False where some may have one: nothing is changed.
+  /// If no prop in view has an ambient term, use its target to begin another resource: rgb and a are 0 where something
+  /// was captured, and undefined elsewhere. Returns false and changes nothing if some prop may have an ambient term.
   bool StartForAmbient(const char* resource);
 
-  /// Whether any caster may cover what lies behind it in part.
-  bool CastsInPart() const;
+  /// Whether any occluder may cover what is behind it only partly.
+  bool CastsPartialShadows() const;
 
   /// Add the pass that writes the G-buffer.
   void Contribute(Frame& frame);
 
-  /// Draw every caster's depth as seen with these matrices into the bound framebuffer; of what covers
-  /// in part, as many texels, by a pattern that starts in one of them.
+  /// Draw the depth of all occluders, as seen with these matrices, into the bound framebuffer. Occluders with partial
+  /// coverage are drawn in a corresponding share of the texels, by a pattern that starts at anchor.
   void DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& worldToView,
     const glm::dmat4& viewToClip, bool parallel, const glm::ivec2& anchor);
 
-  /// Opaque geometry of the props that could not be captured, by VTK into its own framebuffer.
+  /// Have VTK draw the opaque geometry of the props that cannot be captured into its own framebuffer. Returns the
+  /// number of props drawn.
   int DrawOthers(vtkOpenGLRenderer* renderer);
 
-  /// Skyboxes behind everything, which are none of the others: see VisibleSky.h.
-  const std::vector<vtkProp*>& Skies() const { return this->Behind; }
+  /// Skyboxes behind everything, which DrawOthers() does not draw: see VisibleSky.h.
+  const std::vector<vtkProp*>& Skies() const { return this->SkyProps; }
 
-  const std::vector<vtkProp*>& Casters() const { return this->All; }
+  const std::vector<vtkProp*>& Casters() const { return this->CasterProps; }
   MaterialTable& Materials() { return this->Table; }
   bool IsExtended() const { return this->Outputs.Extended; }
-  int CapturedProps() const { return this->Drawn; }
+  int CapturedProps() const { return this->CapturedPropCount; }
 
 private:
   bool MayHaveAmbient() const;
   void Draw(FrameContext& context);
-  /// Draw the props' opaque geometry by the hooks, and the translucent where asked for.
+  /// Draw the props' opaque geometry with the hooks, and optionally the translucent geometry.
   int DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props, bool translucent);
 
   vtkSmartPointer<vtkGICaptureHooks> Hooks;
   MaterialTable Table;
   std::vector<vtkProp*> Captured;
   std::vector<vtkProp*> Others;
-  std::vector<vtkProp*> Behind;
-  std::vector<vtkProp*> All;
+  std::vector<vtkProp*> SkyProps;
+  std::vector<vtkProp*> CasterProps;
   CaptureOutputs Outputs;
-  MotionTable* Motion = nullptr; ///< of this frame's view, where anybody asks
-  bool Environment = false;      ///< images light physically based materials
-  int Drawn = 0;
+  MotionTable* Motion = nullptr; ///< of this frame's view, if motion is requested
+  bool HasEnvironment = false;   ///< whether images light PBR materials
+  int CapturedPropCount = 0;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What render-pass hooks have in common that change the shaders of VTK's mappers and draw nothing themselves.
+ * Base of render-pass hooks that change the shaders of VTK's mappers and draw nothing themselves.
  */
 #pragma once
 
@@ -18,7 +18,7 @@ inline bool Contains(const std::string& text, const char* what)
   return text.find(what) != std::string::npos;
 }
 
-/// A mapper's shaders in the making.
+/// Texts of a mapper's shaders, to be changed.
 struct ShaderTexts
 {
   std::string& Vertex;
@@ -26,7 +26,7 @@ struct ShaderTexts
   std::string& Fragment;
 };
 
-/// Have a mapper's finished shaders pass on what capture/facet.glsl needs; which variant of it they take.
+/// Change a mapper's finished shaders to pass the inputs of capture/facet.glsl. Returns the variant of it to use.
 Defines PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders);
 }
 
@@ -35,8 +35,8 @@ class vtkGIShaderHooks : public vtkOpenGLRenderPass
 public:
   vtkAbstractTypeMacro(vtkGIShaderHooks, vtkOpenGLRenderPass);
 
-  /// Have mappers build their shaders anew.
-  void Renew()
+  /// Have mappers rebuild their shaders.
+  void RebuildShaders()
   {
     this->Modified();
     this->StageTime = this->GetMTime();
@@ -67,11 +67,11 @@ protected:
   vtkGIShaderHooks() = default;
   ~vtkGIShaderHooks() override = default;
 
-  /// Before the mapper's own replacements in its template, and after them.
+  /// Called before and after the mapper's own replacements in its template.
   virtual void BeforeMapper(
     const penumbra::ShaderTexts& texts, vtkAbstractMapper* mapper, vtkProp* prop) = 0;
   virtual void AfterMapper(const penumbra::ShaderTexts& texts, vtkProp* prop) = 0;
-  /// At each draw, the program being in use.
+  /// Called at each draw, with the program in use.
   virtual void SetUniforms(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop) = 0;
 
 private:

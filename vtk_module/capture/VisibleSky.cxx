@@ -14,8 +14,8 @@ namespace penumbra
 {
 namespace
 {
-// Whether the skybox's shader ends with values for display. Its own correction makes them; pictures of eight bits that
-// nothing decodes hold them, as VTK's image-based light takes them, too.
+// Whether the skybox's shader writes values encoded for display: by its own gamma correction, or from images of eight
+// bits that nothing decodes. VTK's image-based lighting treats these as encoded too.
 bool IsEncoded(vtkSkybox* sky)
 {
   return sky->GetGammaCorrect() || (sky->GetTexture() && HoldsDisplayValues(sky->GetTexture()));
@@ -45,7 +45,7 @@ void ContributeSky(Frame& frame, const std::vector<vtkProp*>& skies)
   {
     return;
   }
-  // It hides those before it.
+  // The last skybox hides the others.
   auto* sky = static_cast<vtkSkybox*>(skies.back());
   frame.AddPass("sky")
     .Write(resource::Sky, frame.WindowTexture(GL_RGBA32F))

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Skyboxes that stand behind everything. They are part of the background: drawn by VTK before the passes run, which then
- * filter, trace and average over them. Linear pictures have their radiance.
+ * Skyboxes behind everything. They are part of the background: VTK draws them before the passes run, which then
+ * filter, trace and average over them. Linear pictures contain their radiance.
  */
 #pragma once
 
@@ -15,12 +15,12 @@ namespace penumbra
 {
 class Frame;
 
-/// Whether the prop is a skybox without a place in the scene. One that is projected to a floor has a place.
+/// Whether the prop is a skybox at infinity. A skybox that is projected to a floor is not.
 bool IsSky(vtkProp* prop);
 
-/// Draw them into the window, as VTK does. Returns how many were drawn.
+/// Draw skyboxes into the window, as VTK does. Returns the number of skyboxes drawn.
 int DrawSkies(vtkOpenGLRenderer* renderer, const std::vector<vtkProp*>& skies);
 
-/// Add the pass that writes resource::Sky, for those who read it.
+/// Add the pass that writes resource::Sky.
 void ContributeSky(Frame& frame, const std::vector<vtkProp*>& skies);
 }

@@ -7,10 +7,9 @@
 namespace penumbra
 {
 template <typename T>
-Arguments& Arguments::Put(
-  const std::string& name, GLenum type, const T* values, std::size_t count)
+Arguments& Arguments::Put(const std::string& name, GLenum type, const T* values, std::size_t count)
 {
-  static_assert(sizeof(T) % sizeof(std::uint32_t) == 0, "of whole words");
+  static_assert(sizeof(T) % sizeof(std::uint32_t) == 0, "a value consists of whole words");
   Value value{ type, static_cast<GLsizei>(count),
     std::vector<std::uint32_t>(count * sizeof(T) / sizeof(std::uint32_t)) };
   std::memcpy(value.Words.data(), values, count * sizeof(T));
@@ -112,8 +111,7 @@ Arguments& Arguments::Image(const std::string& name, const Texture& texture, Sha
 
 Arguments& Arguments::Image(const std::string& name, GLuint bufferTexture, GLenum format)
 {
-  this->AllImages[name] = { nullptr, bufferTexture, GL_TEXTURE_BUFFER, format,
-    ShaderAccess::Read };
+  this->AllImages[name] = { nullptr, bufferTexture, GL_TEXTURE_BUFFER, format, ShaderAccess::Read };
   return *this;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a shader is given, by the names in its text: values of uniforms, textures, images and
- * blocks. Textures and buffers are kept by reference and must live until the shader has run.
+ * Arguments of a shader by the names in its text: values of uniforms, textures, images and
+ * blocks. Textures and buffers are held by reference and must live until the shader has run.
  */
 #pragma once
 
@@ -27,7 +27,7 @@ enum class ShaderAccess
 class Arguments
 {
 public:
-  /// A value. Shaders have floats: doubles are rounded.
+  /// Set the value of a uniform. Doubles are rounded to floats.
   Arguments& Set(const std::string& name, bool value);
   Arguments& Set(const std::string& name, int value);
   Arguments& Set(const std::string& name, double value);
@@ -39,26 +39,26 @@ public:
   Arguments& Set(const std::string& name, const glm::mat3& value);
   Arguments& Set(const std::string& name, const glm::mat4& value);
 
-  /// The first elements of an array.
+  /// Set the first elements of an array.
   Arguments& Set(const std::string& name, const std::vector<int>& values);
   Arguments& Set(const std::string& name, const std::vector<glm::vec3>& values);
   Arguments& Set(const std::string& name, const std::vector<glm::ivec2>& values);
   Arguments& Set(const std::string& name, const std::vector<glm::ivec3>& values);
 
-  /// A sampler's texture. nullptr: the shader's variant has no such sampler.
+  /// Set a sampler's texture. nullptr sets nothing, for variants of the shader without the sampler.
   Arguments& Sample(const std::string& name, const Texture* texture);
   Arguments& Sample(const std::string& name, GLenum target, GLuint texture);
 
-  /// An image; all layers of an array.
+  /// Set an image, with all layers of an array.
   Arguments& Image(const std::string& name, const Texture& texture, ShaderAccess access);
-  /// A buffer's texels, to be read.
+  /// Set a read-only image of a buffer's texels.
   Arguments& Image(const std::string& name, GLuint bufferTexture, GLenum format);
 
-  /// A uniform block or a storage block, by the name of the block.
+  /// Set the buffer of a uniform block or a storage block, by the name of the block.
   Arguments& Block(
     const std::string& name, const Buffer& buffer, ShaderAccess access = ShaderAccess::Read);
 
-  /// Add others, which replace those of the same names.
+  /// Add other arguments, which replace those of the same names.
   Arguments& Add(const Arguments& others);
 
   struct Value
@@ -69,7 +69,7 @@ public:
   };
   struct Bound
   {
-    const Texture* Kept = nullptr; ///< or else
+    const Texture* Object = nullptr; ///< nullptr: the texture is given by Name, Target and Format
     GLuint Name = 0;
     GLenum Target = 0;
     GLenum Format = 0;
@@ -77,7 +77,7 @@ public:
   };
   struct BoundBuffer
   {
-    const Buffer* Kept = nullptr;
+    const Buffer* Object = nullptr;
     ShaderAccess Access = ShaderAccess::Read;
   };
   const std::map<std::string, Value>& Values() const { return this->AllValues; }

@@ -6,22 +6,22 @@ namespace penumbra
 {
 namespace
 {
-GLint Ask(GLenum what)
+GLint GetInteger(GLenum parameter)
 {
   GLint value = 0;
-  glGetIntegerv(what, &value);
+  glGetIntegerv(parameter, &value);
   return value;
 }
 }
 
 GLuint BoundFramebuffer()
 {
-  return static_cast<GLuint>(Ask(GL_DRAW_FRAMEBUFFER_BINDING));
+  return static_cast<GLuint>(GetInteger(GL_DRAW_FRAMEBUFFER_BINDING));
 }
 
 int BoundSamples()
 {
-  return Ask(GL_SAMPLES);
+  return GetInteger(GL_SAMPLES);
 }
 
 GLenum TextureFormat(GLenum target, GLuint name)
@@ -39,17 +39,17 @@ GLenum BoundFormat(GLenum attachment)
   {
     return 0;
   }
-  const auto ask = [attachment](GLenum what) {
+  const auto getParameter = [attachment](GLenum parameter) {
     GLint value = 0;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, what, &value);
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, parameter, &value);
     return value;
   };
-  const GLint type = ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+  const GLint type = getParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
   if (type == GL_NONE)
   {
     return 0;
   }
-  const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  const auto name = static_cast<GLuint>(getParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   if (type == GL_TEXTURE)
   {
     return TextureFormat(BoundSamples() > 0 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, name);

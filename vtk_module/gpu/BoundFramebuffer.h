@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What is drawn to now: VTK's window, or a framebuffer of a pass around this one, as tone mapping has.
+ * The framebuffer that is currently drawn to: that of VTK's window, or of a pass around this one, such as tone mapping.
  */
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace penumbra
 {
-/// The framebuffer's name; 0 for a window's own.
+/// Name of the framebuffer; 0 for a window's default framebuffer.
 GLuint BoundFramebuffer();
 
-/// Samples of each of its pixels, 0 where it is not multisampled.
+/// Number of samples per pixel; 0 if the framebuffer is not multisampled.
 int BoundSamples();
 
-/// The internal format of one of its attachments; 0 where it cannot be told.
+/// Internal format of one of its attachments; 0 if it cannot be determined.
 GLenum BoundFormat(GLenum attachment);
 
-/// The internal format of a texture.
+/// Internal format of a texture.
 GLenum TextureFormat(GLenum target, GLuint name);
 }

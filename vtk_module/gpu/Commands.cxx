@@ -13,7 +13,7 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t MostGroups = 32768; // along one direction; OpenGL 4.3 has 65535
+constexpr std::size_t MaxGroups = 32768; // per dimension; OpenGL 4.3 guarantees 65535
 
 bool ChecksShaders()
 {
@@ -42,13 +42,13 @@ GLenum ImageAccess(ShaderAccess access)
 
 GLuint NameOf(const Arguments::Bound& bound)
 {
-  return bound.Kept ? bound.Kept->Get() : bound.Name;
+  return bound.Object ? bound.Object->Get() : bound.Name;
 }
 }
 
 Work Work::GroupsInRows(std::size_t count)
 {
-  const std::size_t width = std::min(count, MostGroups);
+  const std::size_t width = std::min(count, MaxGroups);
   return Groups(static_cast<int>(width),
     static_cast<int>((count + width - 1) / std::max<std::size_t>(width, 1)));
 }
@@ -65,7 +65,7 @@ glm::ivec2 Work::GroupsOf(const Program& program) const
   return (this->Count + group - 1) / group;
 }
 
-void Commands::Wait(const Object& object, GLbitfield use)
+void Commands::InsertBarrier(const Object& object, GLbitfield use)
 {
   const auto found = this->Written.find(object);
   if (found == this->Written.end() || (found->second & use) != 0)
@@ -82,12 +82,12 @@ void Commands::Wait(const Object& object, GLbitfield use)
 
 void Commands::BeforeUse(const Texture& texture, GLbitfield use)
 {
-  this->Wait({ OfTexture, texture.Get() }, use);
+  this->InsertBarrier({ OfTexture, texture.Get() }, use);
 }
 
 void Commands::BeforeUse(const Buffer& buffer, GLbitfield use)
 {
-  this->Wait({ OfBuffer, buffer.Get() }, use);
+  this->InsertBarrier({ OfBuffer, buffer.Get() }, use);
 }
 
 void Commands::Finish()
@@ -99,8 +99,7 @@ void Commands::Finish()
   }
 }
 
-void Commands::Check(
-  const Program& program, const Arguments& given, const Arguments& offered) const
+void Commands::Check(const Program& program, const Arguments& given, const Arguments& offered) const
 {
   const auto fail = [&program](const std::string& what) {
     throw std::logic_error("the shader " + program.Key() + " " + what);
@@ -136,12 +135,12 @@ void Commands::Check(
 
 void Commands::Use(const Program& program, const Arguments& given, const Arguments& offered)
 {
-  // Shaders from a folder may leave out what they like.
+  // Replacement shaders may omit inputs.
   if (ChecksShaders() && this->Library.OverrideFolder().empty())
   {
     this->Check(program, given, offered);
   }
-  // VTK remembers the program it bound last: make it forget, as ours is bound past it.
+  // Our program is bound without VTK's knowledge, so invalidate its cache of the current program.
   this->Window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(program.Get());
   for (const Program::Input& input : program.Inputs())
@@ -157,21 +156,21 @@ void Commands::Use(const Program& program, const Arguments& given, const Argumen
       case Program::InputKind::Sampler:
         if (const auto* sampler = Find(given.Samplers(), offered.Samplers(), input.Name))
         {
-          this->Wait({ OfTexture, NameOf(*sampler) }, GL_TEXTURE_FETCH_BARRIER_BIT);
+          this->InsertBarrier({ OfTexture, NameOf(*sampler) }, GL_TEXTURE_FETCH_BARRIER_BIT);
           this->Window->GetState()->vtkglActiveTexture(
             GL_TEXTURE0 + static_cast<GLenum>(input.Unit));
           glBindTexture(
-            sampler->Kept ? sampler->Kept->Target() : sampler->Target, NameOf(*sampler));
+            sampler->Object ? sampler->Object->Target() : sampler->Target, NameOf(*sampler));
         }
         break;
       case Program::InputKind::Image:
         if (const auto* image = Find(given.Images(), offered.Images(), input.Name))
         {
-          const bool layered = image->Kept && image->Kept->Desc().Layers > 0;
-          this->Wait({ OfTexture, NameOf(*image) }, GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+          const bool layered = image->Object && image->Object->Desc().Layers > 0;
+          this->InsertBarrier({ OfTexture, NameOf(*image) }, GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
           glBindImageTexture(static_cast<GLuint>(input.Unit), NameOf(*image), 0,
             layered ? GL_TRUE : GL_FALSE, 0, ImageAccess(image->Access),
-            image->Kept ? image->Kept->Desc().Format : image->Format);
+            image->Object ? image->Object->Desc().Format : image->Format);
         }
         break;
       case Program::InputKind::UniformBlock:
@@ -179,15 +178,15 @@ void Commands::Use(const Program& program, const Arguments& given, const Argumen
         if (const auto* block = Find(given.Blocks(), offered.Blocks(), input.Name))
         {
           const bool storage = input.Kind == Program::InputKind::StorageBlock;
-          this->Wait({ OfBuffer, block->Kept->Get() },
+          this->InsertBarrier({ OfBuffer, block->Object->Get() },
             storage ? GL_SHADER_STORAGE_BARRIER_BIT : GL_UNIFORM_BARRIER_BIT);
-          block->Kept->BindBase(storage ? GL_SHADER_STORAGE_BUFFER : GL_UNIFORM_BUFFER,
+          block->Object->BindBase(storage ? GL_SHADER_STORAGE_BUFFER : GL_UNIFORM_BUFFER,
             static_cast<GLuint>(input.Unit));
         }
         break;
     }
   }
-  // After all waits of this program, so that what it writes is waited for by the next one.
+  // Mark outputs after all barriers of this program, so that only later programs wait for them.
   for (const Program::Input& input : program.Inputs())
   {
     const auto* image = input.Kind == Program::InputKind::Image
@@ -198,17 +197,17 @@ void Commands::Use(const Program& program, const Arguments& given, const Argumen
       : nullptr;
     if (image && image->Access != ShaderAccess::Read)
     {
-      this->Wrote({ OfTexture, NameOf(*image) });
+      this->MarkWritten({ OfTexture, NameOf(*image) });
     }
     if (block && block->Access != ShaderAccess::Read)
     {
-      this->Wrote({ OfBuffer, block->Kept->Get() });
+      this->MarkWritten({ OfBuffer, block->Object->Get() });
     }
   }
 }
 
-void Commands::Dispatch(const Program& program, const Arguments& given, const Work& work,
-  const Arguments& offered)
+void Commands::Dispatch(
+  const Program& program, const Arguments& given, const Work& work, const Arguments& offered)
 {
   this->Use(program, given, offered);
   const glm::ivec2 groups = work.GroupsOf(program);

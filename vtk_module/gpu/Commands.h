@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Runs shaders: binds their arguments by the names that they are reflected under, dispatches, and
- * puts a memory barrier where something written by a shader is used next.
+ * Runs shaders: binds their arguments by reflected names, dispatches, and
+ * inserts a memory barrier before the next use of anything that a shader has written.
  */
 #pragma once
 
@@ -15,15 +15,15 @@ class vtkOpenGLRenderWindow;
 
 namespace penumbra
 {
-/// How much a compute shader does.
+/// Size of a dispatch.
 class Work
 {
 public:
-  /// So many invocations, rounded up to whole groups.
+  /// A number of invocations, rounded up to whole groups.
   static Work Items(int x, int y = 1) { return { glm::ivec2(x, y), false }; }
-  /// So many groups.
+  /// A number of groups.
   static Work Groups(int x, int y = 1) { return { glm::ivec2(x, y), true }; }
-  /// So many groups of a shader that counts them along x, then y: one direction holds too few.
+  /// A number of groups, possibly more than one dimension can hold. The shader counts them along x, then y.
   static Work GroupsInRows(std::size_t count);
 
   glm::ivec2 GroupsOf(const Program& program) const;
@@ -46,28 +46,29 @@ public:
   {
   }
 
-  /// Whose context is current, before anything else.
+  /// Set the window whose context is current. Call this first.
   void SetWindow(vtkOpenGLRenderWindow* window) { this->Window = window; }
   ShaderLibrary& Shaders() const { return this->Library; }
 
-  /// Make a program current with its arguments bound, to draw with. given: all of it must be in the shader's text.
-  /// offered: what it takes of it. With PENUMBRA_CHECK_SHADERS in the environment, throws std::logic_error, naming
-  /// program and argument, where the text lacks a name that is given, or nothing is bound to one that it uses.
+  /// Make a program current with its arguments bound, for drawing. given: arguments that must all be in the shader's
+  /// text. offered: arguments of which the shader may use any. With PENUMBRA_CHECK_SHADERS in the environment, throws
+  /// std::logic_error, naming program and argument, if the text lacks a given name or an input of the shader is not
+  /// bound.
   void Use(const Program& program, const Arguments& given, const Arguments& offered = {});
 
   /// Run a compute shader.
   void Dispatch(const Program& program, const Arguments& given, const Work& work,
     const Arguments& offered = {});
 
-  /// Before a texture or buffer that a shader may have written is used in another way than as an argument.
+  /// Call this before using a texture or buffer that a shader may have written in another way than as an argument.
   /// use: a bit of glMemoryBarrier.
   void BeforeUse(const Texture& texture, GLbitfield use);
   void BeforeUse(const Buffer& buffer, GLbitfield use);
 
-  /// Before others use anything.
+  /// Make everything that was written available to other code.
   void Finish();
 
-  /// Barriers so far, but for those of Finish().
+  /// Number of barriers so far, except for those of Finish().
   int NumberOfBarriers() const { return this->Barriers; }
 
 private:
@@ -77,13 +78,14 @@ private:
     OfBuffer
   };
   using Object = std::pair<Kind, GLuint>;
-  void Wait(const Object& object, GLbitfield use);
-  void Wrote(const Object& object) { this->Written[object] = 0; }
+  void InsertBarrier(const Object& object, GLbitfield use);
+  void MarkWritten(const Object& object) { this->Written[object] = 0; }
   void Check(const Program& program, const Arguments& given, const Arguments& offered) const;
 
   ShaderLibrary& Library;
   vtkOpenGLRenderWindow* Window = nullptr;
   int Barriers = 0;
-  std::map<Object, GLbitfield> Written; ///< by shaders; the uses that barriers since have made safe
+  /// Objects that shaders have written, with the uses for which there was a barrier since.
+  std::map<Object, GLbitfield> Written;
 };
 }

@@ -13,11 +13,11 @@ vtkGIContextGuard::~vtkGIContextGuard()
 
 void vtkGIContextGuard::Enter(vtkOpenGLRenderWindow* window)
 {
-  if (this->Guarded != window)
+  if (this->GuardedWindow != window)
   {
     this->Leave();
     this->SetContext(window); // joins the window's list
-    this->Guarded = window;
+    this->GuardedWindow = window;
   }
   window->MakeCurrent();
 }
@@ -29,12 +29,12 @@ void vtkGIContextGuard::Leave()
 
 void vtkGIContextGuard::ReleaseGraphicsResources(vtkWindow* window)
 {
-  // VTK's windows push their context first; those that cannot, have it current or make it so.
-  if (this->Guarded)
+  // VTK's windows push their context first. For those that cannot, the context is made current here.
+  if (this->GuardedWindow)
   {
-    this->Guarded->MakeCurrent();
-    this->Free();
-    this->Guarded = nullptr;
+    this->GuardedWindow->MakeCurrent();
+    this->FreeObjects();
+    this->GuardedWindow = nullptr;
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }

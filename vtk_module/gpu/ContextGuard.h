@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Frees GPU objects in the context that made them: when their owner is done with them, or when their window
- * gives its context up, whichever comes first. Whatever context is current before is current afterwards.
+ * Frees GPU objects in the context that created them, when their owner no longer needs them or when their window
+ * releases its context, whichever comes first. The context that was current before is current afterwards.
  *
- * VTK keeps a list of what to free in each window. VTK before 9.6 does not install the class that joins it, so
- * this derives from one that joins by itself.
+ * Each VTK window has a list of resources to free. VTK before 9.6 does not install the header of the class that joins
+ * the list, so this derives from a class that joins it by itself.
  */
 #pragma once
 
@@ -20,17 +20,17 @@ public:
   static vtkGIContextGuard* New();
   vtkTypeMacro(vtkGIContextGuard, vtkTextureObject);
 
-  /// What frees all objects of the context, which is current then.
-  void SetFree(std::function<void()> free) { this->Free = std::move(free); }
+  /// Set the function that frees all objects of the context. It is called with the context current.
+  void SetFree(std::function<void()> free) { this->FreeObjects = std::move(free); }
 
-  /// Objects are made in this window's context from now on, which becomes current. Those of another one are freed.
+  /// Make a window's context current; objects are created in it from now on. Frees the objects of another context.
   void Enter(vtkOpenGLRenderWindow* window);
 
-  /// Free them now.
+  /// Free the objects now.
   void Leave();
 
   /// The window whose context has objects; nullptr for none.
-  vtkOpenGLRenderWindow* Window() const { return this->Guarded; }
+  vtkOpenGLRenderWindow* Window() const { return this->GuardedWindow; }
 
   /// VTK calls this, with the context current.
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -43,6 +43,7 @@ private:
   vtkGIContextGuard(const vtkGIContextGuard&) = delete;
   void operator=(const vtkGIContextGuard&) = delete;
 
-  std::function<void()> Free;
-  vtkOpenGLRenderWindow* Guarded = nullptr; ///< it calls ReleaseGraphicsResources() before it goes
+  std::function<void()> FreeObjects;
+  /// Calls ReleaseGraphicsResources() before it is deleted.
+  vtkOpenGLRenderWindow* GuardedWindow = nullptr;
 };

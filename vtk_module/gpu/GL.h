@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * OpenGL through the loader VTK itself was built with: GLEW up to VTK 9.3, glad since 9.4. A second
- * loader in the process would keep its own, never initialised, function pointers.
+ * OpenGL through the loader that VTK was built with: GLEW up to VTK 9.3, glad since 9.4. A second
+ * loader in the process would have its own function pointers, which nobody initializes.
  */
 #pragma once
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * OpenGL objects that own their lifetime: move-only, freed on destruction. Their context must be
- * current when they die; the frame pool and the pass see to that.
+ * current when they are destroyed; the resource pool and the pass ensure that.
  */
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace penumbra
 {
-/// A name of one kind of OpenGL object, freed by Delete.
+/// Name of an OpenGL object of one kind, freed by Delete.
 template <void (*Delete)(GLuint)>
 class Handle
 {
@@ -61,7 +61,7 @@ using FramebufferHandle = Handle<gl::DeleteFramebuffer>;
 using VertexArrayHandle = Handle<gl::DeleteVertexArray>;
 using QueryHandle = Handle<gl::DeleteQuery>;
 
-/// Shape of a texture. Layers > 0 makes an array texture, 0 a plain one.
+/// Shape of a texture. Layers > 0 means an array texture, 0 a plain one.
 struct TextureDesc
 {
   GLenum Format = GL_RGBA8;
@@ -75,12 +75,12 @@ struct TextureDesc
       this->Layers == o.Layers;
   }
   bool IsDepth() const;
-  GLenum DepthAttachment() const; ///< of a framebuffer, for a format of depth
+  GLenum DepthAttachment() const; ///< attachment point of a framebuffer, for a depth format
   std::size_t Bytes() const;
 };
 
-/// Immutable storage, nearest filtering and clamping unless changed. May also stand for a texture
-/// that VTK owns (Borrowed).
+/// A texture with immutable storage. Filtering is nearest and wrapping is clamp to edge unless changed. It may also
+/// refer to a texture that VTK owns (Borrowed).
 class Texture
 {
 public:
@@ -102,7 +102,7 @@ private:
   TextureDesc Shape;
 };
 
-/// A buffer whose contents are replaced whole; it grows as needed.
+/// A buffer whose contents are replaced as a whole. It grows as needed.
 class Buffer
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Milliseconds of GPU time per pass, by timer queries that are read after the frame.
+ * GPU time per pass, by timer queries that are read after the frame.
  */
 #pragma once
 

@@ -18,7 +18,7 @@ struct Kind
   GLenum Query;
 };
 
-// Every kind of texture that VTK's classes or ours bind.
+// All kinds of textures that VTK's classes or ours bind.
 constexpr Kind Kinds[] = { { GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D },
   { GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP },
   { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY },
@@ -58,7 +58,7 @@ void HeldTextures::Restore(vtkOpenGLState* state) const
 {
   for (const Binding& binding : this->Bindings)
   {
-    // VTK may have deleted a texture since, that it only had left there.
+    // VTK may have left a texture bound and deleted it since.
     if (glIsTexture(binding.Name))
     {
       state->vtkglActiveTexture(binding.Unit);
@@ -67,7 +67,7 @@ void HeldTextures::Restore(vtkOpenGLState* state) const
   }
 }
 
-void HeldTextures::LeaveNoOthers(vtkOpenGLRenderWindow* window) const
+void HeldTextures::UnbindOthers(vtkOpenGLRenderWindow* window) const
 {
   vtkOpenGLState* state = window->GetState();
   vtkTextureUnitManager* units = window->GetTextureUnitManager();
@@ -78,7 +78,7 @@ void HeldTextures::LeaveNoOthers(vtkOpenGLRenderWindow* window) const
       [name](const Binding& binding) { return binding.Unit == name; });
     if (units->IsAllocated(unit) && !held)
     {
-      continue; // VTK holds it since this frame
+      continue; // VTK allocated the unit during this frame
     }
     state->vtkglActiveTexture(name);
     for (const Kind& kind : Kinds)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The textures that VTK keeps bound while a render pass runs, as it does those of image-based light. Its mappers read
- * them from the units that they were activated on, without binding them again. Passes of our own bind to fixed units,
- * so these are put back before VTK draws.
+ * Textures that VTK keeps bound while a render pass runs, such as those of image-based light. Its mappers read
+ * them from the units on which they were activated, without binding them again. Our own passes bind to fixed units,
+ * so VTK's textures are restored before VTK draws.
  */
 #pragma once
 
@@ -19,15 +19,16 @@ namespace penumbra
 class HeldTextures
 {
 public:
-  /// Note what is bound to the units that VTK has given away.
+  /// Record the textures on the units that VTK has allocated.
   void Record(vtkOpenGLRenderWindow* window);
 
-  /// Bind that again.
+  /// Bind the recorded textures again.
   void Restore(vtkOpenGLState* state) const;
 
-  /// Bind that, and nothing else on units that VTK has not given away since. A texture of ours that stayed bound would
-  /// pass for one of VTK's in the next frame, which may delete it before it is put back.
-  void LeaveNoOthers(vtkOpenGLRenderWindow* window) const;
+  /// Bind the recorded textures again and unbind all others, except on units that VTK has allocated since. If one of
+  /// our textures stayed bound, it would be recorded as VTK's in the next frame, and might be deleted before it is
+  /// restored.
+  void UnbindOthers(vtkOpenGLRenderWindow* window) const;
 
 private:
   struct Binding

@@ -8,7 +8,7 @@ namespace penumbra
 {
 namespace
 {
-// What this many frames have not used is given back.
+// Number of frames after which an unused texture is deleted.
 constexpr int IdleLimit = 16;
 }
 
@@ -43,18 +43,18 @@ History& ResourcePool::Keep(
 {
   auto& histories = this->Histories[view];
   auto found = histories.find(name);
-  if (found != histories.end() && !(found->second.Held.Storage.Desc() == desc))
+  if (found != histories.end() && !(found->second.Value.Storage.Desc() == desc))
   {
-    this->ForgetFramebuffersOf(found->second.Held.Storage);
+    this->ForgetFramebuffersOf(found->second.Value.Storage);
     histories.erase(found);
     found = histories.end();
   }
   if (found == histories.end())
   {
-    found = histories.emplace(name, Kept{ { Texture(desc), false }, 0 }).first;
+    found = histories.emplace(name, KeptHistory{ { Texture(desc), false }, 0 }).first;
   }
   found->second.IdleFrames = 0;
-  return found->second.Held;
+  return found->second.Value;
 }
 
 const Texture* ResourcePool::FindHistory(const std::string& view, const std::string& name) const
@@ -65,7 +65,7 @@ const Texture* ResourcePool::FindHistory(const std::string& view, const std::str
     return nullptr;
   }
   const auto found = histories->second.find(name);
-  return found == histories->second.end() ? nullptr : &found->second.Held.Storage;
+  return found == histories->second.end() ? nullptr : &found->second.Value.Storage;
 }
 
 GLuint ResourcePool::Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth)
@@ -163,7 +163,7 @@ void ResourcePool::EndFrame(const std::string& view)
   {
     if (++it->second.IdleFrames > IdleLimit)
     {
-      this->ForgetFramebuffersOf(it->second.Held.Storage);
+      this->ForgetFramebuffersOf(it->second.Value.Storage);
       it = histories.erase(it);
       continue;
     }
@@ -175,7 +175,7 @@ void ResourcePool::ForgetView(const std::string& view)
 {
   for (const auto& history : this->Histories[view])
   {
-    this->ForgetFramebuffersOf(history.second.Held.Storage);
+    this->ForgetFramebuffersOf(history.second.Value.Storage);
   }
   this->Histories.erase(view);
 }
@@ -199,7 +199,7 @@ std::size_t ResourcePool::Bytes() const
   {
     for (const auto& history : view.second)
     {
-      bytes += history.second.Held.Storage.Desc().Bytes();
+      bytes += history.second.Value.Storage.Desc().Bytes();
     }
   }
   return bytes;

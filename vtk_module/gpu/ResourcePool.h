@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Textures shared by the frames of one context: transient ones lent for part of a frame, histories
- * kept by view and name, and the framebuffers that bind them.
+ * Textures shared by the frames of one context: transient textures lent for part of a frame, histories
+ * by view and name, and the framebuffers that bind them.
  */
 #pragma once
 
@@ -22,11 +22,11 @@ struct Attachment
   int Layer = -1; ///< -1: the whole texture
 };
 
-/// A texture that a view keeps from frame to frame.
+/// A texture that outlives a frame and belongs to a view.
 struct History
 {
   Texture Storage;
-  bool Written = false; ///< by a pass, since it was made
+  bool Written = false; ///< whether a pass has written it since it was created
 };
 
 class ResourcePool
@@ -36,19 +36,19 @@ public:
   Texture* Acquire(const TextureDesc& desc);
   void Release(Texture* texture);
 
-  /// A texture that a view keeps under this name, made where it has none of this shape.
+  /// History of a view with this name. It is created if the view has none of this shape.
   History& Keep(const std::string& view, const std::string& name, const TextureDesc& desc);
 
-  /// The same where it is there, else nullptr.
+  /// The texture of an existing history, or nullptr.
   const Texture* FindHistory(const std::string& view, const std::string& name) const;
 
-  /// A framebuffer of these attachments (colour in order, then depth), made once.
+  /// Cached framebuffer with these attachments.
   GLuint Framebuffer(const std::vector<Attachment>& colors, const Attachment& depth);
 
-  /// End a frame of a view: forget what no frame, and histories that none of this view, has used
-  /// lately.
+  /// End a frame of a view: delete transient textures that no recent frame has used, and histories that no recent
+  /// frame of this view has used.
   void EndFrame(const std::string& view);
-  /// Forget the histories of a view that is gone.
+  /// Delete the histories of a view that no longer exists.
   void ForgetView(const std::string& view);
   void Clear();
 
@@ -62,17 +62,17 @@ private:
     bool Lent = false;
     int IdleFrames = 0;
   };
-  struct Kept
+  struct KeptHistory
   {
-    History Held;
+    History Value;
     int IdleFrames = 0;
   };
   void ForgetFramebuffersOf(const Texture& texture);
 
   std::list<Slot> Slots;
-  std::map<std::string, std::map<std::string, Kept>> Histories; ///< by view and name
+  std::map<std::string, std::map<std::string, KeptHistory>> Histories; ///< by view and name
   std::map<std::vector<GLuint>, FramebufferHandle> Framebuffers;
-  /// Those that bind a texture of VTK's, which may be replaced behind our back between frames.
+  /// Framebuffers that bind a texture of VTK, which may be replaced between frames without notice.
   std::map<std::vector<GLuint>, FramebufferHandle> FrameFramebuffers;
 };
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * OpenGL state through VTK's cache, put back when the scope ends.
+ * OpenGL state set through VTK's cache and restored when the scope ends.
  */
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace penumbra
 {
-/// VTK's cache puts back, with all else, the buffers and the program that were bound when it was last filled, though
-/// they may have been deleted since, with props that are gone: it is filled anew, with none bound.
+/// Refresh VTK's cache with no buffers and no program bound. VTK restores those that were bound when the cache was last
+/// filled, although they may have been deleted since, together with their props.
 inline void RefreshState(vtkOpenGLRenderWindow* window)
 {
   glBindVertexArray(0);

@@ -13,9 +13,9 @@ namespace penumbra
 {
 Program::~Program()
 {
-  if (this->Own)
+  if (this->OwnsProgram)
   {
-    // One that is in use stays for VTK to find, and put back when it is gone.
+    // A deleted program stays current until it is unbound. VTK would find it and try to restore it later.
     GLint used = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &used);
     if (used == static_cast<GLint>(this->Name))
@@ -102,7 +102,8 @@ const std::vector<Program::Input>& Program::Inputs() const
 
 bool Program::Mentions(const std::string& name) const
 {
-  const auto inWord = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  const auto inWord = [](
+                        char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
   for (std::size_t at = this->Text.find(name); at != std::string::npos;
        at = this->Text.find(name, at + 1))
   {
@@ -292,8 +293,8 @@ void ShaderLibrary::Fail(const std::string& name, const std::string& problem) co
 
 namespace
 {
-// VTK 9.4 and later log what the driver says while debugging is on. The compiler's errors are reported here, once: the
-// driver is silent for the length of the scope.
+// Silences the driver within a scope. VTK 9.4 and later log the driver's messages while debugging is on, but the
+// compiler's errors are reported here.
 class QuietDriver
 {
 public:
@@ -316,7 +317,7 @@ private:
   bool WasOn;
 };
 
-// A shader of this text; problem gets the compiler's message where it does not compile.
+// Compiles a shader. problem: set to the compiler's message if it does not compile.
 GLuint CompileShader(GLenum stage, const std::string& source, std::string& problem)
 {
   const GLuint shader = glCreateShader(stage);
@@ -350,7 +351,7 @@ const Program& ShaderLibrary::Build(
   const std::string& key, const std::vector<std::pair<GLenum, std::string>>& stages)
 {
   const QuietDriver quiet;
-  std::string text; // names are checked in tests
+  std::string text; // tests check names in it
   for (const auto& stage : stages)
   {
     text += std::getenv("PENUMBRA_CHECK_SHADERS") ? stage.second : "";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The shaders: embedded at build time from glsl/, replaceable from a folder at run time, with
- * #include resolved here (each file once, so includes need no guards) and programs cached by name
+ * Library of shaders. They are embedded at build time from glsl/ and can be replaced from a folder at run time.
+ * The library resolves #include, each file once, so that files need no guards, and caches programs by name
  * and defines.
  */
 #pragma once
@@ -17,13 +17,13 @@
 
 namespace penumbra
 {
-/// The embedded shaders: name relative to glsl/, text.
+/// Texts of the embedded shaders by name, relative to glsl/.
 const std::map<std::string, const char*>& EmbeddedShaders();
 
-/// Values that key a program: "SAMPLES" -> "16". The only thing that makes another program.
+/// Macros that select the variant of a program: "SAMPLES" -> "16". Nothing else causes a recompilation.
 using Defines = std::map<std::string, std::string>;
 
-/// A linked program. What it takes is looked up once.
+/// A linked program. Its inputs are looked up once.
 class Program
 {
 public:
@@ -37,16 +37,17 @@ public:
   };
   struct Input
   {
-    std::string Name; ///< of a block: the block's
+    std::string Name;
     InputKind Kind;
     GLint Location; ///< of a value
-    GLint Unit;     ///< of textures and images, or the block's binding
+    GLint Unit;     ///< unit of a texture or image, or binding of a block
   };
 
-  /// own: to be deleted with this. key: for messages. text: of its shaders, where names are to be checked.
+  /// own: whether the program is deleted with this. key: name for messages. text: text of its shaders, if names are to
+  /// be checked.
   explicit Program(GLuint name, bool own = true, std::string key = {}, std::string text = {})
     : Name(name)
-    , Own(own)
+    , OwnsProgram(own)
     , Label(std::move(key))
     , Text(std::move(text))
   {
@@ -58,21 +59,21 @@ public:
   GLuint Get() const { return this->Name; }
   const std::string& Key() const { return this->Label; }
   const std::vector<Input>& Inputs() const;
-  /// Whether a word is in the text.
+  /// Whether the text contains a word.
   bool Mentions(const std::string& name) const;
 
-  /// Set a uniform; nothing where the program has none at the location.
+  /// Set a uniform. Does nothing if the program has none at the location.
   void SetValue(GLint location, const Arguments::Value& value) const;
-  /// Set those of the values that the program uses.
+  /// Set those values that the program uses.
   void SetValues(const Arguments& values) const;
 
 protected:
-  /// The name by which a uniform goes in the program's text.
+  /// Name of a uniform in the program's text.
   virtual std::string NameOf(const std::string& uniform) const { return uniform; }
 
 private:
   GLuint Name;
-  bool Own;
+  bool OwnsProgram;
   std::string Label;
   std::string Text;
   mutable std::map<std::string, GLint> Locations;
@@ -83,30 +84,30 @@ private:
 class ShaderLibrary
 {
 public:
-  /// The folder whose files replace embedded ones; "" for none. Drops cached programs.
+  /// Set the folder whose files replace embedded ones; "" for none. Drops cached programs.
   void SetOverrideFolder(const std::string& folder);
   const std::string& OverrideFolder() const { return this->Folder; }
 
-  /// A shader's text with includes resolved and defines inserted after its #version line. Throws
-  /// std::runtime_error, naming the shader and the remedy, for a missing file.
+  /// Text of a shader with includes resolved and defines inserted after its #version line. Throws
+  /// std::runtime_error, naming the shader and the remedy, if a file is missing.
   std::string Source(const std::string& name, const Defines& defines = {}) const;
 
   /// A program of a full-screen vertex shader and a fragment shader ("direct_light/resolve.frag").
-  /// Throws std::runtime_error with the compiler's message where it does not compile.
+  /// Throws std::runtime_error with the compiler's message if it does not compile.
   const Program& Fragment(const std::string& name, const Defines& defines = {});
 
-  /// A program of these vertex and fragment shaders, both with the defines.
+  /// A program of a vertex shader and a fragment shader, both with the defines.
   const Program& Raster(
     const std::string& vertex, const std::string& fragment, const Defines& defines = {});
 
   /// A program of one compute shader.
   const Program& Compute(const std::string& name, const Defines& defines = {});
 
-  /// Compile a shader's text and throw it away. Throws std::runtime_error, naming it and with the
-  /// compiler's message, where it does not compile.
+  /// Compile a shader's text and discard the result. Throws std::runtime_error with the shader's name and the
+  /// compiler's message if it does not compile.
   void Check(const std::string& name, GLenum stage, const std::string& text) const;
 
-  /// Free all programs; the context that made them must be current.
+  /// Free all programs. The context that created them must be current.
   void Release() { this->Programs.clear(); }
 
 private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A frame in the making, as everything that adds passes to it sees it.
+ * A frame under construction, to which passes are added.
  */
 #pragma once
 
@@ -12,7 +12,7 @@ namespace penumbra
 class Frame
 {
 public:
-  /// pool: of textures, in which the view has this name.
+  /// pool: textures, in which the view's histories are under viewName.
   Frame(FrameGraph& graph, View& view, vtkOpenGLRenderer* renderer, ResourcePool& pool,
     const std::string& viewName)
     : CurrentView(view)
@@ -26,10 +26,10 @@ public:
   {
     return this->Graph.AddPass(name).Offer(this->Offered);
   }
-  /// Offer arguments to the shaders of passes that are added from now on.
+  /// Offer arguments to the shaders of all passes that are added from now on.
   void Offer(const Arguments& arguments) { this->Offered = arguments; }
 
-  /// A texture that the view keeps under this name from frame to frame, made where it has none of this shape.
+  /// History of the view with this name. It is created if the view has none of this shape.
   History& Keep(const std::string& name, const TextureDesc& desc)
   {
     return this->Pool.Keep(this->ViewName, name, desc);
@@ -37,7 +37,7 @@ public:
   const View& GetView() const { return this->CurrentView; }
   vtkOpenGLRenderer* GetRenderer() const { return this->Renderer; }
 
-  /// The shape of a texture of the window's size.
+  /// Shape of a texture of the window's size.
   TextureDesc WindowTexture(GLenum format, int layers = 0) const
   {
     return { format, this->CurrentView.WindowSize.x, this->CurrentView.WindowSize.y, layers };

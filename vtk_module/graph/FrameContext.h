@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a pass has at hand while it runs.
+ * The interface through which a pass runs.
  */
 #pragma once
 
@@ -16,7 +16,7 @@ class vtkOpenGLState;
 
 namespace penumbra
 {
-/// What a running pass has at hand.
+/// Access of a running pass to its resources, and its means to draw and dispatch.
 class FrameContext
 {
 public:
@@ -25,36 +25,36 @@ public:
   vtkOpenGLState* State() const;
   vtkOpenGLRenderer* Renderer() const;
 
-  /// A texture that the pass declared; nullptr for one it reads if present and that is absent.
+  /// A texture that the pass declared; nullptr for an optional input that is absent.
   const Texture* Input(const char* resource) const;
   const Texture* Output(const char* resource) const;
 
-  /// Bind outputs (and depth, if named) as the target to draw to. The final version of the
-  /// picture binds VTK's own framebuffer.
+  /// Bind outputs, and depth if named, as the target to draw to. For the final version of the
+  /// picture this binds VTK's own framebuffer.
   void BindTarget(const std::vector<const char*>& outputs, const char* depth = nullptr) const;
   void BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const;
-  /// True where the output is drawn straight into VTK's framebuffer.
+  /// Whether the output is drawn straight into VTK's framebuffer.
   bool IsWindow(const char* output) const;
 
-  /// Make a program current, with these arguments and what the pass declared, for drawing shapes of one's own.
+  /// Make a program current with these arguments and the pass's declared ones, to draw geometry of the pass's own.
   void Use(const Program& program, const Arguments& given) const;
 
-  /// Run a compute shader. Its variant is that of the resources that are present, and what is added here.
+  /// Run a compute shader. variant: defines in addition to those of the resources that are present.
   void Dispatch(const std::string& shader, const Defines& variant, const Arguments& given,
     const Work& work) const;
 
-  /// Draw one triangle over the viewport, at the far plane, by a fragment shader: to the pass's outputs,
+  /// Draw one triangle over the viewport, at the far plane, with a fragment shader: to the pass's outputs,
   void Draw(const std::string& shader, const Defines& variant, const Arguments& given,
     const Drawing& drawing = {}) const;
-  /// or to what is bound, in whatever state.
-  void DrawBound(
-    const std::string& shader, const Defines& variant, const Arguments& given) const;
+  /// or to the bound target, in the current state.
+  void DrawBound(const std::string& shader, const Defines& variant, const Arguments& given) const;
 
-  /// What the pass's shaders are compiled with for the resources that are present, and what is added.
+  /// Defines of the pass's shaders: those of the resources that are present, and the added ones.
   Defines Variant(const Defines& added = {}) const;
   Commands& GetCommands() const;
 
-  /// As Frame::Keep(), for what has a shape that is known only when the pass runs. It counts as written.
+  /// As Frame::Keep(), for a history whose shape is known only when the pass runs. It counts as written. fresh: set to
+  /// whether it was not written before.
   const Texture& Keep(const std::string& name, const TextureDesc& desc, bool& fresh) const;
 
   /// Copy the viewport's part of a depth texture to another of the same format.

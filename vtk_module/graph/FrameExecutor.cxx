@@ -18,7 +18,7 @@ FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const V
   vtkOpenGLRenderer* renderer, const WindowTarget& window, const HeldTextures& held,
   const std::string& viewName, Buffer& viewBlock)
   : Pool(pool)
-  , Runner(shaders)
+  , CommandRunner(shaders)
   , CurrentView(view)
   , Renderer(renderer)
   , State(renderer->GetState())
@@ -30,7 +30,7 @@ FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const V
   GLuint name = 0;
   glGenVertexArrays(1, &name);
   this->EmptyVertexArray = VertexArrayHandle(name);
-  this->Runner.SetWindow(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+  this->CommandRunner.SetWindow(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
   this->UploadView();
 }
 
@@ -126,7 +126,7 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     }
     this->Retire(position);
   }
-  this->Runner.Finish();
+  this->CommandRunner.Finish();
   this->Held.Restore(this->State);
 }
 
@@ -137,7 +137,7 @@ const View& FrameContext::GetView() const
 
 ShaderLibrary& FrameContext::Shaders() const
 {
-  return this->Executor->Runner.Shaders();
+  return this->Executor->CommandRunner.Shaders();
 }
 
 vtkOpenGLState* FrameContext::State() const
@@ -219,7 +219,7 @@ void FrameContext::CopyDepth(const Texture* from, const Texture* to) const
 
 Commands& FrameContext::GetCommands() const
 {
-  return this->Executor->Runner;
+  return this->Executor->CommandRunner;
 }
 
 Arguments FrameContext::Offered() const
@@ -257,8 +257,8 @@ void FrameContext::Use(const Program& program, const Arguments& given) const
   this->GetCommands().Use(program, given, this->Offered());
 }
 
-void FrameContext::Dispatch(const std::string& shader, const Defines& variant,
-  const Arguments& given, const Work& work) const
+void FrameContext::Dispatch(
+  const std::string& shader, const Defines& variant, const Arguments& given, const Work& work) const
 {
   this->GetCommands().Dispatch(
     this->Shaders().Compute(shader, this->Variant(variant)), given, work, this->Offered());
@@ -284,17 +284,17 @@ void FrameContext::Draw(const std::string& shader, const Defines& variant, const
   }
   this->BindTarget(outputs, drawing.CoveredOnly ? resource::Depth : nullptr);
   scope.Set(GL_BLEND, false);
-  // The triangle lies at the far plane: what is nearer passes.
+  // The triangle lies at the far plane, so only pixels with a smaller depth pass.
   scope.Set(GL_DEPTH_TEST, drawing.CoveredOnly);
   scope.DepthFunc(GL_GREATER);
   scope.DepthMask(false);
-  if (const auto* reals = std::get_if<glm::vec4>(&drawing.Clear))
+  if (const auto* color = std::get_if<glm::vec4>(&drawing.Clear))
   {
-    glClearBufferfv(GL_COLOR, 0, &(*reals)[0]);
+    glClearBufferfv(GL_COLOR, 0, &(*color)[0]);
   }
-  if (const auto* words = std::get_if<glm::uvec4>(&drawing.Clear))
+  if (const auto* integers = std::get_if<glm::uvec4>(&drawing.Clear))
   {
-    glClearBufferuiv(GL_COLOR, 0, &(*words)[0]);
+    glClearBufferuiv(GL_COLOR, 0, &(*integers)[0]);
   }
   if (drawing.Stride > 1)
   {

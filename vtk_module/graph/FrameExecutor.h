@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Runs a compiled frame graph on the GPU: lends textures while they live, binds targets, times
- * passes. The window's own buffers take the place of textures where they can.
+ * Runs a compiled frame graph on the GPU: lends textures for their lifetime, binds targets, times
+ * passes. The window's own buffers replace textures where possible.
  */
 #pragma once
 
@@ -17,7 +17,7 @@ struct WindowTarget
 {
   GLuint Framebuffer = 0;
   bool Direct = false;      ///< passes may draw straight into it
-  Texture* Depth = nullptr; ///< its depth texture where that can be sampled, else nullptr
+  Texture* Depth = nullptr; ///< its depth texture, or nullptr if it cannot be sampled
 };
 
 class FrameExecutor
@@ -28,7 +28,8 @@ public:
     const std::string& viewName, Buffer& viewBlock);
   ~FrameExecutor();
 
-  /// What VTK holds bound is so whenever a step begins, and at the end. timer may be nullptr.
+  /// Run the graph. The textures that VTK keeps bound are bound at the beginning of each step and at the end. timer may
+  /// be nullptr.
   void Run(const FrameGraph& graph, GpuTimer* timer);
 
 private:
@@ -40,7 +41,7 @@ private:
   void Retire(int position);
 
   ResourcePool& Pool;
-  Commands Runner;
+  Commands CommandRunner;
   const View& CurrentView;
   vtkOpenGLRenderer* Renderer;
   vtkOpenGLState* State;
@@ -50,6 +51,6 @@ private:
   const FrameGraph* Graph = nullptr;
   std::vector<Texture*> Lent; ///< by version
   VertexArrayHandle EmptyVertexArray;
-  Buffer& ViewBlock; ///< stays bound: what is drawn after the frame graph reads it too
+  Buffer& ViewBlock; ///< stays bound for the props that VTK draws after the frame graph
 };
 }

@@ -87,12 +87,11 @@ PassDeclaration& PassDeclaration::Compute(
   });
 }
 
-PassDeclaration& PassDeclaration::Draw(const std::string& shader, const Defines& variant,
-  const Arguments& given, const Drawing& drawing)
+PassDeclaration& PassDeclaration::Draw(
+  const std::string& shader, const Defines& variant, const Arguments& given, const Drawing& drawing)
 {
-  return this->Execute([shader, variant, given, drawing](FrameContext& context) {
-    context.Draw(shader, variant, given, drawing);
-  });
+  return this->Execute([shader, variant, given, drawing](
+                         FrameContext& context) { context.Draw(shader, variant, given, drawing); });
 }
 
 PassDeclaration& PassDeclaration::Execute(std::function<void(FrameContext&)> work)
@@ -109,10 +108,12 @@ PassDeclaration& FrameGraph::AddPass(const std::string& name)
 
 struct FrameGraph::Links
 {
-  std::vector<int> Maker;                                  ///< by version
+  std::vector<int> Writer;                                 ///< by version: the pass that writes it
   std::vector<std::map<std::string, int>> Inputs, Outputs; ///< by pass
-  std::vector<std::vector<int>> Sources; ///< by pass: those whose histories it reads
-  std::vector<std::vector<int>> Earlier; ///< by pass: those that must have read what it overwrites
+  std::vector<std::vector<int>>
+    HistoryWriters; ///< by pass: the writers of the histories that it reads
+  std::vector<std::vector<int>>
+    Predecessors; ///< by pass: users of histories before it overwrites them
 };
 
 void FrameGraph::LinkHistories(Links& links) const
@@ -120,26 +121,26 @@ void FrameGraph::LinkHistories(Links& links) const
   struct Last
   {
     int Writer = None;
-    std::vector<int> Readers; ///< since
+    std::vector<int> Readers; ///< since that writer
   };
   std::map<const History*, Last> histories;
-  links.Sources.resize(this->Passes.size());
-  links.Earlier.resize(this->Passes.size());
+  links.HistoryWriters.resize(this->Passes.size());
+  links.Predecessors.resize(this->Passes.size());
   for (int pass = 0; pass < static_cast<int>(this->Passes.size()); ++pass)
   {
     for (const auto& use : this->Passes[pass]->Histories)
     {
-      Last& last = histories[use.Kept];
+      Last& last = histories[use.Target];
       if (use.Access != ShaderAccess::Write && last.Writer != None)
       {
-        links.Sources[pass].push_back(last.Writer);
+        links.HistoryWriters[pass].push_back(last.Writer);
       }
       if (use.Access == ShaderAccess::Read)
       {
         last.Readers.push_back(pass);
         continue;
       }
-      auto& earlier = links.Earlier[pass];
+      auto& earlier = links.Predecessors[pass];
       earlier.insert(earlier.end(), last.Readers.begin(), last.Readers.end());
       if (last.Writer != None)
       {
@@ -160,7 +161,7 @@ FrameGraph::Links FrameGraph::Resolve()
   const auto addVersion = [&](const std::string& resource, const TextureDesc& desc, int pass) {
     latest[resource] = static_cast<int>(this->Table.size());
     links.Outputs[pass][resource] = latest[resource];
-    links.Maker.push_back(pass);
+    links.Writer.push_back(pass);
     Version version;
     version.Resource = resource;
     version.Desc = desc;
@@ -172,7 +173,7 @@ FrameGraph::Links FrameGraph::Resolve()
     int Order;
     int Pass;
     std::string Resource;
-    Kind How;
+    Kind AccessKind;
   };
   std::vector<Modifier> modifiers;
   const int count = static_cast<int>(this->Passes.size());
@@ -180,12 +181,12 @@ FrameGraph::Links FrameGraph::Resolve()
   {
     for (const auto& access : this->Passes[pass]->Accesses)
     {
-      if (access.How == Kind::Modify || access.How == Kind::ModifyIfPresent ||
-        access.How == Kind::DrawOver)
+      if (access.AccessKind == Kind::Modify || access.AccessKind == Kind::ModifyIfPresent ||
+        access.AccessKind == Kind::DrawOver)
       {
-        modifiers.push_back({ access.Order, pass, access.Resource, access.How });
+        modifiers.push_back({ access.Order, pass, access.Resource, access.AccessKind });
       }
-      if (access.How != Kind::Write)
+      if (access.AccessKind != Kind::Write)
       {
         continue;
       }
@@ -193,7 +194,7 @@ FrameGraph::Links FrameGraph::Resolve()
       if (other != latest.end())
       {
         throw std::logic_error("frame graph: the passes '" +
-          this->Passes[links.Maker[other->second]]->Name + "' and '" + this->Passes[pass]->Name +
+          this->Passes[links.Writer[other->second]]->Name + "' and '" + this->Passes[pass]->Name +
           "' both write '" + access.Resource + "'");
       }
       addVersion(access.Resource, access.Desc, pass);
@@ -210,7 +211,7 @@ FrameGraph::Links FrameGraph::Resolve()
     const auto found = latest.find(modifier.Resource);
     if (found == latest.end())
     {
-      if (modifier.How == Kind::ModifyIfPresent)
+      if (modifier.AccessKind == Kind::ModifyIfPresent)
       {
         continue;
       }
@@ -220,7 +221,7 @@ FrameGraph::Links FrameGraph::Resolve()
     const int before = found->second;
     const TextureDesc desc = this->Table[before].Desc;
     addVersion(modifier.Resource, desc, modifier.Pass);
-    this->Table.back().Over = modifier.How == Kind::DrawOver ? before : None;
+    this->Table.back().Over = modifier.AccessKind == Kind::DrawOver ? before : None;
   }
   for (const auto& last : latest)
   {
@@ -230,7 +231,7 @@ FrameGraph::Links FrameGraph::Resolve()
   {
     for (const auto& access : this->Passes[pass]->Accesses)
     {
-      if (access.How != Kind::Read && access.How != Kind::ReadIfPresent)
+      if (access.AccessKind != Kind::Read && access.AccessKind != Kind::ReadIfPresent)
       {
         continue;
       }
@@ -239,7 +240,7 @@ FrameGraph::Links FrameGraph::Resolve()
       {
         links.Inputs[pass][access.Resource] = found->second;
       }
-      else if (access.How == Kind::Read)
+      else if (access.AccessKind == Kind::Read)
       {
         throw missing(pass, access.Resource);
       }
@@ -270,9 +271,10 @@ std::vector<bool> FrameGraph::Needed(const Links& links) const
     needed[pass] = true;
     for (const auto& input : links.Inputs[pass])
     {
-      pending.push_back(links.Maker[input.second]);
+      pending.push_back(links.Writer[input.second]);
     }
-    pending.insert(pending.end(), links.Sources[pass].begin(), links.Sources[pass].end());
+    pending.insert(
+      pending.end(), links.HistoryWriters[pass].begin(), links.HistoryWriters[pass].end());
   }
   return needed;
 }
@@ -281,25 +283,27 @@ std::vector<int> FrameGraph::Order(const Links& links, const std::vector<bool>& 
 {
   const int count = static_cast<int>(this->Passes.size());
   std::vector<int> order;
-  std::vector<bool> done(count, false);
-  // Few passes: repeated scans keep the declared order among passes that are free to run.
+  std::vector<bool> scheduled(count, false);
+  // There are few passes. Repeated scans keep the declared order among passes that are ready.
   for (bool progress = true; progress;)
   {
     progress = false;
     for (int pass = 0; pass < count && !progress; ++pass)
     {
-      if (done[pass] || !needed[pass])
+      if (scheduled[pass] || !needed[pass])
       {
         continue;
       }
-      const auto isDone = [&](int other) { return done[other] || !needed[other]; };
-      const bool ready = std::all_of(links.Inputs[pass].begin(), links.Inputs[pass].end(),
-                           [&](const auto& input) { return done[links.Maker[input.second]]; }) &&
-        std::all_of(links.Sources[pass].begin(), links.Sources[pass].end(), isDone) &&
-        std::all_of(links.Earlier[pass].begin(), links.Earlier[pass].end(), isDone);
+      const auto isScheduled = [&](int other) { return scheduled[other] || !needed[other]; };
+      const bool ready =
+        std::all_of(links.Inputs[pass].begin(), links.Inputs[pass].end(),
+          [&](const auto& input) { return scheduled[links.Writer[input.second]]; }) &&
+        std::all_of(
+          links.HistoryWriters[pass].begin(), links.HistoryWriters[pass].end(), isScheduled) &&
+        std::all_of(links.Predecessors[pass].begin(), links.Predecessors[pass].end(), isScheduled);
       if (ready)
       {
-        done[pass] = true;
+        scheduled[pass] = true;
         order.push_back(pass);
         progress = true;
       }
@@ -307,7 +311,7 @@ std::vector<int> FrameGraph::Order(const Links& links, const std::vector<bool>& 
   }
   for (int pass = 0; pass < count; ++pass)
   {
-    if (needed[pass] && !done[pass])
+    if (needed[pass] && !scheduled[pass])
     {
       throw std::logic_error("frame graph: the pass '" + this->Passes[pass]->Name +
         "' waits for a pass that waits for it");
@@ -328,16 +332,16 @@ FrameGraph::Step FrameGraph::MakeStep(
   step.Action = &pass.Action;
   for (const auto& access : pass.Accesses)
   {
-    if (access.How != Kind::Read && access.How != Kind::ReadIfPresent &&
+    if (access.AccessKind != Kind::Read && access.AccessKind != Kind::ReadIfPresent &&
       step.Outputs.count(access.Resource) > 0)
     {
       step.OutputOrder.push_back(access.Resource);
     }
-    if (access.How == Kind::Write && !access.Argument.empty())
+    if (access.AccessKind == Kind::Write && !access.Argument.empty())
     {
       step.OutputImages[access.Resource] = access.Argument;
     }
-    const bool read = access.How != Kind::Write && access.How != Kind::DrawOver &&
+    const bool read = access.AccessKind != Kind::Write && access.AccessKind != Kind::DrawOver &&
       step.Inputs.count(access.Resource) > 0;
     if (read)
     {
@@ -353,7 +357,7 @@ FrameGraph::Step FrameGraph::MakeStep(
   {
     if (use.Access != ShaderAccess::Read)
     {
-      step.Written.push_back(use.Kept);
+      step.Written.push_back(use.Target);
     }
     if (use.Argument.empty())
     {
@@ -361,11 +365,11 @@ FrameGraph::Step FrameGraph::MakeStep(
     }
     if (use.Access == ShaderAccess::Read)
     {
-      step.Offered.Sample(use.Argument, &use.Kept->Storage);
+      step.Offered.Sample(use.Argument, &use.Target->Storage);
     }
     else
     {
-      step.Offered.Image(use.Argument, use.Kept->Storage, use.Access);
+      step.Offered.Image(use.Argument, use.Target->Storage, use.Access);
     }
   }
   return step;

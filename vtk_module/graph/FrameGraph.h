@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The frame graph: passes declare by name what they read, write and modify; the graph culls what
- * nobody needs, orders the rest and knows how long each texture lives. It touches no GPU.
+ * The frame graph: passes declare by name what they read, write and modify. The graph culls passes whose results
+ * are not needed, orders the others and computes the lifetime of each texture. It does not use the GPU.
  */
 #pragma once
 
@@ -20,28 +20,28 @@ namespace penumbra
 {
 class FrameContext;
 
-/// How a pass draws one triangle over the viewport.
+/// Options for drawing one triangle over the viewport.
 struct Drawing
 {
-  bool CoveredOnly = false; ///< only where resource::Depth, which it reads, has something
-  int Stride = 1;           ///< pixels that one of the target stands for, across and down
-  /// What the first target is cleared to before, if at all, by its type.
+  bool CoveredOnly = false; ///< draw only where resource::Depth, a required input, has a surface
+  int Stride = 1;           ///< width in pixels of the block that a pixel of the target represents
+  /// Value to which the first target is cleared before, of the target's type; none by default.
   std::variant<std::monostate, glm::vec4, glm::uvec4> Clear;
 };
 
-/// A pass as declared. The kinds of access:
-/// - Read: the resource must have a writer, else the frame is in error.
-/// - ReadIfPresent: as Read, but the pass also runs without it.
-/// - Write: makes the resource. One pass only may write a resource.
-/// - Modify: reads one version and writes the next; modifiers run by rising order, all of them
-///   before any reader. ModifyIfPresent does nothing where the resource has no writer, and the
-///   pass is dropped with it.
-/// - DrawOver: as Modify, but the next version is drawn over the one before, in its texture, which
-///   the pass cannot read. Not for what may be VTK's own: the picture and its depth.
-/// - Histories, which a view keeps from frame to frame, are read and written in the order in which
-///   passes are declared; a pass that writes one is needed where a later one that reads it is.
+/// Declaration of a pass. The kinds of access:
+/// - Read: the resource must have a writer, else compiling the graph fails.
+/// - ReadIfPresent: as Read, but the pass also runs without the resource.
+/// - Write: creates the resource. Only one pass may write a resource.
+/// - Modify: reads one version and writes the next. Modifiers run in ascending order, all of them
+///   before any reader. ModifyIfPresent does nothing if the resource has no writer; the
+///   pass is then culled unless it has another use.
+/// - DrawOver: as Modify, but the new version is drawn over the previous one, in the same texture, which
+///   the pass cannot read. Not for the picture and its depth, whose textures may be VTK's own.
+/// - Histories, which outlive the frame, are read and written in the order in which
+///   passes are declared. A pass that writes a history is needed if a later pass that reads it is needed.
 ///
-/// sampler, image: the name that the pass's shaders have for it; "" takes the shared one of
+/// sampler, image: name of the texture in the pass's shaders; "" means the shared name of
 /// resource::SamplerOf(), if there is one.
 class PassDeclaration
 {
@@ -51,32 +51,32 @@ public:
   {
   }
   PassDeclaration& Read(const std::string& resource, const std::string& sampler = {});
-  /// define: is 1 in the pass's shaders where the resource is present.
-  PassDeclaration& ReadIfPresent(const std::string& resource, const std::string& define = {},
-    const std::string& sampler = {});
+  /// define: macro that is 1 in the pass's shaders if the resource is present.
+  PassDeclaration& ReadIfPresent(
+    const std::string& resource, const std::string& define = {}, const std::string& sampler = {});
   PassDeclaration& Write(
     const std::string& resource, const TextureDesc& desc, const std::string& image = {});
-  PassDeclaration& Modify(
-    const std::string& resource, int order, const std::string& sampler = {});
+  PassDeclaration& Modify(const std::string& resource, int order, const std::string& sampler = {});
   PassDeclaration& ModifyIfPresent(
     const std::string& resource, int order, const std::string& sampler = {});
   PassDeclaration& DrawOver(const std::string& resource, int order);
 
   PassDeclaration& ReadHistory(History& history, const std::string& sampler);
-  /// The pass writes all of it that is read later. image: "" where it draws to it or fills it.
+  /// The pass overwrites everything in the history that is read later. image: "" if it draws to the history or clears
+  /// it.
   PassDeclaration& WriteHistory(History& history, const std::string& image = {});
-  /// The pass goes on with what is there.
+  /// The pass reads the history and writes it in place.
   PassDeclaration& UpdateHistory(History& history, const std::string& image = {});
 
-  /// The pass is needed although nobody reads what it writes.
+  /// The pass is needed even if nobody reads its outputs.
   PassDeclaration& SideEffect();
-  /// Offer to the pass's shaders what some of them take.
+  /// Offer arguments that only some of the pass's shaders use.
   PassDeclaration& Offer(const Arguments& arguments);
 
-  /// What the pass does: run a compute shader,
-  PassDeclaration& Compute(const std::string& shader, const Defines& variant,
-    const Arguments& given, const Work& work);
-  /// draw to its outputs, in the order in which they were declared, by a fragment shader,
+  /// Set the pass's action: run a compute shader,
+  PassDeclaration& Compute(
+    const std::string& shader, const Defines& variant, const Arguments& given, const Work& work);
+  /// draw to its outputs, in the order of their declaration, with a fragment shader,
   PassDeclaration& Draw(const std::string& shader, const Defines& variant, const Arguments& given,
     const Drawing& drawing = {});
   /// or anything else.
@@ -96,15 +96,15 @@ private:
   struct Access
   {
     std::string Resource;
-    Kind How;
+    Kind AccessKind;
     TextureDesc Desc;
     int Order;
-    std::string Argument; ///< of shaders
+    std::string Argument; ///< name in the shaders
     std::string Define;
   };
   struct HistoryUse
   {
-    History* Kept;
+    History* Target;
     ShaderAccess Access;
     std::string Argument;
   };
@@ -121,43 +121,43 @@ class FrameGraph
 public:
   static constexpr int None = -1;
 
-  /// One version of one resource, and the ordered passes that first and last touch it.
+  /// A version of a resource, and the positions of the steps that use it first and last.
   struct Version
   {
     std::string Resource;
     TextureDesc Desc;
     int First = None;
     int Last = None;
-    bool IsFinal = false; ///< no later version of the resource exists
-    int Over = None;      ///< the version in whose texture this one is drawn
+    bool IsFinal = false; ///< whether this is the last version of the resource
+    int Over = None;      ///< the version over which, in its texture, this one is drawn
   };
 
-  /// A pass in order, with the versions that its names mean.
+  /// A pass in execution order, with the versions of the resources that it names.
   struct Step
   {
     std::string Name;
     std::map<std::string, int> Inputs;
     std::map<std::string, int> Outputs;
     std::vector<std::string> OutputOrder;             ///< as declared
-    std::map<std::string, std::string> InputSamplers; ///< the shaders' names, by resource
+    std::map<std::string, std::string> InputSamplers; ///< names in the shaders, by resource
     std::map<std::string, std::string> OutputImages;
-    Defines Variant;   ///< of the resources that are present
-    Arguments Offered; ///< histories, and what else does not change
+    Defines Variant;   ///< defines of the resources that are present
+    Arguments Offered; ///< histories and other arguments that are known when the graph is compiled
     std::vector<History*> Written;
     const std::function<void(FrameContext&)>* Action;
   };
 
   PassDeclaration& AddPass(const std::string& name);
 
-  /// Order the passes. Throws std::logic_error, naming passes and resource, where a resource has
-  /// two writers, a needed one has none, or passes wait for each other.
+  /// Order the passes. Throws std::logic_error, naming passes and resource, if a resource has
+  /// two writers, a required one has none, or passes wait for each other.
   void Compile();
 
   const std::vector<Step>& Steps() const { return this->Ordered; }
   const std::vector<Version>& Versions() const { return this->Table; }
 
 private:
-  struct Links; // which passes make and use which version
+  struct Links; // the passes' relations through versions and histories
   Links Resolve();
   void LinkHistories(Links& links) const;
   Step MakeStep(const PassDeclaration& pass, const Links& links, int number) const;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A frame's camera and window, and what changed since the frame before.
+ * Camera and window of a frame, and the changes since the previous frame.
  */
 #pragma once
 
@@ -13,16 +13,16 @@
 
 namespace penumbra
 {
-/// What differs from the frame before.
+/// Changes since the previous frame.
 struct SceneChanges
 {
   bool Any = true;
   bool Lights = true;
-  bool Props = true; ///< one moved, came or went, or looks different
-  bool Looks = true; ///< shapes, colours
+  bool Props = true;      ///< a prop moved, appeared, disappeared or changed its appearance
+  bool Appearance = true; ///< a shape or colour changed
 };
 
-/// The camera and the window of a frame, in double precision where it matters.
+/// Camera and window of a frame, in double precision where it matters.
 struct View
 {
   glm::ivec2 WindowSize{ 0 };
@@ -31,20 +31,22 @@ struct View
   glm::dmat4 ViewToWorld{ 1.0 };
   glm::dmat4 ViewToClip{ 1.0 }; ///< with jitter
   bool Parallel = false;
-  glm::dvec2 Jitter{ 0.0 };                                ///< in pixels
-  std::array<double, 6> Bounds{ { 1, -1, 1, -1, 1, -1 } }; ///< of all visible props, world
-  double Diagonal = 0.0;                                   ///< of Bounds
-  int StillFrames = 0; ///< frames drawn since the scene last changed, this one not counted
+  glm::dvec2 Jitter{ 0.0 }; ///< in pixels
+  std::array<double, 6> Bounds{ { 1, -1, 1, -1, 1,
+    -1 } };              ///< of all visible props, in world coordinates
+  double Diagonal = 0.0; ///< of Bounds
+  int StillFrames = 0;   ///< number of frames since the scene last changed, without this one
   int FrameNumber = 0;
-  int FirstFrame = 0;       ///< number of the one that averages over frames began with
-  bool StandsAlone = false; ///< the picture shows nothing that was found in frames before
-  int Sequence = 0;         ///< place in the sequences of noise
+  int FirstFrame = 0;       ///< number of the frame with which averages over frames began
+  bool StandsAlone = false; ///< whether the picture must not use results of earlier frames
+  int Sequence = 0;         ///< index in the noise sequences
   SceneChanges Changes;
-  GLenum DepthFormat = 0;         ///< of the window, so that depth can be copied; 0 if it cannot
-  bool KeepsRadiance = false;     ///< values above 1 matter
-  bool WantsAntiAliasing = false; ///< the window is multisampled, or the renderer asks for FXAA
+  GLenum DepthFormat = 0; ///< depth format of the window, for copies; 0 if depth cannot be copied
+  bool KeepsRadiance = false;     ///< whether values above 1 matter
+  bool WantsAntiAliasing = false; ///< whether the window is multisampled or FXAA is requested
 
-  /// For shaders that go from view coordinates to the world's, relative to an origin: viewToScene, eye.
+  /// Arguments viewToScene and eye, for shaders that transform view coordinates to world coordinates relative to an
+  /// origin.
   Arguments ToScene(const glm::dvec3& origin) const
   {
     return Arguments()

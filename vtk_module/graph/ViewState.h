@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What techniques remember of one view from frame to frame. It goes with the view.
+ * State that techniques keep for a view from frame to frame. It is deleted with the view.
  */
 #pragma once
 
@@ -17,8 +17,7 @@ namespace penumbra
 class ViewState
 {
 public:
-  /// The state of one owner, default-constructed when first asked for.
-  /// T: the kind of state. An owner has one of each kind.
+  /// The state of an owner, default-constructed at first use. An owner has one state of each type T.
   template <typename T>
   T& Of(const void* owner)
   {
@@ -30,7 +29,7 @@ public:
     return *static_cast<T*>(state.get());
   }
 
-  /// The same, or nullptr where it was never asked for.
+  /// An existing state, or nullptr.
   template <typename T>
   const T* Find(const void* owner) const
   {
@@ -42,12 +41,12 @@ private:
   std::map<std::pair<const void*, std::type_index>, std::shared_ptr<void>> States;
 };
 
-/// Finds views between frames, for those who ask a technique about a renderer.
+/// Finds views between frames, for queries to a technique about a renderer.
 class ViewDirectory
 {
 public:
   virtual ~ViewDirectory() = default;
-  /// The state of a renderer's view, of its first eye; nullptr where it was never drawn.
+  /// State of a renderer's view, for its first eye; nullptr if the renderer was never drawn.
   virtual const ViewState* FindView(vtkRenderer* renderer) const = 0;
 };
 }

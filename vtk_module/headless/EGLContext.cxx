@@ -3,7 +3,7 @@
 
 #include "headless/EGLContext.h"
 
-// Keeps X11's headers, and their macros named None and Status, out.
+// Excludes X11's headers, which define macros named None and Status.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -39,7 +39,7 @@ bool HasWord(const char* list, const char* word)
   return false;
 }
 
-// libEGL and its functions, loaded once and kept for the life of the process.
+// libEGL and its functions, loaded once and never unloaded.
 struct Library
 {
   decltype(&eglGetProcAddress) GetProcAddress = nullptr;
@@ -56,7 +56,7 @@ struct Library
   decltype(&eglMakeCurrent) MakeCurrent = nullptr;
   decltype(&eglGetCurrentContext) GetCurrentContext = nullptr;
   decltype(&eglGetError) GetError = nullptr;
-  // Extensions: null where EGL lacks them.
+  // Extensions: null if EGL lacks them.
   PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplay = nullptr;
   PFNEGLQUERYDEVICESEXTPROC QueryDevices = nullptr;
   PFNEGLQUERYDEVICESTRINGEXTPROC QueryDeviceString = nullptr;
@@ -138,7 +138,7 @@ private:
       this->Error = { "the installed libEGL.so.1 lacks functions of EGL 1.4", EGLRemedy };
       return;
     }
-    // Asked first: eglGetProcAddress may answer with an address for an extension that is not there.
+    // Check for extensions first, as eglGetProcAddress may return addresses for missing ones.
     const char* extensions = this->ClientExtensions();
     if (HasWord(extensions, "EGL_EXT_platform_base"))
     {
@@ -153,22 +153,22 @@ private:
   }
 };
 
-// eglMakeCurrent and friends work on "the current client API" of the thread; put back what another
-// library had bound.
+// Binds OpenGL as the thread's current client API, on which eglMakeCurrent and others operate, and restores the API
+// that another library had bound.
 class ScopedOpenGLAPI
 {
 public:
   explicit ScopedOpenGLAPI(const Library& library)
     : Lib(library)
-    , Before(library.QueryAPI())
+    , PreviousAPI(library.QueryAPI())
     , Bound(library.BindAPI(EGL_OPENGL_API))
   {
   }
   ~ScopedOpenGLAPI()
   {
-    if (this->Before != EGL_OPENGL_API && this->Before != EGL_NONE)
+    if (this->PreviousAPI != EGL_OPENGL_API && this->PreviousAPI != EGL_NONE)
     {
-      this->Lib.BindAPI(this->Before);
+      this->Lib.BindAPI(this->PreviousAPI);
     }
   }
   ScopedOpenGLAPI(const ScopedOpenGLAPI&) = delete;
@@ -177,7 +177,7 @@ public:
 
 private:
   const Library& Lib;
-  EGLenum Before;
+  EGLenum PreviousAPI;
   bool Bound;
 };
 
@@ -237,7 +237,7 @@ private:
   EGLSurface Surface;
 };
 
-// A display to try, and how to name it to the user.
+// A display to try, and its name in messages.
 struct Candidate
 {
   std::string Name;
@@ -256,8 +256,8 @@ struct Candidate
 std::shared_ptr<HeadlessContext> CreateOn(
   const Library& library, const Candidate& candidate, std::string& reason)
 {
-  // Not terminated again: a display is shared by every user of the library in the process, and
-  // initialising one that is initialised costs nothing.
+  // Displays are never terminated, as all users of the library in the process share them.
+  // Initialising one again costs nothing.
   EGLint major = 0;
   EGLint minor = 0;
   if (candidate.Display == EGL_NO_DISPLAY ||
@@ -273,8 +273,8 @@ std::shared_ptr<HeadlessContext> CreateOn(
     return nullptr;
   }
 
-  // A pixel of pbuffer gives the context a default framebuffer, which VTK queries and saves; a
-  // driver without pbuffers still gives a surfaceless context.
+  // A pbuffer of one pixel gives the context a default framebuffer, which VTK queries and saves. A
+  // driver without pbuffers may still support a surfaceless context.
   const EGLint wanted[] = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
     EGL_RED_SIZE, 8, EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_NONE };
   const EGLint pixel[] = { EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE };
@@ -296,7 +296,7 @@ std::shared_ptr<HeadlessContext> CreateOn(
     return nullptr;
   }
 
-  // 3.2 is asked for only to be able to say what the driver has.
+  // 3.2 is requested only to report the version that the driver supports.
   for (const GLVersion version : { PreferredGL, MinimumGL, GLVersion{ 3, 2 } })
   {
     const ::EGLContext handle = CreateHandle(library, candidate.Display, config, version);
@@ -304,7 +304,7 @@ std::shared_ptr<HeadlessContext> CreateOn(
     {
       continue;
     }
-    // From here on the context owns the surface too.
+    // From here on the context also owns the surface.
     auto context =
       std::make_shared<EGLHeadlessContext>(library, candidate.Display, handle, surface);
     const SavedContext previous = SavedContext::Capture();
@@ -391,7 +391,7 @@ std::shared_ptr<HeadlessContext> CreateEGLContext(int device, ContextError& erro
     return context;
   }
 
-  // Probing every device for each window would be slow: remember the one that worked.
+  // Probing all devices for each window would be slow, so remember the one that worked.
   static std::mutex mutex;
   static Candidate chosen{ {}, EGL_NO_DISPLAY };
   const std::lock_guard<std::mutex> lock(mutex);

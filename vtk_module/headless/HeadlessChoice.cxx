@@ -68,7 +68,7 @@ std::shared_ptr<HeadlessContext> ChooseContext(BackendWish wish, int device, std
     {
       return context;
     }
-    // Who names a device wants that one, not whatever works.
+    // A requested device must not be replaced by another one.
     if (wish == BackendWish::EGL || device >= 0)
     {
       error = "No OpenGL context through EGL: " + egl.Cause + "; " + egl.Remedy + ".";

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the environment asks for, and the context that comes of it.
+ * Chooses the backend of a context by the program's and the environment's settings.
  */
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace penumbra
 {
-/// What a program or PENUMBRA_BACKEND asks for.
+/// Backend that a program or PENUMBRA_BACKEND requests.
 enum class BackendWish
 {
   None, ///< unset, empty or auto
@@ -23,13 +23,13 @@ enum class BackendWish
 };
 BackendWish ReadBackendWish();
 
-/// One sentence for BackendWish::Unknown.
+/// Error message for BackendWish::Unknown, in one sentence.
 std::string DescribeUnknownBackend();
 
-/// The environment variable, or an empty text.
+/// Value of an environment variable, or an empty text.
 const char* ReadVariable(const char* name);
 
-/// Makes a context by `wish`, or by PENUMBRA_BACKEND where that is None, on EGL device `device`, or
-/// PENUMBRA_EGL_DEVICE where that is negative. Null and one sentence otherwise.
+/// Create a context by `wish`, or by PENUMBRA_BACKEND if that is None, on EGL device `device`, or
+/// PENUMBRA_EGL_DEVICE if that is negative. Returns null and sets the error to one sentence on failure.
 std::shared_ptr<HeadlessContext> ChooseContext(BackendWish wish, int device, std::string& error);
 }

@@ -10,12 +10,12 @@ namespace penumbra
 {
 namespace
 {
-// The context of ours last made current in this thread. A note only: IsCurrent() asks the library.
+// Our context that was last made current in this thread. It may no longer be current: IsCurrent() asks the library.
 thread_local std::weak_ptr<HeadlessContext> CurrentContext;
 
-// The few EGL and GLX calls needed to step aside for, and go back to, a context that is not ours.
-// Both are looked up only among libraries already in the process: if nobody loaded them, nobody
-// can have a context of theirs.
+// The EGL and GLX functions that release and restore a context that is not ours.
+// They are looked up only in libraries that the process has loaded: without the library
+// there can be no such context.
 struct ForeignEGL
 {
   void* (*GetCurrentContext)() = nullptr;
@@ -102,8 +102,8 @@ bool HeadlessContext::MakeCurrent()
   {
     return true;
   }
-  // EGL, GLX and OSMesa each refuse, or worse misread, a thread state left by another: the context
-  // that is current must be released by the library that owns it.
+  // EGL, GLX and OSMesa each reject, or misinterpret, the thread state of another one. The current context
+  // must therefore be released by the library that owns it.
   const std::shared_ptr<HeadlessContext> previous = CurrentContext.lock();
   if (previous && previous->IsCurrent())
   {
@@ -136,14 +136,14 @@ SavedContext SavedContext::Capture()
   const std::shared_ptr<HeadlessContext> own = CurrentContext.lock();
   if (own && own->IsCurrent())
   {
-    saved.From = Owner::Penumbra;
-    saved.Own = own;
+    saved.Source = Owner::Penumbra;
+    saved.OwnContext = own;
     return saved;
   }
   ForeignEGL egl;
   if (egl.Load() && egl.GetCurrentContext())
   {
-    saved.From = Owner::ForeignEGL;
+    saved.Source = Owner::ForeignEGL;
     saved.Display = egl.GetCurrentDisplay();
     saved.Context = egl.GetCurrentContext();
     saved.Draw = egl.GetCurrentSurface(ForeignEGL::DrawSurface);
@@ -153,7 +153,7 @@ SavedContext SavedContext::Capture()
   ForeignGLX glx;
   if (glx.Load() && glx.GetCurrentContext())
   {
-    saved.From = Owner::ForeignGLX;
+    saved.Source = Owner::ForeignGLX;
     saved.Display = glx.GetCurrentDisplay();
     saved.Context = glx.GetCurrentContext();
     saved.Draw = reinterpret_cast<void*>(glx.GetCurrentDrawable());
@@ -164,13 +164,13 @@ SavedContext SavedContext::Capture()
 
 void SavedContext::Restore() const
 {
-  if (this->From == Owner::Nobody)
+  if (this->Source == Owner::Nobody)
   {
     return;
   }
-  if (this->From == Owner::Penumbra)
+  if (this->Source == Owner::Penumbra)
   {
-    if (const std::shared_ptr<HeadlessContext> own = this->Own.lock())
+    if (const std::shared_ptr<HeadlessContext> own = this->OwnContext.lock())
     {
       own->MakeCurrent();
     }
@@ -182,11 +182,11 @@ void SavedContext::Restore() const
   }
   ForeignEGL egl;
   ForeignGLX glx;
-  if (this->From == Owner::ForeignEGL && egl.Load())
+  if (this->Source == Owner::ForeignEGL && egl.Load())
   {
     egl.MakeCurrent(this->Display, this->Draw, this->Read, this->Context);
   }
-  else if (this->From == Owner::ForeignGLX && glx.Load())
+  else if (this->Source == Owner::ForeignGLX && glx.Load())
   {
     glx.MakeContextCurrent(this->Display, reinterpret_cast<unsigned long>(this->Draw),
       reinterpret_cast<unsigned long>(this->Read), this->Context);
@@ -197,13 +197,13 @@ void* OpenLibrary(std::initializer_list<const char*> names, std::string& reason)
 {
   for (const char* name : names)
   {
-    // RTLD_LOCAL: OSMesa exports every gl function itself and must not shadow the system's.
+    // RTLD_LOCAL, as OSMesa exports all gl functions and must not shadow the system's.
     if (void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL))
     {
       return library;
     }
     const char* text = dlerror();
-    // The first name is the one to install: keep its reason.
+    // The first name is the one to install, so report its reason.
     if (reason.empty())
     {
       reason = text ? text : name;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// An OpenGL context that needs no window system, and the bookkeeping of which context is current.
+// An OpenGL context that needs no window system, and the tracking of the current context.
 
 #pragma once
 
@@ -11,7 +11,8 @@
 
 namespace penumbra
 {
-/// The oldest OpenGL that is accepted (compute shaders, storage buffers), and the one asked for.
+/// A version of OpenGL. The minimum is that of compute shaders and storage buffers; the preferred one is requested
+/// first.
 struct GLVersion
 {
   int Major;
@@ -20,14 +21,14 @@ struct GLVersion
 constexpr GLVersion MinimumGL{ 4, 3 };
 constexpr GLVersion PreferredGL{ 4, 5 };
 
-/// Why there is no context, in two clauses that make one sentence: "<Cause>; <Remedy>."
+/// Reason why a context could not be created, as two clauses of a sentence: "<Cause>; <Remedy>."
 struct ContextError
 {
   std::string Cause;
   std::string Remedy;
 };
 
-/// One OpenGL core context with a token surface: VTK draws into framebuffers of its own.
+/// An OpenGL core context with a minimal surface, as VTK draws into its own framebuffers.
 class HeadlessContext : public std::enable_shared_from_this<HeadlessContext>
 {
 public:
@@ -36,23 +37,23 @@ public:
   HeadlessContext(const HeadlessContext&) = delete;
   HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-  /// Derived destructors call Release() first: a context is never destroyed while current.
+  /// Destructors of derived classes must call Release() first, so that no context is destroyed while current.
   virtual ~HeadlessContext();
 
-  /// Makes this context current in the calling thread, properly releasing another one if need be.
+  /// Make this context current in the calling thread, after releasing another one if necessary.
   bool MakeCurrent();
 
-  /// Leaves the calling thread without a context, if this one is current in it.
+  /// Leave the calling thread without a context if this one is current in it.
   void Release();
 
-  /// Asks the library, not our own notes: other code may have changed what is current.
+  /// Whether this context is current. Asks the library, as other code may have changed the current context.
   virtual bool IsCurrent() const = 0;
 
   virtual const char* GetBackendName() const = 0;
   virtual void* GetNativeContext() const = 0;
   virtual void* GetNativeDisplay() const { return nullptr; }
 
-  /// Address of an OpenGL function, valid for every context of the process where the platform
+  /// Address of an OpenGL function. It is valid for all contexts of the process if the platform
   /// has a dispatching library (libglvnd).
   virtual Proc GetProcAddress(const char* name) const = 0;
 
@@ -63,14 +64,14 @@ protected:
   virtual void Unbind() = 0;
 };
 
-/// What was current in the calling thread: one of ours, or another library's EGL or GLX context.
+/// The context that was current in the calling thread: one of ours, or another library's EGL or GLX context.
 class SavedContext
 {
 public:
-  /// Notes what is current.
+  /// Save the current context.
   static SavedContext Capture();
 
-  /// Makes it current again; with nothing noted, or a context since destroyed, does nothing.
+  /// Make it current again. Does nothing if there was none or if it has been destroyed since.
   void Restore() const;
 
 private:
@@ -81,8 +82,8 @@ private:
     ForeignEGL,
     ForeignGLX
   };
-  Owner From = Owner::Nobody;
-  std::weak_ptr<HeadlessContext> Own;
+  Owner Source = Owner::Nobody;
+  std::weak_ptr<HeadlessContext> OwnContext;
   void* Display = nullptr;
   void* Context = nullptr;
   // GLX drawables are integers, EGL surfaces pointers.
@@ -90,11 +91,12 @@ private:
   void* Read = nullptr;
 };
 
-/// Opens the first of `names` that loads, with local symbols; null and the last reason otherwise.
+/// Load the first of `names` that can be loaded, with local symbols. Returns null and sets the reason on failure.
 void* OpenLibrary(std::initializer_list<const char*> names, std::string& reason);
 
-/// "4.3", and reads the leading "major.minor" of a GL_VERSION string.
+/// A version as text: "4.3".
 std::string ToString(GLVersion version);
+/// Parse the leading "major.minor" of a GL_VERSION string.
 GLVersion ParseGLVersion(const char* text);
 inline bool IsAtLeast(GLVersion have, GLVersion wanted)
 {

@@ -15,8 +15,8 @@
 #include <string>
 
 //------------------------------------------------------------------------------
-// The overrides of vtkRenderWindow and its interactor. It decides at each New(), so that it does not matter whether
-// VTK's own override was registered before or after it, nor when the environment was set.
+// Overrides of vtkRenderWindow and its interactor. The factory decides at each New(), so that it does not matter
+// whether VTK's own override was registered earlier or later, or when the environment was set.
 class vtkHeadlessRenderWindowFactory : public vtkObjectFactory
 {
 public:
@@ -45,13 +45,13 @@ protected:
   {
     this->RegisterOverride("vtkRenderWindow", "vtkHeadlessRenderWindow", this->GetDescription(), 1,
       []() -> vtkObject* { return vtkHeadlessRenderWindow::New(); });
-    // X's interactor, which the first Render() would initialise, needs the display as well.
+    // X's interactor, which the first Render() would initialise, also needs a display.
     this->RegisterOverride("vtkRenderWindowInteractor", "vtkGenericRenderWindowInteractor",
       this->GetDescription(), 1,
       []() -> vtkObject* { return vtkGenericRenderWindowInteractor::New(); });
   }
 
-  // Null lets the next factory answer.
+  // Null lets the next factory create the object.
   vtkObject* CreateObject(const char* name) override
   {
     return this->HasOverride(name) && this->IsWanted() ? this->Superclass::CreateObject(name)
@@ -75,36 +75,36 @@ private:
     }
     if (this->IsNeeded())
     {
-      return true; // and the window will complain
+      return true; // the window will report the error
     }
-    if (!this->Complained)
+    if (!this->ErrorReported)
     {
-      this->Complained = true;
+      this->ErrorReported = true;
       vtkErrorMacro(<< penumbra::DescribeUnknownBackend());
     }
     return false;
   }
 
-  // Whether VTK itself would be at a loss.
+  // Whether VTK itself could not create a usable window.
   bool IsNeeded()
   {
     if (*penumbra::ReadVariable("DISPLAY") != '\0')
     {
       return false;
     }
-    const std::string stock = this->StockWindow();
-    // VTK's own chooser, where there is one, tries X first and warns when it finds none; who names a window has chosen.
-    if (stock == "vtkOpenGLRenderWindow")
+    const std::string windowClass = this->OtherWindowClass();
+    // VTK's own chooser (9.4 and later) tries X first and warns if there is none. The variable names the user's choice.
+    if (windowClass == "vtkOpenGLRenderWindow")
     {
       return *penumbra::ReadVariable("VTK_DEFAULT_OPENGL_WINDOW") == '\0';
     }
-    // A VTK built for EGL, OSMesa, Windows or macOS needs no display. With no override loaded (yet), this window is
+    // A VTK built for EGL, OSMesa, Windows or macOS needs no display. If no override is loaded yet, this window is
     // better than none.
-    return stock == "vtkXOpenGLRenderWindow" || stock.empty();
+    return windowClass == "vtkXOpenGLRenderWindow" || windowClass.empty();
   }
 
-  // The class that VTK makes for vtkRenderWindow; empty where no other factory has one.
-  std::string StockWindow()
+  // The class that other factories create for vtkRenderWindow; empty if there is none.
+  std::string OtherWindowClass()
   {
     vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
     vtkCollectionSimpleIterator it;
@@ -123,7 +123,7 @@ private:
     return std::string();
   }
 
-  bool Complained = false;
+  bool ErrorReported = false;
 };
 
 vtkStandardNewMacro(vtkHeadlessRenderWindowFactory);
@@ -144,7 +144,7 @@ void SetHeadlessFactory(bool wanted)
   }
   vtkHeadlessRenderWindowFactory* factory = vtkHeadlessRenderWindowFactory::New();
   vtkObjectFactory::RegisterFactory(factory);
-  // The first factory to answer wins and VTK's own may be registered already: move to the front.
+  // The first factory that creates the object wins, and VTK's own may be registered already: move to the front.
   vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
   factories->RemoveItem(factory);
   if (factories->GetNumberOfItems() == 0)

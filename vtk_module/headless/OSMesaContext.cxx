@@ -10,7 +10,7 @@ namespace penumbra
 {
 namespace
 {
-// From Mesa's GL/osmesa.h, whose package is seldom installed. The numbers are the library's ABI.
+// From Mesa's GL/osmesa.h, whose package is rarely installed. The numbers are the library's ABI.
 constexpr int OSMESA_FORMAT = 0x22;
 constexpr int OSMESA_DEPTH_BITS = 0x30;
 constexpr int OSMESA_STENCIL_BITS = 0x31;
@@ -27,8 +27,8 @@ using OSMesaHandle = void*;
 using Proc = HeadlessContext::Proc;
 
 // libglvnd's dispatch ABI, version 1 (GLdispatch.h of libglvnd). Programs linked with libGL call
-// into it; a context is reached only if it was made current through it. OSMesa is no glvnd vendor
-// and does not do that, so it is done here on its behalf.
+// into it, and calls reach a context only if it was made current through it. OSMesa is not a glvnd vendor
+// and does not do that, so it is done here.
 struct DispatchThreadState
 {
   int Tag;
@@ -36,8 +36,8 @@ struct DispatchThreadState
   void* Private;
 };
 constexpr int DispatchABI = 1;
-// GLX is 0 and EGL 1. A tag that is neither makes both answer "another API is current" instead of
-// reading this state as their own.
+// GLX is 0 and EGL 1. With a different tag, both report that another API is current instead of
+// interpreting this state as their own.
 constexpr int OSMesaTag = 0x4F53;
 
 void* LookUp(const char* name, void* getProcAddress)
@@ -48,8 +48,8 @@ void* LookUp(const char* name, void* getProcAddress)
 
 void IgnoreThreadEnd(DispatchThreadState*) {}
 
-// Both libraries and one dispatch table, loaded once and kept for the life of the process: other
-// contexts and VTK's loader hold addresses into them.
+// Both libraries and a dispatch table, loaded once and never unloaded, as other
+// contexts and VTK's loader hold addresses in them.
 struct Library
 {
   OSMesaHandle (*CreateContextAttribs)(const int*, OSMesaHandle) = nullptr;
@@ -164,7 +164,7 @@ public:
   const char* GetBackendName() const override { return "OSMesa"; }
   void* GetNativeContext() const override { return this->Handle; }
 
-  // libGLdispatch's entries go to whatever context is current, OSMesa's own addresses only to OSMesa.
+  // libGLdispatch's entry points work with any current context, OSMesa's own addresses only with OSMesa.
   Proc GetProcAddress(const char* name) const override
   {
     const Proc entry = this->Lib.DispatchGetProcAddress(name);
@@ -204,7 +204,7 @@ private:
   const Library& Lib;
   OSMesaHandle Handle;
   DispatchThreadState State{ OSMesaTag, IgnoreThreadEnd, nullptr };
-  // OSMesa insists on memory for a default framebuffer; nothing is drawn into it.
+  // OSMesa requires memory for a default framebuffer, but nothing is drawn into it.
   std::array<unsigned char, 4> Pixel{};
 };
 
@@ -225,7 +225,7 @@ std::shared_ptr<HeadlessContext> CreateOSMesaContext(ContextError& error)
     error = library.Error;
     return nullptr;
   }
-  // 3.2 is asked for only to be able to say what the library has.
+  // 3.2 is requested only to report the version that the library supports.
   for (const GLVersion version : { PreferredGL, MinimumGL, GLVersion{ 3, 2 } })
   {
     const OSMesaHandle handle = CreateHandle(library, version);

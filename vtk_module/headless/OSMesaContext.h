@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// OpenGL on the CPU by Mesa's OSMesa, where there is no usable EGL. libOSMesa and libGLdispatch are
-// opened at run time.
+// OpenGL on the CPU by Mesa's OSMesa, if there is no usable EGL. libOSMesa and libGLdispatch are
+// loaded at run time.
 
 #pragma once
 
@@ -10,6 +10,6 @@
 
 namespace penumbra
 {
-/// Null and the error where OSMesa cannot be used.
+/// Create a context. Returns null and sets the error if OSMesa cannot be used.
 std::shared_ptr<HeadlessContext> CreateOSMesaContext(ContextError& error);
 }

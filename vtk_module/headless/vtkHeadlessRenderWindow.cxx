@@ -26,7 +26,7 @@ struct vtkHeadlessRenderWindow::Internals
 {
   std::shared_ptr<penumbra::HeadlessContext> Context;
   std::vector<penumbra::SavedContext> Stack;
-  // VTK's OpenGL functions do not lead to the context: not worth another try.
+  // VTK's OpenGL functions do not reach the context, so do not try again.
   bool Unreachable = false;
 };
 
@@ -39,9 +39,9 @@ vtkHeadlessRenderWindow::vtkHeadlessRenderWindow()
   this->DeviceIndex = -1;
   this->ShowWindow = false;
   this->UseOffScreenBuffers = true;
-  // The picture stays in VTK's framebuffers; there is no hardware buffer behind them.
+  // The picture stays in VTK's framebuffers, as there is no window to copy it to.
   this->FrameBlitMode = NoBlit;
-  // The size VTK's own windows report where there is no screen.
+  // The size that VTK's own windows report if there is no screen.
   this->ScreenSize[0] = 1920;
   this->ScreenSize[1] = 1080;
 }
@@ -122,7 +122,7 @@ bool vtkHeadlessRenderWindow::EnsureContext()
   auto& context = this->Internal->Context;
   if (!context)
   {
-    // Said once: try again only after Finalize() or another choice.
+    // Report the error once: try again only after Finalize() or a change of settings.
     if (!this->ContextError.empty() || !this->CreateContext())
     {
       return false;
@@ -162,8 +162,7 @@ void vtkHeadlessRenderWindow::Finalize()
   auto& context = this->Internal->Context;
   if (context)
   {
-    // The context comes back here, whatever was current before: names of GL objects mean nothing,
-    // or something else, in another one.
+    // This makes the context current, as names of GL objects mean nothing, or something else, in another context.
     this->ReleaseGraphicsResources(this);
     context.reset();
   }
@@ -175,8 +174,8 @@ void vtkHeadlessRenderWindow::Finalize()
 //------------------------------------------------------------------------------
 void vtkHeadlessRenderWindow::OpenGLInit()
 {
-  // The context is this window's own: nothing of another user is to be saved and put back, as
-  // vtkGenericOpenGLRenderWindow does, and VTK's initial state can stay in force.
+  // The window owns its context. There is no state of another user to save and restore, as
+  // vtkGenericOpenGLRenderWindow does, and VTK's initial state can stay in effect.
   this->MakeCurrent();
   if (!this->Internal->Context || !this->IsCurrent())
   {
@@ -185,7 +184,7 @@ void vtkHeadlessRenderWindow::OpenGLInit()
   this->vtkOpenGLRenderWindow::OpenGLInit();
   if (this->Initialized)
   {
-    // VTK assumes a double-buffered default framebuffer; read what this one has.
+    // VTK assumes a double-buffered default framebuffer. Read this one's actual buffers.
     this->GetState()->ResetFramebufferBindings();
   }
 }
@@ -203,7 +202,7 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
   {
     return;
   }
-  // GLEW loads OpenGL's functions, then GLX's, and answers an error where there is no X display.
+  // GLEW loads OpenGL's functions, then GLX's, and returns an error if there is no X display.
   // By then the functions that matter are loaded.
   const GLenum result = glewInit();
 #ifdef GLEW_ERROR_NO_GLX_DISPLAY
@@ -225,7 +224,7 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
   glGetFloatv(this->LineSmoothing ? GL_SMOOTH_LINE_WIDTH_RANGE : GL_ALIASED_LINE_WIDTH_RANGE, range);
   this->MaximumHardwareLineWidth = glGetError() == GL_NO_ERROR ? range[1] : 1.0f;
 #else
-  // glad asks the window for addresses; VTK does the rest.
+  // glad gets addresses from the window; VTK does the rest.
   this->SetOpenGLSymbolLoader(
     [](void* self, const char* name) -> VTKOpenGLAPIProc
     {
@@ -287,7 +286,7 @@ void vtkHeadlessRenderWindow::PopContext()
 //------------------------------------------------------------------------------
 void vtkHeadlessRenderWindow::Render()
 {
-  // As in OpenGLInit(), vtkGenericOpenGLRenderWindow's saving and restoring is left out: it would
+  // As in OpenGLInit(), skip vtkGenericOpenGLRenderWindow's saving and restoring of state, which would
   // also make VTK start from OpenGL's defaults instead of its own.
   if (this->ReadyForRendering && this->EnsureContext())
   {
@@ -343,7 +342,7 @@ void vtkHeadlessRenderWindow::Frame()
   }
   this->MakeCurrent();
   this->Superclass::Frame();
-  // Swapping buffers would set the driver to work; nothing is swapped here.
+  // Start the driver's work, as no swap of buffers does so.
   glFlush();
 }
 
@@ -393,20 +392,20 @@ const char* vtkHeadlessRenderWindow::GetDescription()
 //------------------------------------------------------------------------------
 namespace
 {
-// VTK asks what is bound for its sizes, and a surfaceless context has nothing of its own: bind what the window draws
-// to for as long as this lives.
-class DrawnBuffers
+// Binds the framebuffer that the window draws to within a scope. VTK queries the sizes of the bound framebuffer, and a
+// surfaceless context has no default one.
+class ScopedDrawFramebuffer
 {
 public:
-  DrawnBuffers(vtkOpenGLState* state, vtkOpenGLFramebufferObject* buffers)
+  ScopedDrawFramebuffer(vtkOpenGLState* state, vtkOpenGLFramebufferObject* buffers)
     : State(state)
   {
     state->PushDrawFramebufferBinding();
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, buffers->GetFBOIndex());
   }
-  ~DrawnBuffers() { this->State->PopDrawFramebufferBinding(); }
-  DrawnBuffers(const DrawnBuffers&) = delete;
-  DrawnBuffers& operator=(const DrawnBuffers&) = delete;
+  ~ScopedDrawFramebuffer() { this->State->PopDrawFramebufferBinding(); }
+  ScopedDrawFramebuffer(const ScopedDrawFramebuffer&) = delete;
+  ScopedDrawFramebuffer& operator=(const ScopedDrawFramebuffer&) = delete;
 
 private:
   vtkOpenGLState* State;
@@ -421,7 +420,7 @@ int vtkHeadlessRenderWindow::GetColorBufferSizes(int* rgba)
     std::fill(rgba, rgba + 4, 0);
     return 0;
   }
-  const DrawnBuffers drawn(this->GetState(), this->RenderFramebuffer);
+  const ScopedDrawFramebuffer scope(this->GetState(), this->RenderFramebuffer);
   return this->Superclass::GetColorBufferSizes(rgba);
 }
 
@@ -430,9 +429,9 @@ int vtkHeadlessRenderWindow::GetDepthBufferSize()
 {
   if (!this->Initialized || !this->EnsureContext() || this->RenderFramebuffer->GetFBOIndex() == 0)
   {
-    return 24; // as VTK has it before there are buffers
+    return 24; // VTK's value before there are buffers
   }
-  const DrawnBuffers drawn(this->GetState(), this->RenderFramebuffer);
+  const ScopedDrawFramebuffer scope(this->GetState(), this->RenderFramebuffer);
   return this->Superclass::GetDepthBufferSize();
 }
 
@@ -452,7 +451,7 @@ void* vtkHeadlessRenderWindow::GetGenericDisplayId()
 int vtkHeadlessRenderWindow::ReadPixels(
   const vtkRecti& rect, int front, int glFormat, int glType, void* data, int right)
 {
-  // Without a context there is nothing to read, and the error was reported when it was missed.
+  // Without a context there is nothing to read. The error has been reported already.
   if (!this->Initialized)
   {
     return VTK_ERROR;
@@ -484,7 +483,7 @@ void vtkHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-// Loading the library is enough to have automatic choice.
+// Loading the library enables the automatic choice.
 namespace
 {
 const bool AutomaticAtLoad = (vtkHeadlessRenderWindow::EnableAutomatic(), true);

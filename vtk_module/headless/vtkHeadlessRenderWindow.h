@@ -5,16 +5,16 @@
  * @brief   offscreen render window through EGL or OSMesa, for VTK builds that only know X
  *
  * Draws with OpenGL 4.3 or later without any window system: on a GPU through EGL's device platform,
- * on the CPU through Mesa's surfaceless EGL or through OSMesa. EGL and OSMesa are opened at run time.
+ * on the CPU through Mesa's surfaceless EGL or through OSMesa. EGL and OSMesa are loaded at run time.
  *
  * It is used like any offscreen vtkRenderWindow. EnableAutomatic(), which runs when the module is
- * loaded, also lets vtkRenderWindow::New() give this class where there is no display.
+ * loaded, also lets vtkRenderWindow::New() return this class if there is no display.
  *
- * The environment variable PENUMBRA_BACKEND chooses where the program does not: `auto` (EGL first,
- * then OSMesa), `egl`, `osmesa`, or `x11` (never take the place of VTK's own window).
+ * The environment variable PENUMBRA_BACKEND selects the backend if the program does not: `auto` (EGL first,
+ * then OSMesa), `egl`, `osmesa`, or `x11` (never replace VTK's own window).
  * PENUMBRA_EGL_DEVICE is the index of the EGL device, counted from 0.
  *
- * Where no context can be made, one error says why and what to do, GetContextError() keeps the text,
+ * If no context can be created, a single error gives the reason and the remedy, GetContextError() returns its text,
  * and rendering is skipped.
  */
 
@@ -35,7 +35,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How the OpenGL context is made.
+   * Backend of the OpenGL context.
    */
   enum BackendType
   {
@@ -46,8 +46,8 @@ public:
 
   ///@{
   /**
-   * Choose how the context is made; AUTO by default. A window that already has a context gives it up
-   * and makes another at the next Render().
+   * Set the backend of the context; AUTO by default. A window that already has a context releases it
+   * and creates another at the next Render().
    */
   virtual void SetBackend(int backend);
   vtkGetMacro(Backend, int);
@@ -58,41 +58,41 @@ public:
 
   ///@{
   /**
-   * The EGL device, from 0 to GetNumberOfDevices() - 1, which is what EGL lists. With -1, the
-   * default, PENUMBRA_EGL_DEVICE or the first hardware device that works, or else a software one.
+   * Set the index of the EGL device, from 0 to GetNumberOfDevices() - 1, in EGL's order. With -1, the
+   * default, PENUMBRA_EGL_DEVICE applies, else the first hardware device that works, else a software device.
    */
   void SetDeviceIndex(int index) override;
   int GetNumberOfDevices() override;
   ///@}
 
   /**
-   * The backend in use, "EGL" or "OSMesa"; makes the context if there is none yet. Empty without one.
+   * Get the backend in use, "EGL" or "OSMesa". Creates the context if there is none yet. Empty if that fails.
    */
   const char* GetBackendName();
 
   /**
-   * Backend, renderer and OpenGL version in one line; makes the context if there is none yet. Empty
-   * without one.
+   * Get backend, renderer and OpenGL version in one line. Creates the context if there is none yet. Empty
+   * if that fails.
    */
   const char* GetDescription();
 
   /**
-   * Why there is no context, in one sentence; empty if there is one or none was asked for.
+   * Get the reason why there is no context, in one sentence; empty if there is one or none was requested.
    */
   const char* GetContextError() { return this->ContextError.c_str(); }
 
   /**
-   * Let vtkRenderWindow::New() give this class, and vtkRenderWindowInteractor::New() an interactor
-   * that goes with it, where DISPLAY is unset or empty and VTK knows only X windows or would try X first
-   * (VTK 9.4 and later, unless VTK_DEFAULT_OPENGL_WINDOW names a window), or where
-   * PENUMBRA_BACKEND asks for egl or osmesa. The question is asked again at each New(). Runs
+   * Let vtkRenderWindow::New() return this class, and vtkRenderWindowInteractor::New() a matching
+   * interactor, if DISPLAY is unset or empty and VTK knows only X windows or would try X first
+   * (VTK 9.4 and later, unless VTK_DEFAULT_OPENGL_WINDOW names a window), or if
+   * PENUMBRA_BACKEND is egl or osmesa. This is decided at each New(). EnableAutomatic() runs
    * when the module is loaded, costs nothing and may be repeated.
    */
   static void EnableAutomatic() { vtkHeadlessRenderWindow::SetAutomatic(true); }
 
   ///@{
   /**
-   * Undo EnableAutomatic(), or ask whether it is in force.
+   * Set or get whether EnableAutomatic() is in effect.
    */
   static void SetAutomatic(bool automatic);
   static bool GetAutomatic();
@@ -100,8 +100,8 @@ public:
 
   ///@{
   /**
-   * The life of the context. Render() initialises by itself; Finalize() frees all that was made with
-   * the context, then the context, and the next Render() starts afresh.
+   * Create and free the context. Render() initialises it by itself. Finalize() frees all objects of
+   * the context, then the context; the next Render() creates a new one.
    */
   void Initialize() override;
   void Finalize() override;
@@ -111,8 +111,8 @@ public:
 
   ///@{
   /**
-   * Which context is current in the calling thread. Push and pop put back what was current before,
-   * another library's context included.
+   * Control the current context of the calling thread. Push and pop restore the context that was current before,
+   * including that of another library.
    */
   void MakeCurrent() override;
   void ReleaseCurrent() override;
@@ -123,7 +123,7 @@ public:
 
   ///@{
   /**
-   * Drawing; each does nothing where no context can be made.
+   * Draw. These do nothing if no context can be created.
    */
   void Render() override;
   void Start() override;
@@ -132,14 +132,14 @@ public:
   ///@}
 
   /**
-   * There is nothing to show: stays off.
+   * Does nothing, as there is no window to show.
    */
   void SetShowWindow(bool) override {}
 
   ///@{
   /**
-   * What can be asked about the context; these make it if there is none yet. Buffers of no bits keep
-   * vtkHardwareSelector, which asks for them first, from drawing without a context.
+   * Query the context. These create it if there is none yet. Without a context, buffer sizes of zero prevent
+   * vtkHardwareSelector, which queries them first, from drawing.
    */
   int SupportsOpenGL() override;
   vtkTypeBool IsDirect() override;
@@ -150,7 +150,7 @@ public:
 
   ///@{
   /**
-   * Handles of the native context and display (an EGLContext and EGLDisplay, or an OSMesaContext).
+   * Get the native context and display (an EGLContext and EGLDisplay, or an OSMesaContext).
    */
   void* GetGenericContext() override;
   void* GetGenericDisplayId() override;
@@ -158,15 +158,15 @@ public:
 
   ///@{
   /**
-   * A vtkGenericRenderWindowInteractor serves this window. X's interactor would crash without an X
-   * window to listen to, so it is refused with an error.
+   * Create or set the interactor, a vtkGenericRenderWindowInteractor. X's interactor would crash without an X
+   * window, so it is rejected with an error.
    */
   vtkRenderWindowInteractor* MakeRenderWindowInteractor() override;
   void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   ///@}
 
   /**
-   * Not supported, always false: this window owns its context. vtkGenericOpenGLRenderWindow adopts
+   * Not supported, always returns false, as this window owns its context. Use vtkGenericOpenGLRenderWindow to adopt
    * one.
    */
   bool InitializeFromCurrentContext() override { return false; }

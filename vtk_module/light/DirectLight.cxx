@@ -47,7 +47,7 @@ struct Resolve
       context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
     flag("GI_INTERREFLECTION",
       context.Input(resource::AmbientVisibility) && this->Options.Interreflection > 0.0);
-    flag("GI_COVERAGE", this->Materials->CoverInPart());
+    flag("GI_COVERAGE", this->Materials->HasPartialCoverage());
     flag("GI_RADIANCE", radiance);
     flag("GI_LIT", lit);
     return defines;
@@ -65,7 +65,7 @@ struct Resolve
       this->StartRadiance(context);
       this->Draw(context, { resource::Radiance });
     }
-    if (this->Options.LitRadiance && this->Materials->CoverInPart())
+    if (this->Options.LitRadiance && this->Materials->HasPartialCoverage())
     {
       CopyWindow(context, resource::LitRadiance);
     }
@@ -94,7 +94,7 @@ struct Resolve
   void Draw(FrameContext& context, const std::vector<const char*>& targets) const
   {
     ScopedState scope(context.State());
-    scope.Set(GL_BLEND, this->Materials->CoverInPart());
+    scope.Set(GL_BLEND, this->Materials->HasPartialCoverage());
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     context.BindTarget(targets, resource::Depth);
@@ -136,7 +136,7 @@ void ContributeDirectLight(
 {
   auto& pass = frame.AddPass("direct-light");
   pass.Read(resource::Depth)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .ReadIfPresent(resource::Ambient, "GI_AMBIENT")
@@ -164,7 +164,7 @@ void ContributeDirectLight(
   pass.Execute(Resolve{ &lights, &materials, options });
   frame.AddPass("present")
     .Read(resource::Color)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Albedo)
     .SideEffect()
     .Execute(Present);

@@ -64,7 +64,7 @@ void vtkGIForwardHooks::SetLights(const LightTable& lights, ForwardLight light)
     {
       ForwardShaders(*this->Shaders, light).Check();
     }
-    this->Renew();
+    this->RebuildShaders();
     this->Programs.clear();
     this->ShadersOutdated = false;
   }

@@ -32,7 +32,7 @@ void ForwardProgram::Set(const Arguments& arguments) const
     const auto block = arguments.Blocks().find(input.Name);
     if (block != arguments.Blocks().end() && input.Location < 0)
     {
-      block->second.Kept->BindBase(input.Kind == InputKind::StorageBlock ? GL_SHADER_STORAGE_BUFFER
+      block->second.Object->BindBase(input.Kind == InputKind::StorageBlock ? GL_SHADER_STORAGE_BUFFER
                                                                          : GL_UNIFORM_BUFFER,
         static_cast<GLuint>(input.Unit));
     }

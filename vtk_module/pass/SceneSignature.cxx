@@ -114,9 +114,9 @@ SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
   SceneChanges changes;
   changes.Lights = differs(Lights);
   changes.Props = differs(Props);
-  changes.Looks = differs(Looks);
+  changes.Appearance = differs(Looks);
   changes.Any =
-    changes.Lights || changes.Props || changes.Looks || differs(Camera) || differs(Techniques);
+    changes.Lights || changes.Props || changes.Appearance || differs(Camera) || differs(Techniques);
   return changes;
 }
 }

@@ -183,7 +183,7 @@ void vtkGIPass::Render(const vtkRenderState* state)
   {
     draw(state);
   }
-  this->Impl->Held.LeaveNoOthers(window);
+  this->Impl->Held.UnbindOthers(window);
 }
 
 void vtkGIPass::RenderPicture(const vtkRenderState* state)

@@ -19,7 +19,7 @@ void AddProbeBalls(FrameBuilder& frame, const std::string& name, const std::stri
   const std::function<void(PassDeclaration&)>& declare)
 {
   const auto add = [&](PassDeclaration& pass) {
-    pass.Read(resource::WindowDepth);
+    pass.Read(resource::DepthCopy);
     declare(pass);
     pass.Draw(shader, {}, Arguments().Set("radius", ShownRadius));
   };

@@ -66,7 +66,7 @@ void RayBuffer::Grow(std::size_t records)
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
   const std::size_t most = static_cast<std::size_t>(limit) / this->RecordTexels;
-  // A gap at the end counts towards what is asked for.
+  // A gap at the end counts towards the requested records.
   std::size_t end = this->Capacity;
   if (!this->Gaps.empty())
   {

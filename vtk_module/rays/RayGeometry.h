@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What one dataset brings to the rays: triangles, spheres and cylinders. Primitives are numbered in
+ * Geometry of a dataset for ray tracing: triangles, spheres and cylinders. Primitives are numbered in
  * this order: all triangles, all spheres, all cylinders.
  */
 #pragma once
@@ -28,7 +28,7 @@ struct RayCylinder
   bool Capped = false;
 };
 
-/// One of many places of a mesh: a point p lies at Turn * p + At.
+/// Transformation of one of many instances of a mesh: a point p lies at Turn * p + At.
 struct RayPlace
 {
   glm::mat3 Turn{ 1.0f };
@@ -38,8 +38,7 @@ struct RayPlace
 
 struct RayGeometry
 {
-  /// What all coordinates below are relative to. Near the data, so that floats near it lose
-  /// nothing.
+  /// Origin of all coordinates below. It is near the data, so that floats keep their precision.
   glm::dvec3 Origin{ 0.0 };
   std::vector<glm::vec3> Points;
   std::vector<glm::uvec3> Triangles; ///< indices into Points
@@ -51,7 +50,7 @@ struct RayGeometry
     return this->Triangles.size() + this->Spheres.size() + this->Cylinders.size();
   }
 
-  /// Take points in double precision: chooses the origin in the middle of the finite ones.
+  /// Set points in double precision. Puts the origin in the middle of the finite ones.
   void SetPoints(const std::vector<glm::dvec3>& points);
 };
 }

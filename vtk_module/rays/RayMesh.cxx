@@ -21,7 +21,7 @@ bool IsUsable(const glm::vec3& v)
     std::abs(v.z) < RayCoordinateLimit;
 }
 
-/// What bounds a primitive; empty for one that is not finite.
+/// Computes the bounds of primitives. They are empty for primitives that are not finite.
 class Bounder
 {
 public:
@@ -75,7 +75,7 @@ private:
     {
       return false;
     }
-    // The sphere's own hits are rounded too.
+    // Hits on the sphere are rounded too.
     const float grown = radius * 1.000001f;
     bounds.Add({ center - grown, center + grown });
     return true;
@@ -154,7 +154,7 @@ RayMesh::RayMesh(const RayGeometry& geometry)
   std::vector<RayBounds> bounds = this->ItemBounds(geometry);
   const std::vector<std::uint32_t> pieces = SplitLongTriangles(geometry, bounds);
   this->Split = !pieces.empty();
-  // Where most is in pieces, those of a leaf have little in common: one by one they are met less.
+  // Pieces in a leaf have little in common. If most of the tree is pieces, leaves of one are tested less often.
   const int leafSize = pieces.size() > geometry.Size() / 2 ? 1 : GI_RAY_LEAF_SIZE;
   this->Bvh.Build(bounds, leafSize, GI_RAY_MESH_DEPTH);
   for (std::uint32_t& item : this->Bvh.Order)
@@ -173,12 +173,12 @@ bool RayMesh::Refit(const RayGeometry& geometry)
   }
   if (this->Split)
   {
-    // Where pieces end depends on the points.
+    // The borders of pieces depend on the points.
     *this = RayMesh(geometry);
     return true;
   }
   const std::vector<RayBounds> bounds = this->ItemBounds(geometry);
-  // A primitive that became finite again has no place in the tree.
+  // A primitive that was not finite when the tree was built is not in it.
   std::size_t placed = 0;
   for (const std::uint32_t item : this->Bvh.Order)
   {
@@ -220,7 +220,7 @@ void RayMesh::WriteRecords(const RayGeometry& geometry, const std::vector<RayBou
     for (std::size_t i = begin; i < end; ++i)
     {
       const std::uint32_t item = this->Bvh.Order[i];
-      // One that stopped being finite since the tree was built: a triangle of no area.
+      // A primitive that is no longer finite becomes a triangle without area.
       this->Primitives[i] =
         bounds[item].IsEmpty() ? shared::RayPrimitive{} : Record(geometry, item);
     }

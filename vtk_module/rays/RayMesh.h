@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * One dataset ready for rays: its tree and its records in the order of the leaves.
+ * A dataset prepared for ray tracing: its tree, and its records in the order of the leaves.
  */
 #pragma once
 
@@ -16,8 +16,8 @@ public:
   /// Build the tree. Primitives that are not finite are dropped and counted.
   explicit RayMesh(const RayGeometry& geometry);
 
-  /// Take moved points, keeping the tree's shape: cheaper than building, slower to trace the more
-  /// the shape changed. False, and nothing done, where the geometry has other primitives.
+  /// Update for moved points without changing the tree's structure. This is cheaper than building, but tracing gets
+  /// slower the more the shape changed. Returns false and does nothing if the geometry has other primitives.
   bool Refit(const RayGeometry& geometry);
 
   const RayTree& Tree() const { return this->Bvh; }
@@ -26,7 +26,7 @@ public:
   bool HasCylinders() const { return this->Cylinders > 0; }
   std::size_t Dropped() const { return this->NotFinite; }
 
-  /// The records to upload; freed by ReleaseRecords(), made again by Refit().
+  /// The records to upload. ReleaseRecords() frees them, Refit() recreates them.
   const std::vector<shared::RayPrimitive>& Records() const { return this->Primitives; }
   void ReleaseRecords() { std::vector<shared::RayPrimitive>().swap(this->Primitives); }
 
@@ -41,6 +41,6 @@ private:
   std::size_t Spheres = 0;
   std::size_t Cylinders = 0;
   std::size_t NotFinite = 0;
-  bool Split = false; ///< some triangles are in the tree in pieces
+  bool Split = false; ///< whether some triangles are split into pieces
 };
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * One piece of what a renderer shows, as the rays see it: a mesh, the attributes of its primitives
- * and points, a material, a place. Mappers are turned into parts by GatherRayParts().
+ * A part of a renderer's scene for ray tracing: a mesh, the attributes of its primitives
+ * and points, a material, a transformation. GatherRayParts() converts mappers to parts.
  */
 #pragma once
 
@@ -24,15 +24,15 @@ class vtkTexture;
 
 namespace penumbra
 {
-/// What the shader looks up by primitive and by point.
+/// Attributes that the shader looks up by primitive and by point.
 struct RayAttributes
 {
-  std::vector<shared::RayAttribute> Primitives; ///< as many as the geometry's
+  std::vector<shared::RayAttribute> Primitives; ///< one per primitive of the geometry
   std::vector<shared::RayPoint> Points;
-  bool LacksNormals = false; ///< some of the points' are zero or no numbers
+  bool LacksNormals = false; ///< whether some points have a normal that is zero or NaN
 };
 
-/// What pictures on a surface are for: RaySurface::Pictures in their order, then its colour.
+/// Roles of images on a surface: those of RaySurface::Pictures in order, then its colour.
 enum PictureSlot
 {
   BasePicture,
@@ -45,9 +45,9 @@ enum PictureSlot
 
 struct RayPart
 {
-  /// Parts of the same MeshKey share a tree, of the same AttributeKey their attributes. Where a
-  /// time differs from the last frame's, what belongs to it is made anew; where only the points'
-  /// time differs, the tree is refitted.
+  /// Parts with the same MeshKey share a tree; parts with the same AttributeKey share their attributes. If a
+  /// time differs from the previous frame's, the corresponding data is rebuilt; if only PointTime
+  /// differs, the tree is refitted.
   std::uint64_t MeshKey = 0;
   vtkMTimeType CellTime = 0;
   vtkMTimeType PointTime = 0;
@@ -59,18 +59,19 @@ struct RayPart
   vtkProp* Prop = nullptr;
   glm::dmat4 ToWorld{ 1.0 };
   shared::RaySurface Surface{};
-  shared::RaySurface Back{}; ///< where HasBack
+  shared::RaySurface Back{}; ///< material of back faces, if HasBack
   bool HasBack = false;
-  /// The mesh's places, each before ToWorld; null for the one place that ToWorld is. What they
-  /// point to is never changed: other places are another vector.
+  /// Transformations of the mesh's instances, each applied before ToWorld; null for a single instance at ToWorld. The
+  /// vector is never modified: different places are a different vector.
   std::shared_ptr<const std::vector<RayPlace>> Places;
-  std::array<vtkTexture*, PictureSlots> Pictures{}; ///< null where there are none
-  std::vector<glm::dvec4> Clip; ///< planes in the world: what is below them is not there
+  std::array<vtkTexture*, PictureSlots> Pictures{}; ///< null if there is none
+  std::vector<glm::dvec4>
+    Clip; ///< clipping planes in world coordinates; the negative side is removed
 };
 
 class GatherCache;
 
-/// The parts of all visible props. left: props with surfaces that rays do not see.
+/// Gather the parts of all visible props. left: set to the props with surfaces that rays do not see.
 std::vector<RayPart> GatherRayParts(
   vtkRenderer* renderer, std::vector<vtkProp*>& left, GatherCache& cache);
 }

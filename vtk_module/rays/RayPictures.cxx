@@ -50,15 +50,15 @@ const RayPictures::Picture& RayPictures::Use(vtkTexture* texture)
       const std::size_t first = this->Texels.Allocate(texels.size()); // may throw
       this->Texels.Write(first, texels.data(), texels.size());
       entry.Texels = texels.size();
-      entry.Shown.First = static_cast<int>(first);
-      this->Measure(pixels, entry.Shown);
+      entry.Image.First = static_cast<int>(first);
+      this->Measure(pixels, entry.Image);
     }
     entry.Time = time;
   }
-  return entry.Shown;
+  return entry.Image;
 }
 
-void RayPictures::Measure(const TexturePixels& pixels, Picture& shown)
+void RayPictures::Measure(const TexturePixels& pixels, Picture& image)
 {
   glm::dvec3 sum(0.0);
   for (int y = 0; y < pixels.Height; ++y)
@@ -67,21 +67,21 @@ void RayPictures::Measure(const TexturePixels& pixels, Picture& shown)
     {
       const glm::vec4 value = pixels.At(x, y);
       sum += glm::dvec3(value);
-      shown.Partly |= value.a < 1.0f;
+      image.Partly |= value.a < 1.0f;
     }
   }
-  shown.Mean = glm::vec3(sum / (static_cast<double>(pixels.Width) * pixels.Height));
+  image.Mean = glm::vec3(sum / (static_cast<double>(pixels.Width) * pixels.Height));
 }
 
 void RayPictures::Forget(Entry& entry)
 {
   if (entry.Texels > 0)
   {
-    this->Texels.Free(static_cast<std::size_t>(entry.Shown.First), entry.Texels);
+    this->Texels.Free(static_cast<std::size_t>(entry.Image.First), entry.Texels);
   }
   entry.Texels = 0;
   entry.Time = 0;
-  entry.Shown = Picture();
+  entry.Image = Picture();
 }
 
 void RayPictures::Sweep()

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The pictures on surfaces, in one buffer from which shaders filter them (rays/pictures.glsl): there
- * may be more of them than a shader can have textures.
+ * Images on surfaces, in one buffer from which shaders filter them (rays/pictures.glsl). There
+ * may be more images than a shader can have textures.
  */
 #pragma once
 
@@ -25,15 +25,15 @@ class RayPictures
 public:
   struct Picture
   {
-    int First = -1;         ///< texel where it begins; -1 where there are no pixels to read
-    bool Partly = false;    ///< some of it is not opaque
+    int First = -1;         ///< its first texel; -1 if there are no readable pixels
+    bool Partly = false;    ///< whether some pixels are not opaque
     glm::vec3 Mean{ 1.0f }; ///< linear
   };
 
-  /// A texture's picture, brought up to date. Throws std::runtime_error where it does not fit.
+  /// Bring a texture's image up to date and return it. Throws std::runtime_error if it does not fit.
   const Picture& Use(vtkTexture* texture);
 
-  /// Forget the pictures that were not used since the last call.
+  /// Delete the images that were not used since the last call.
   void Sweep();
   bool IsEmpty() const { return this->Entries.empty(); }
   void AddTo(Arguments& arguments) const;
@@ -42,12 +42,12 @@ public:
 private:
   struct Entry
   {
-    Picture Shown;
+    Picture Image;
     std::size_t Texels = 0;
     vtkMTimeType Time = 0;
     bool Used = false;
   };
-  static void Measure(const TexturePixels& pixels, Picture& shown);
+  static void Measure(const TexturePixels& pixels, Picture& image);
   void Forget(Entry& entry);
 
   std::map<vtkTexture*, Entry> Entries;

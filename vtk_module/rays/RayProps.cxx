@@ -14,21 +14,23 @@ namespace penumbra
 {
 namespace
 {
-constexpr std::size_t MostEmitters = 4000000; // beyond, light finds them only by chance
+// Maximum number of emitting triangles in the table. Light from others is found only by random rays.
+constexpr std::size_t MaxEmitters = 4000000;
 
-/// What a part emits, roughly: how often its points are picked hangs on it, not what they emit.
+/// Approximate emission of a part. It determines only how often the part is sampled.
 double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
 {
   const int flags = surface.Where.z;
   const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0 ||
     glm::floatBitsToInt(surface.More.x) >= 0;
   const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-  const bool never = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
+  const bool notSampled = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
     (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
-  return never ? 0.0
-               : (colored && phong ? 0.5 * surface.Factors.y
-                                   : Luminance(surface.Emission.r * picture.r, surface.Emission.g * picture.g,
-                         surface.Emission.b * picture.b));
+  return notSampled
+    ? 0.0
+    : (colored && phong ? 0.5 * surface.Factors.y
+                        : Luminance(surface.Emission.r * picture.r, surface.Emission.g * picture.g,
+                            surface.Emission.b * picture.b));
 }
 }
 
@@ -36,15 +38,15 @@ void RayProps::Update(vtkRenderer* renderer)
 {
   std::vector<vtkProp*> left;
   const std::vector<RayPart> parts = GatherRayParts(renderer, left, this->Cache);
-  this->Left = left.size();
-  this->Seen.clear();
+  this->LeftOutCount = left.size();
+  this->TracedProps.clear();
   for (const RayPart& part : parts)
   {
-    this->Seen.insert(part.Prop);
+    this->TracedProps.insert(part.Prop);
   }
   for (vtkProp* prop : left)
   {
-    this->Seen.erase(prop);
+    this->TracedProps.erase(prop);
   }
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
@@ -61,7 +63,7 @@ void RayProps::Update(vtkRenderer* renderer)
 
   std::vector<shared::RaySurface> surfaces;
   std::vector<std::int32_t> indices;
-  std::vector<glm::vec3> glows;
+  std::vector<glm::vec3> meanColors;
   this->Partly = false;
   this->Edges = false;
   for (const RayPart& part : parts)
@@ -75,7 +77,7 @@ void RayProps::Update(vtkRenderer* renderer)
       surfaces.push_back(part.Back);
     }
     const auto first = static_cast<std::size_t>(indices.back());
-    glows.push_back(this->UpdatePictures(part, &surfaces[first], surfaces.size() - first));
+    meanColors.push_back(this->UpdatePictures(part, &surfaces[first], surfaces.size() - first));
     for (std::size_t i = first; i < surfaces.size(); ++i)
     {
       surfaces[i].Where.x = static_cast<int>(block.FirstPrimitive);
@@ -96,10 +98,10 @@ void RayProps::Update(vtkRenderer* renderer)
   }
   this->UpdateClipping(parts, surfaces, indices);
   this->UpdatePlaces(parts, indices);
-  this->UpdateEmitters(parts, surfaces, indices, glows, changed);
+  this->UpdateEmitters(parts, surfaces, indices, meanColors, changed);
   if (surfaces.empty())
   {
-    surfaces.emplace_back(); // an empty buffer may not be bound
+    surfaces.emplace_back(); // an empty buffer cannot be bound
   }
   const bool same = surfaces.size() == this->Surfaces.size() &&
     std::memcmp(surfaces.data(), this->Surfaces.data(), surfaces.size() * sizeof(surfaces[0])) == 0;
@@ -173,7 +175,7 @@ void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
         this->Attributes.Free(block.FirstPrimitive, block.PrimitiveCount);
         this->Points.Free(block.FirstPoint, block.PointCount);
         block = Block();
-        // Allocating may throw: what is not there yet counts for nothing.
+        // Allocate() may throw. Counts stay zero until their block exists.
         const std::size_t primitives = attributes.Primitives.size();
         const std::size_t points = attributes.Points.size();
         block.FirstPrimitive = primitives ? this->Attributes.Allocate(primitives) : 0;
@@ -206,26 +208,26 @@ void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)
 glm::vec3 RayProps::UpdatePictures(
   const RayPart& part, shared::RaySurface* surfaces, std::size_t count)
 {
-  std::array<RayPictures::Picture, PictureSlots> shown;
-  for (std::size_t slot = 0; slot < shown.size(); ++slot)
+  std::array<RayPictures::Picture, PictureSlots> pictures;
+  for (std::size_t slot = 0; slot < pictures.size(); ++slot)
   {
     if (part.Pictures[slot])
     {
-      shown[slot] = this->Pictures.Use(part.Pictures[slot]);
+      pictures[slot] = this->Pictures.Use(part.Pictures[slot]);
     }
   }
   for (std::size_t i = 0; i < count; ++i)
   {
     shared::RaySurface& surface = surfaces[i];
-    surface.Pictures = glm::ivec4(shown[BasePicture].First, shown[MaterialPicture].First,
-      (surface.Where.z & GI_SURFACE_TANGENTS) ? shown[NormalPicture].First : -1,
-      shown[EmissionPicture].First);
-    surface.More.x = glm::intBitsToFloat(shown[ColorPicture].First);
+    surface.Pictures = glm::ivec4(pictures[BasePicture].First, pictures[MaterialPicture].First,
+      (surface.Where.z & GI_SURFACE_TANGENTS) ? pictures[NormalPicture].First : -1,
+      pictures[EmissionPicture].First);
+    surface.More.x = glm::intBitsToFloat(pictures[ColorPicture].First);
     surface.Where.z |=
-      shown[BasePicture].Partly || shown[ColorPicture].Partly ? GI_SURFACE_PARTLY : 0;
+      pictures[BasePicture].Partly || pictures[ColorPicture].Partly ? GI_SURFACE_PARTLY : 0;
   }
   const bool phong = (surfaces->Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-  return phong ? shown[BasePicture].Mean : shown[EmissionPicture].Mean;
+  return phong ? pictures[BasePicture].Mean : pictures[EmissionPicture].Mean;
 }
 
 void RayProps::UpdateClipping(const std::vector<RayPart>& parts,
@@ -238,8 +240,8 @@ void RayProps::UpdateClipping(const std::vector<RayPart>& parts,
       static_cast<int>(planes.size()), static_cast<int>(parts[i].Clip.size()), 0, 0);
     for (const glm::dvec4& plane : parts[i].Clip)
     {
-      const double there = glm::dot(glm::dvec3(plane), this->Scene.Origin()) + plane.w;
-      planes.emplace_back(glm::vec3(plane), static_cast<float>(there));
+      const double distance = glm::dot(glm::dvec3(plane), this->Scene.Origin()) + plane.w;
+      planes.emplace_back(glm::vec3(plane), static_cast<float>(distance));
     }
     surfaces[indices[i]].Clip = clip;
     if (parts[i].HasBack)
@@ -287,53 +289,54 @@ void RayProps::UpdatePlaces(
 
 void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
   std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices,
-  const std::vector<glm::vec3>& glows, bool changed)
+  const std::vector<glm::vec3>& meanColors, bool changed)
 {
-  std::vector<Shining> shine;
+  std::vector<EmittingPart> emittingParts;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     shared::RaySurface& surface = surfaces[indices[i]];
-    const double strength = Strength(surface, glows[i]);
+    const double strength = Strength(surface, meanColors[i]);
     surface.Emission.w = 0.0f;
-    // The back of a two-coloured surface would need a density of its own.
+    // A surface with a different back material would need a second density.
     if (strength > 0.0 && !parts[i].HasBack)
     {
-      shine.push_back({ i, strength, 0.0f });
+      emittingParts.push_back({ i, strength, 0.0f });
     }
   }
-  for (std::size_t i = 0; i < shine.size() && !changed; ++i)
+  for (std::size_t i = 0; i < emittingParts.size() && !changed; ++i)
   {
-    changed = i >= this->Shine.size() || shine[i].Part != this->Shine[i].Part ||
-      shine[i].Strength != this->Shine[i].Strength;
+    changed = i >= this->EmittingParts.size() ||
+      emittingParts[i].Part != this->EmittingParts[i].Part ||
+      emittingParts[i].Strength != this->EmittingParts[i].Strength;
   }
-  if (changed || !this->EmittersMade || shine.size() != this->Shine.size())
+  if (changed || !this->EmittersBuilt || emittingParts.size() != this->EmittingParts.size())
   {
-    this->EmittersMade = true;
-    this->Shine = std::move(shine);
-    this->MakeEmitters(parts, indices);
+    this->EmittersBuilt = true;
+    this->EmittingParts = std::move(emittingParts);
+    this->BuildEmitters(parts, indices);
   }
-  for (const Shining& part : this->Shine)
+  for (const EmittingPart& part : this->EmittingParts)
   {
     surfaces[indices[part.Part]].Emission.w = part.Density;
   }
 }
 
-void RayProps::MakeEmitters(
+void RayProps::BuildEmitters(
   const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices)
 {
   std::vector<shared::RayEmitter> table;
   std::vector<double> sums;
   double total = 0.0;
-  for (Shining& part : this->Shine)
+  for (EmittingPart& part : this->EmittingParts)
   {
     const RayPart& source = parts[part.Part];
     const RayGeometry geometry = source.MakeGeometry();
-    const std::vector<RayPlace> once(1);
-    const std::vector<RayPlace>& places = source.Places ? *source.Places : once;
+    const std::vector<RayPlace> single(1);
+    const std::vector<RayPlace>& places = source.Places ? *source.Places : single;
     part.Density = 0.0f;
-    // Points are picked on triangles only.
+    // Only triangles can be sampled.
     if (geometry.Triangles.size() != geometry.Size() ||
-      table.size() + places.size() * geometry.Triangles.size() > MostEmitters)
+      table.size() + places.size() * geometry.Triangles.size() > MaxEmitters)
     {
       continue;
     }
@@ -370,7 +373,7 @@ void RayProps::MakeEmitters(
       }
     }
   }
-  for (Shining& part : this->Shine)
+  for (EmittingPart& part : this->EmittingParts)
   {
     part.Density = total > 0.0 ? static_cast<float>(part.Density * part.Strength / total) : 0.0f;
   }
@@ -455,8 +458,8 @@ void RayProps::ReleaseGraphicsResources()
   this->Blocks.clear();
   this->Places.clear();
   this->Surfaces.clear();
-  this->Shine.clear();
-  this->EmittersMade = false;
+  this->EmittingParts.clear();
+  this->EmittersBuilt = false;
   this->Planes.clear();
 }
 }

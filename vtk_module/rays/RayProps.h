@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a renderer shows, ready for rays: its parts in a RayScene, and the materials, attributes and
- * emitters that a shader looks up where a ray ends (rays/surface.glsl).
+ * A renderer's props prepared for ray tracing: their parts in a RayScene, and the materials, attributes and
+ * emitters that a shader looks up at a hit (rays/surface.glsl).
  */
 #pragma once
 
@@ -21,23 +21,23 @@ namespace penumbra
 class RayProps
 {
 public:
-  /// Bring everything up to date with the renderer's visible props; costs what changed. Throws
-  /// std::runtime_error where the scene does not fit into memory. The context must be current.
+  /// Bring everything up to date with the renderer's visible props. Only changes cost time. Throws
+  /// std::runtime_error if the scene does not fit into memory. The context must be current.
   void Update(vtkRenderer* renderer);
 
-  /// For shaders that include rays/surface.glsl, and rays/sky.glsl; with emitterCount.
+  /// Arguments of shaders that include rays/surface.glsl and rays/sky.glsl, with emitterCount.
   Arguments ShaderArguments() const;
   Defines ShaderDefines() const;
 
-  /// The surroundings' means for so many rays that are spread evenly over all directions.
+  /// Arguments with mean radiances of the environment, for a number of rays distributed evenly over all directions.
   Arguments SkyCells(int rays);
 
   const glm::dvec3& Origin() const { return this->Scene.Origin(); }
   std::size_t EmitterCount() const { return this->Emitters; }
-  bool Contains(vtkProp* prop) const { return this->Seen.count(prop) > 0; }
-  /// Visible props with surfaces that rays do not see.
-  std::size_t LeftOut() const { return this->Left; }
-  /// Surfaces of which some points have no normal that could be used.
+  bool Contains(vtkProp* prop) const { return this->TracedProps.count(prop) > 0; }
+  /// Number of visible props with surfaces that rays do not see.
+  std::size_t LeftOut() const { return this->LeftOutCount; }
+  /// Number of surfaces with points that have no usable normal.
   std::size_t WithoutNormals() const { return this->LackNormals; }
   std::size_t Bytes() const { return this->Scene.Bytes(); }
   std::size_t Triangles() const { return this->Primitives; }
@@ -70,14 +70,15 @@ private:
 
   bool UpdateMeshes(const std::vector<RayPart>& parts);
   void UpdateAttributes(const std::vector<RayPart>& parts);
-  /// The part's surfaces get their pictures, and what they emit on the average is returned.
+  /// Set the images of a part's surfaces. Returns the mean colour of the image that scales their emission.
   glm::vec3 UpdatePictures(const RayPart& part, shared::RaySurface* surfaces, std::size_t count);
   void UpdateClipping(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
     const std::vector<std::int32_t>& indices);
   void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
   void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
-    const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& glows, bool changed);
-  void MakeEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
+    const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& meanColors,
+    bool changed);
+  void BuildEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
   GatherCache Cache;
   RayScene Scene;
@@ -91,22 +92,22 @@ private:
   std::map<std::uint64_t, Block> Blocks;
   std::vector<Place> Places;
   std::vector<shared::RaySurface> Surfaces;
-  std::vector<glm::vec4> Planes; ///< that clip, among the points from FirstPlane on
+  std::vector<glm::vec4> Planes; ///< clipping planes, stored among the points from FirstPlane on
   std::size_t FirstPlane = 0;
-  std::set<vtkProp*> Seen;
+  std::set<vtkProp*> TracedProps;
   std::size_t LackNormals = 0;
-  std::size_t Left = 0;
+  std::size_t LeftOutCount = 0;
   std::size_t Primitives = 0;
   std::size_t Emitters = 0;
-  /// Surfaces that emit, with their strength and their chance per area in the last table.
-  struct Shining
+  /// A part that emits light, with its strength and its sampling density per area.
+  struct EmittingPart
   {
     std::size_t Part;
     double Strength;
     float Density;
   };
-  std::vector<Shining> Shine;
-  bool EmittersMade = false;
+  std::vector<EmittingPart> EmittingParts;
+  bool EmittersBuilt = false;
   bool Partly = false;
   bool Edges = false;
 };

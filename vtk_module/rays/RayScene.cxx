@@ -10,9 +10,9 @@
 
 namespace penumbra
 {
-struct RayScene::Placed
+struct RayScene::MeshEntry
 {
-  explicit Placed(const RayGeometry& geometry)
+  explicit MeshEntry(const RayGeometry& geometry)
     : Mesh(geometry)
   {
   }
@@ -33,16 +33,16 @@ struct RayScene::Instance
   Key Mesh = 0;
   glm::dmat4 MeshToWorld{ 1.0 };
   std::int32_t User = 0;
-  RayScene::Places At; ///< null for the one place that MeshToWorld is
+  RayScene::Places At; ///< null for a single instance at MeshToWorld
 
   std::size_t Count() const { return this->At ? this->At->size() : 1; }
 };
 
-/// An instance's records in the arrays that the top level is made of.
-struct RayScene::Placing
+/// Range of an entry's instances in the arrays from which the top level is built.
+struct RayScene::InstanceRange
 {
-  const Instance* What;
-  const Placed* Mesh;
+  const Instance* Entry;
+  const MeshEntry* Mesh;
   std::size_t First;
   RayBounds* Bounds;
   shared::RayInstance* Records;
@@ -59,8 +59,8 @@ RayScene::~RayScene() = default;
 
 void RayScene::SetMesh(Key mesh, const RayGeometry& geometry)
 {
-  auto placed = std::make_unique<Placed>(geometry);
-  std::unique_ptr<Placed>& slot = this->Meshes[mesh];
+  auto placed = std::make_unique<MeshEntry>(geometry);
+  std::unique_ptr<MeshEntry>& slot = this->Meshes[mesh];
   if (slot)
   {
     this->Free(*slot);
@@ -100,13 +100,13 @@ void RayScene::SetInstance(Key instance, Key mesh, const glm::dmat4& meshToWorld
 void RayScene::SetInstances(
   Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user, const Places& places)
 {
-  this->All[instance] = { mesh, meshToWorld, user, places };
+  this->InstancesByKey[instance] = { mesh, meshToWorld, user, places };
   this->TopChanged = true;
 }
 
 void RayScene::RemoveInstance(Key instance)
 {
-  this->TopChanged |= this->All.erase(instance) > 0;
+  this->TopChanged |= this->InstancesByKey.erase(instance) > 0;
 }
 
 void RayScene::Clear()
@@ -116,7 +116,7 @@ void RayScene::Clear()
     this->Free(*mesh.second);
   }
   this->Meshes.clear();
-  this->All.clear();
+  this->InstancesByKey.clear();
   this->TopChanged = true;
 }
 
@@ -126,14 +126,14 @@ void RayScene::SetOrigin(const glm::dvec3& origin)
   this->Center = origin;
 }
 
-void RayScene::Free(Placed& mesh)
+void RayScene::Free(MeshEntry& mesh)
 {
   this->Nodes.Free(mesh.FirstNode, mesh.NodeCount);
   this->Primitives.Free(mesh.FirstRecord, mesh.RecordCount);
   mesh.NodeCount = mesh.RecordCount = 0;
 }
 
-void RayScene::Upload(Placed& mesh)
+void RayScene::Upload(MeshEntry& mesh)
 {
   const RayTree& tree = mesh.Mesh.Tree();
   if (tree.Nodes.size() != mesh.NodeCount || tree.Order.size() != mesh.RecordCount)
@@ -144,8 +144,7 @@ void RayScene::Upload(Placed& mesh)
     mesh.FirstRecord = tree.Order.empty() ? 0 : this->Primitives.Allocate(tree.Order.size());
     mesh.RecordCount = tree.Order.size();
   }
-  // In parts: references are moved to where the mesh lies in the buffers without a second copy of
-  // it.
+  // Offset references in blocks, so that no second copy of the whole mesh is needed.
   constexpr std::size_t part = 65536;
   std::vector<shared::RayNode> moved;
   const auto nodes = static_cast<std::int32_t>(mesh.FirstNode);
@@ -184,8 +183,8 @@ void RayScene::Update()
 
 namespace
 {
-/// The bounds of a transformed box, relative to an origin, rounded outwards.
-RayBounds Placement(const RayBounds& box, const glm::dmat4& meshToScene)
+/// Bounds of a transformed box, rounded outwards.
+RayBounds TransformedBounds(const RayBounds& box, const glm::dmat4& meshToScene)
 {
   glm::dvec3 lower(HUGE_VAL);
   glm::dvec3 upper(-HUGE_VAL);
@@ -198,12 +197,12 @@ RayBounds Placement(const RayBounds& box, const glm::dmat4& meshToScene)
     upper = glm::max(upper, there);
   }
   RayBounds bounds{ glm::vec3(lower), glm::vec3(upper) };
-  // What the shader computes in floats across the box may differ by some units in the last place.
+  // The shader's float arithmetic across the box may differ by some units in the last place.
   const bool finite = bounds.LargestCoordinate() < RayCoordinateLimit;
   return finite ? bounds.Grown(std::ldexp(bounds.LargestCoordinate(), -21)) : RayBounds();
 }
 
-// The way back from the scene into a mesh, as rays go it; false where there is none in floats.
+// Computes the transformation of rays from the scene to a mesh. Returns false if it has no inverse in floats.
 bool Invert(const glm::dmat4& meshToScene, shared::RayInstance& record)
 {
   const glm::dmat4 rows = glm::transpose(glm::inverse(meshToScene));
@@ -219,9 +218,9 @@ bool Invert(const glm::dmat4& meshToScene, shared::RayInstance& record)
   return finite;
 }
 
-// What is scaled to nothing along one axis is drawn as a flat thing, though there is no way back from it:
-// give it a thickness of a millionth of its width. What is left of two axes or three has no surface.
-glm::dmat4 Thickened(const glm::dmat4& meshToScene, const RayBounds& box)
+// VTK draws a mesh that is scaled to zero along one axis as a flat object, but its matrix has no inverse. Give the mesh
+// a thickness of a millionth of its width. A mesh that is scaled to zero along two or three axes has no surface.
+glm::dmat4 WithThickness(const glm::dmat4& meshToScene, const RayBounds& box)
 {
   const glm::dvec3 size(box.Upper - box.Lower);
   const double least = 1e-6 * std::max({ size.x, size.y, size.z });
@@ -230,7 +229,7 @@ glm::dmat4 Thickened(const glm::dmat4& meshToScene, const RayBounds& box)
   {
     m[axis] *= std::max(size[axis], least);
   }
-  // Of a matrix of rank two: across what is left of it, times what became of that.
+  // For a matrix of rank two: the direction across the remaining plane, times the vanished axis.
   const glm::dmat3 cofactors(
     glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   const auto norm = [](const glm::dmat3& a) {
@@ -246,7 +245,7 @@ glm::dmat4 Thickened(const glm::dmat4& meshToScene, const RayBounds& box)
 }
 }
 
-std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t end) const
+std::size_t RayScene::Place(const InstanceRange& group, std::size_t begin, std::size_t end) const
 {
   const RayMesh& shape = group.Mesh->Mesh;
   const RayBounds margin = shape.Tree().Bounds.Grown(RayTree::Margin(shape.Tree().Bounds));
@@ -254,12 +253,12 @@ std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t
   for (std::size_t i = begin; i < end; ++i)
   {
     const std::size_t index = group.First + i;
-    glm::dmat4 meshToScene = group.What->MeshToWorld;
+    glm::dmat4 meshToScene = group.Entry->MeshToWorld;
     shared::RayInstance& record = group.Records[index];
     record.Color = 0xffffffffu;
-    if (group.What->At)
+    if (group.Entry->At)
     {
-      const RayPlace& place = (*group.What->At)[i];
+      const RayPlace& place = (*group.Entry->At)[i];
       glm::dmat4 there{ glm::dmat3(place.Turn) };
       there[3] = glm::dvec4(place.At, 1.0);
       meshToScene = meshToScene * there;
@@ -270,10 +269,10 @@ std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t
     bool usable = Invert(meshToScene, record);
     if (!usable)
     {
-      meshToScene = Thickened(meshToScene, shape.Tree().Bounds);
+      meshToScene = WithThickness(meshToScene, shape.Tree().Bounds);
       usable = Invert(meshToScene, record);
     }
-    group.Bounds[index] = Placement(margin, meshToScene);
+    group.Bounds[index] = TransformedBounds(margin, meshToScene);
     if (!usable || group.Bounds[index].IsEmpty())
     {
       group.Bounds[index] = RayBounds();
@@ -281,7 +280,7 @@ std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t
     }
     record.Root = group.Mesh->Root();
     record.Instance = static_cast<std::int32_t>(index);
-    record.User = group.What->User;
+    record.User = group.Entry->User;
   }
   return unplaced;
 }
@@ -289,7 +288,7 @@ std::size_t RayScene::Place(const Placing& group, std::size_t begin, std::size_t
 void RayScene::UpdateTop()
 {
   std::size_t count = 0;
-  for (const auto& item : this->All)
+  for (const auto& item : this->InstancesByKey)
   {
     count += item.second.Count();
   }
@@ -297,20 +296,20 @@ void RayScene::UpdateTop()
   std::vector<shared::RayInstance> records(count);
   this->Names.clear();
   std::atomic<std::size_t> unplaced{ 0 };
-  for (const auto& item : this->All)
+  for (const auto& item : this->InstancesByKey)
   {
     const std::size_t first = this->Names.size();
     this->Names.resize(first + item.second.Count(), item.first);
     const auto mesh = this->Meshes.find(item.second.Mesh);
     if (mesh != this->Meshes.end() && mesh->second->Mesh.Tree().Root != GI_RAY_DONE)
     {
-      const Placing group = { &item.second, mesh->second.get(), first, bounds.data(),
+      const InstanceRange group = { &item.second, mesh->second.get(), first, bounds.data(),
         records.data() };
       ParallelFor(item.second.Count(),
         [&](std::size_t begin, std::size_t end) { unplaced += this->Place(group, begin, end); });
     }
   }
-  this->Unplaced = unplaced;
+  this->DroppedInstanceCount = unplaced;
 
   RayTree top;
   top.Build(bounds, 1, GI_RAY_TOP_DEPTH);
@@ -339,7 +338,7 @@ void RayScene::UpdateTop()
   {
     this->Instances.Free(0, this->InstancesCount);
     this->InstancesCount = 0;
-    this->Instances.Allocate(ordered.size()); // the only block: it starts at 0
+    this->Instances.Allocate(ordered.size()); // the only block, so it starts at 0
     this->InstancesCount = ordered.size();
   }
   this->Instances.Write(0, ordered.data(), ordered.size());

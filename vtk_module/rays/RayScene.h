@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What rays are traced against: meshes with a tree each, and instances of them under a tree of
- * their own. A change costs what changed: a mesh its own tree, an instance the top level only.
+ * The acceleration structure for rays: meshes with a tree each, and instances of them in a top-level tree.
+ * A changed mesh rebuilds its own tree and the top level, a changed instance only the top level.
  *
- * The caller names meshes and instances by numbers of its own (an address, an index). Coordinates
- * are doubles here and floats relative to SetOrigin() in the shader.
+ * The caller identifies meshes and instances by its own numbers (an address, an index). Coordinates
+ * are doubles here, and floats relative to SetOrigin() in the shader.
  */
 #pragma once
 
@@ -27,66 +27,66 @@ public:
   RayScene();
   ~RayScene();
 
-  /// Give a mesh, new or in place of the one of this name.
+  /// Add a mesh, or replace the one with this key.
   void SetMesh(Key mesh, const RayGeometry& geometry);
-  /// The mesh's points moved. Builds it anew where it has other primitives or is not there yet.
+  /// Update a mesh whose points moved. Rebuilds it if it has other primitives or does not exist yet.
   void RefitMesh(Key mesh, const RayGeometry& geometry);
   void RemoveMesh(Key mesh);
   bool HasMesh(Key mesh) const { return this->Meshes.count(mesh) > 0; }
 
-  /// Place a mesh in the world, or move what was placed under this name. Hits report `user`.
+  /// Add an instance of a mesh, or replace the one with this key. Hits report `user`.
   void SetInstance(Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user = 0);
-  /// Place a mesh many times under one name, at places before meshToWorld. The places are kept, not
-  /// copied: for others, give another vector.
+  /// Add many instances of a mesh under one key. Their places apply before meshToWorld. The vector of places is
+  /// shared, not copied, and must not be modified.
   using Places = std::shared_ptr<const std::vector<RayPlace>>;
   void SetInstances(
     Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user, const Places& places);
   void RemoveInstance(Key instance);
   void Clear();
 
-  /// What the shader's coordinates are relative to: near the camera. Costs the top level.
+  /// Set the origin of the shader's coordinates, near the camera. A change rebuilds the top level.
   void SetOrigin(const glm::dvec3& origin);
   const glm::dvec3& Origin() const { return this->Center; }
 
-  /// Bring the context's buffers up to date with all of the above. Throws std::runtime_error where
-  /// the scene does not fit, naming the sizes.
+  /// Bring the context's buffers up to date with all changes. Throws std::runtime_error, naming the sizes, if
+  /// the scene does not fit.
   void Update();
-  /// For shaders that include rays/trace.glsl.
+  /// Arguments of shaders that include rays/trace.glsl.
   Arguments ShaderArguments() const;
-  /// The variant of those shaders that this scene needs.
+  /// Variant of those shaders for this scene.
   Defines ShaderDefines() const;
 
-  /// The name of the instance that hits report as `index`; valid until the next Update().
+  /// Key of the instance that hits report as `index`; valid until the next Update().
   Key InstanceAt(std::int32_t index) const { return this->Names[index]; }
   std::size_t DroppedPrimitives() const;
-  /// Instances left out: of no surface, or not finite.
-  std::size_t DroppedInstances() const { return this->Unplaced; }
+  /// Number of instances that are left out, as they have no surface or are not finite.
+  std::size_t DroppedInstances() const { return this->DroppedInstanceCount; }
   std::size_t Bytes() const;
 
-  /// Free what the context holds, and the meshes with it: their records are there only, so their
-  /// owner gives them again. Instances stay. The context must be current.
+  /// Free the context's objects and the meshes, whose records exist only there: their
+  /// owner must set them again. Instances stay. The context must be current.
   void ReleaseGraphicsResources();
 
 private:
-  struct Placed;
+  struct MeshEntry;
   struct Instance;
-  struct Placing;
+  struct InstanceRange;
 
-  void Free(Placed& mesh);
-  void Upload(Placed& mesh);
+  void Free(MeshEntry& mesh);
+  void Upload(MeshEntry& mesh);
   void UpdateTop();
-  std::size_t Place(const Placing& group, std::size_t begin, std::size_t end) const;
+  std::size_t Place(const InstanceRange& group, std::size_t begin, std::size_t end) const;
 
   RayBuffer Nodes;
   RayBuffer Primitives;
   RayBuffer Instances;
-  std::map<Key, std::unique_ptr<Placed>> Meshes;
-  std::map<Key, Instance> All;
+  std::map<Key, std::unique_ptr<MeshEntry>> Meshes;
+  std::map<Key, Instance> InstancesByKey;
   std::vector<Key> Names;
   glm::dvec3 Center{ 0.0 };
   std::size_t TopFirst = 0, TopCount = 0;
   std::size_t InstancesCount = 0;
-  std::size_t Unplaced = 0;
+  std::size_t DroppedInstanceCount = 0;
   bool TopChanged = true;
 };
 }

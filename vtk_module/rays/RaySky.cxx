@@ -22,18 +22,18 @@ namespace penumbra
 {
 namespace
 {
-// Finer tables cost memory and find hardly more.
-constexpr int MostColumns = 1024;
-constexpr int MostRows = 512;
-// Cells of equal solid angles are kept in so many rows and columns; a power of two.
+// Finer tables cost memory and hardly improve the sampling.
+constexpr int MaxColumns = 1024;
+constexpr int MaxRows = 512;
+// Number of rows and of columns of the cells of equal solid angle; a power of two.
 constexpr int FineCells = 128;
 }
 
 std::vector<float> MakeSkyTable(
   const std::vector<glm::vec4>& pixels, int width, int height, int columns, int rows)
 {
-  // What a cell sends is the sum of its pixels, by their share of the sphere; pixels as filtering
-  // blends them with their neighbours, or the rim of a sun would be found too seldom.
+  // The weight of a cell is the sum of its pixels times their solid angles. Pixels are blended with their neighbours as
+  // by texture filtering; otherwise the rim of a sun would be sampled too rarely.
   std::vector<double> cells(static_cast<std::size_t>(columns) * rows, 0.0);
   double total = 0.0;
   for (int y = 0; y < height; ++y)
@@ -42,30 +42,31 @@ std::vector<float> MakeSkyTable(
     const auto row = static_cast<std::size_t>(static_cast<long long>(y) * rows / height);
     for (int x = 0; x < width; ++x)
     {
-      double sent = 0.0;
+      double radiance = 0.0;
       for (int i = 0; i < 9; ++i)
       {
         const int across = (x + i % 3 - 1 + width) % width;
         const int along = std::clamp(y + i / 3 - 1, 0, height - 1);
         const double weight = (2 - std::abs(i % 3 - 1)) * (2 - std::abs(i / 3 - 1)) / 16.0;
         const glm::vec4& p = pixels[static_cast<std::size_t>(along) * width + across];
-        sent += weight * share * Luminance(p.r, p.g, p.b);
+        radiance += weight * share * Luminance(p.r, p.g, p.b);
       }
       cells[row * columns +
-        static_cast<std::size_t>(static_cast<long long>(x) * columns / width)] += sent;
-      total += sent;
+        static_cast<std::size_t>(static_cast<long long>(x) * columns / width)] += radiance;
+      total += radiance;
     }
   }
-  // No direction may have no chance: float sums round what is faint to nothing.
-  constexpr double even = 0.1;
+  // No direction may have zero probability, but float sums round small contributions to nothing.
+  constexpr double uniformShare = 0.1;
   for (int row = 0; row < rows; ++row)
   {
-    const double band = std::sin(((row + 1.0) / rows - 0.5) * glm::pi<double>()) -
+    const double bandArea = std::sin(((row + 1.0) / rows - 0.5) * glm::pi<double>()) -
       std::sin((static_cast<double>(row) / rows - 0.5) * glm::pi<double>());
     for (int column = 0; column < columns; ++column)
     {
       double& cell = cells[static_cast<std::size_t>(row) * columns + column];
-      cell = even * 0.5 * band / columns + (total > 0.0 ? (1.0 - even) * cell / total : 0.0);
+      cell = uniformShare * 0.5 * bandArea / columns +
+        (total > 0.0 ? (1.0 - uniformShare) * cell / total : 0.0);
     }
   }
   const auto stride = static_cast<std::size_t>(std::max(columns, rows)) + 1;
@@ -97,7 +98,7 @@ EqualCells EqualCells::Of(
 {
   EqualCells cells{ columns, rows, {} };
   cells.Values.assign(static_cast<std::size_t>(columns) * rows, glm::vec4(0.0f));
-  // Pixels larger than cells are taken in parts. Near the poles many rows of them fall into one of cells.
+  // Subdivide pixels that are larger than cells. Near the poles many rows of pixels fall into one row of cells.
   const int across = (4 * columns + width - 1) / width;
   const int along = (4 * rows + height - 1) / height;
   const int steps = along * height;
@@ -187,8 +188,8 @@ void RaySky::Update(vtkRenderer* renderer)
       GL_FLOAT, (layer == 0 ? sky.Matte : sky.Gloss).data());
   }
   glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  const int columns = std::min(sky.Width, MostColumns);
-  const int rows = std::min(sky.Height, MostRows);
+  const int columns = std::min(sky.Width, MaxColumns);
+  const int rows = std::min(sky.Height, MaxRows);
   const std::vector<float> table = MakeSkyTable(sky.Matte, sky.Width, sky.Height, columns, rows);
   this->Fine = EqualCells::Of(sky.Matte, sky.Width, sky.Height, FineCells, FineCells);
   const int stride = std::max(columns, rows) + 1;
@@ -211,7 +212,8 @@ void RaySky::AddCells(Arguments& arguments, int rays)
 {
   if (!this->Means || this->MeansRays != rays)
   {
-    // One to a ray, which filtering spreads over four: fewer blur the light, more let rays miss some of it.
+    // One cell per ray, which filtering spreads over four. With fewer cells light is blurred; with more, rays miss some
+    // of it.
     int rows = 2;
     int columns = 2;
     while (columns * rows < rays && rows < FineCells)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The light that a renderer's environment texture sends from all directions, and a table to pick
- * directions from in proportion to it (rays/sky.glsl).
+ * Radiance of a renderer's environment texture, and a table for importance sampling of its directions
+ * (rays/sky.glsl).
  */
 #pragma once
 
@@ -22,36 +22,36 @@ class vtkTexture;
 
 namespace penumbra
 {
-/// Means over cells of equal solid angles: even in longitude, and in the sine of latitude from the lowest row on.
+/// Means over cells of equal solid angle: a regular grid over longitude and the sine of latitude, lowest row first.
 struct EqualCells
 {
   int Columns = 0;
   int Rows = 0;
   std::vector<glm::vec4> Values;
 
-  /// Of a picture over longitude and latitude.
+  /// Means of an equirectangular image.
   static EqualCells Of(
     const std::vector<glm::vec4>& pixels, int width, int height, int columns, int rows);
-  /// Of these, for a multiple of both numbers.
+  /// Means over larger cells. Both numbers of cells must divide the current ones.
   EqualCells Coarser(int columns, int rows) const;
 };
 
 class RaySky
 {
 public:
-  /// Follow the renderer: its texture where it lights with images, else no light at all.
+  /// Update from the renderer: its texture if it uses image-based lighting, else no light.
   void Update(vtkRenderer* renderer);
   bool Shines() const { return this->Radiance != nullptr; }
 
   void AddTo(Arguments& arguments) const;
-  /// What each of so many rays that are spread evenly stands for.
+  /// Add mean radiances over the solid angles of a number of evenly distributed rays.
   void AddCells(Arguments& arguments, int rays);
   void Release();
 
 private:
-  std::unique_ptr<Texture> Radiance; ///< layers: for matter; for highlights where that differs
+  std::unique_ptr<Texture> Radiance; ///< layers: diffuse; highlights, if different
   std::unique_ptr<Texture> Table;
-  std::unique_ptr<Texture> Means; ///< over cells, for so many rays
+  std::unique_ptr<Texture> Means; ///< means over cells, for MeansRays
   int MeansRays = 0;
   EqualCells Fine;
   glm::ivec2 Cells{ 0 };
@@ -61,10 +61,10 @@ private:
   SkyDecoding Decoding;
 };
 
-/// A table of chances for a picture of the whole sphere (longitude, latitude): a row of cumulative
-/// chances for each band of latitude, and one more for the bands. Each row begins with 0 and ends
-/// with 1; a tenth of all directions is picked evenly. Pharr, Jakob and Humphreys 2016, Physically
-/// Based Rendering, section 14.2.4. columns, rows: of the table's cells.
+/// Sampling table of an equirectangular image: a row of cumulative
+/// probabilities for each band of latitude, and another row for the bands. Each row begins with 0 and ends
+/// with 1. A tenth of all directions is sampled uniformly. Pharr, Jakob and Humphreys 2016, Physically
+/// Based Rendering, section 14.2.4. columns, rows: numbers of cells in the table.
 std::vector<float> MakeSkyTable(
   const std::vector<glm::vec4>& pixels, int width, int height, int columns, int rows);
 }

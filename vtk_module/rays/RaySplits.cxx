@@ -10,11 +10,11 @@ namespace penumbra
 {
 namespace
 {
-// How many times the area that a triangle shows along the axes its bounds have to show.
+// Ratio of the surface area of a triangle's bounds to its own projected area, from which on it is split.
 constexpr double LongestShape = 8.0;
-constexpr int MostPieces = 64;
-// Pieces cost memory and building: at most so many, or half as many as there are triangles.
-constexpr std::size_t FewPieces = 262144;
+constexpr int MaxPieces = 64;
+// Limit of pieces, which cost memory and build time: this number, or half the number of triangles if that is more.
+constexpr std::size_t MinPieceLimit = 262144;
 
 double HalfArea(const RayBounds& bounds)
 {
@@ -22,7 +22,7 @@ double HalfArea(const RayBounds& bounds)
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-/// What of a triangle lies in a piece: convex, each cut adds a corner at most.
+/// The part of a triangle in a piece. It is convex, so each cut adds at most one corner.
 struct Polygon
 {
   std::array<glm::dvec3, 12> Corners;
@@ -71,14 +71,14 @@ Polygon Cut(const Polygon& whole, int axis, double at, double side)
   return part;
 }
 
-/// pieces: how many to make, of equal length.
+/// Split a polygon into pieces of equal length along its longest axis.
 void Split(const Polygon& polygon, int pieces, std::vector<RayBounds>& out)
 {
   const RayBounds bounds = BoundsOf(polygon);
   const glm::vec3 size = bounds.Upper - bounds.Lower;
   // A polygon of more corners than this would not fit after two more cuts.
-  constexpr int roundest = 10;
-  if (pieces < 2 || polygon.Count > roundest)
+  constexpr int maxCorners = 10;
+  if (pieces < 2 || polygon.Count > maxCorners)
   {
     out.push_back(bounds);
     return;
@@ -97,13 +97,14 @@ void Split(const Polygon& polygon, int pieces, std::vector<RayBounds>& out)
   Split(high, pieces - first, out);
 }
 
-struct Long
+struct LongTriangle
 {
   std::uint32_t Triangle;
-  double Waste; ///< the area that its bounds show in vain
+  double Waste; ///< area of the bounds minus the triangle's own
 };
 
-std::vector<Long> FindLong(const RayGeometry& geometry, const std::vector<RayBounds>& bounds)
+std::vector<LongTriangle> FindLongTriangles(
+  const RayGeometry& geometry, const std::vector<RayBounds>& bounds)
 {
   RayBounds all;
   for (const RayBounds& item : bounds)
@@ -113,24 +114,24 @@ std::vector<Long> FindLong(const RayGeometry& geometry, const std::vector<RayBou
       all.Add(item);
     }
   }
-  std::vector<Long> found;
+  std::vector<LongTriangle> found;
   const std::size_t count = geometry.Triangles.size();
-  // As large as a triangle's share of the space they lie in: smaller ones overlap few others.
-  const double least =
+  // Bounds smaller than a triangle's share of the whole space overlap few others.
+  const double minimumArea =
     HalfArea(all) / std::pow(static_cast<double>(std::max<std::size_t>(count, 1)), 2.0 / 3.0);
   for (std::size_t i = 0; i < count; ++i)
   {
     const double area = bounds[i].IsEmpty() ? 0.0 : HalfArea(bounds[i]);
-    if (area > least)
+    if (area > minimumArea)
     {
       const glm::uvec3& corners = geometry.Triangles[i];
       const glm::dvec3 a(geometry.Points[corners.x]);
       const glm::dvec3 shown = glm::abs(glm::cross(
         glm::dvec3(geometry.Points[corners.y]) - a, glm::dvec3(geometry.Points[corners.z]) - a));
-      const double own = 0.5 * (shown.x + shown.y + shown.z);
-      if (area > LongestShape * own)
+      const double shownArea = 0.5 * (shown.x + shown.y + shown.z);
+      if (area > LongestShape * shownArea)
       {
-        found.push_back({ static_cast<std::uint32_t>(i), area - own });
+        found.push_back({ static_cast<std::uint32_t>(i), area - shownArea });
       }
     }
   }
@@ -142,22 +143,22 @@ std::vector<std::uint32_t> SplitLongTriangles(
   const RayGeometry& geometry, std::vector<RayBounds>& bounds)
 {
   std::vector<std::uint32_t> sources;
-  const std::vector<Long> found = FindLong(geometry, bounds);
+  const std::vector<LongTriangle> found = FindLongTriangles(geometry, bounds);
   if (found.empty())
   {
     return sources;
   }
-  // In pieces of a sliver's bounds the waste falls as their number grows: a triangle gets as many as
-  // the square root of what it wastes is of all of these.
+  // The waste of a sliver falls with the number of its pieces. The total waste is least if numbers of pieces are
+  // proportional to the square roots of the wastes.
   double total = 0.0;
-  for (const Long& triangle : found)
+  for (const LongTriangle& triangle : found)
   {
     total += std::sqrt(triangle.Waste);
   }
   const double budget =
-    static_cast<double>(std::max(FewPieces, geometry.Triangles.size() / 2) + found.size());
+    static_cast<double>(std::max(MinPieceLimit, geometry.Triangles.size() / 2) + found.size());
   std::vector<RayBounds> pieces;
-  for (const Long& triangle : found)
+  for (const LongTriangle& triangle : found)
   {
     const double share = budget * std::sqrt(triangle.Waste) / total;
     const glm::uvec3& corners = geometry.Triangles[triangle.Triangle];
@@ -167,7 +168,7 @@ std::vector<std::uint32_t> SplitLongTriangles(
       polygon.Add(glm::dvec3(geometry.Points[corners[i]]));
     }
     pieces.clear();
-    Split(polygon, std::min(MostPieces, static_cast<int>(share)), pieces);
+    Split(polygon, std::min(MaxPieces, static_cast<int>(share)), pieces);
     bounds[triangle.Triangle] = pieces.front();
     for (std::size_t i = 1; i < pieces.size(); ++i)
     {

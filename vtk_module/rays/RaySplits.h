@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Long thin triangles in pieces: askew, their bounds are nearly all empty, and overlap those of many
- * others. A piece has bounds of its own; what a ray meets stays the whole triangle (Ernst and Greiner
+ * Splits long thin triangles: if they are not aligned with an axis, their bounds are mostly empty and overlap those of
+ * many others. Each piece has its own bounds, but a ray still intersects the whole triangle (Ernst and Greiner
  * 2007, Early Split Clipping for Bounding Volume Hierarchies; Karras and Aila 2013, Fast Parallel
  * Construction of High-Quality Bounding Volume Hierarchies, section 5).
  */
@@ -15,9 +15,9 @@
 
 namespace penumbra
 {
-/// bounds: of the geometry's primitives; those of triangles in pieces become those of their first
-/// piece, and the other pieces' are appended. Returns for each appended one the triangle it is of;
-/// nothing where all triangles are of a good shape.
+/// Split the long triangles of a geometry. bounds: bounds of its primitives. Those of a split triangle are replaced by
+/// the bounds of its first piece; the bounds of the other pieces are appended. Returns the triangle of each appended
+/// piece, so nothing if no triangle is split.
 std::vector<std::uint32_t> SplitLongTriangles(
   const RayGeometry& geometry, std::vector<RayBounds>& bounds);
 }

@@ -26,7 +26,7 @@ float RayTree::Margin(const RayBounds& all)
 
 std::int32_t RayTree::Moved(std::int32_t reference, std::int32_t nodes, std::int32_t records)
 {
-  // ~(8 first + n) + 8 less: the arithmetic of two's complement needs no decoding.
+  // A leaf is ~(8 * first + n). In two's complement its first record can be offset without decoding it.
   return reference >= 0 ? reference + nodes : reference - (records << GI_RAY_LEAF_SHIFT);
 }
 
@@ -43,7 +43,7 @@ void SetBounds(shared::RayNode& node, int child, const RayBounds& bounds)
   (child == 0 ? node.Upper0 : node.Upper1) = bounds.Upper;
 }
 
-/// Writes a built tree out, depth first, so that a path lies close together in memory.
+/// Writes a built tree depth first, so that the nodes of a path are close together in memory.
 class Flattener
 {
 public:
@@ -55,7 +55,7 @@ public:
 
   void Write(const RayBuildNode* root)
   {
-    // Recursion would be as deep as the tree; a list of open places is not.
+    // An explicit stack, as recursion would be as deep as the tree.
     struct Place
     {
       const RayBuildNode* From;
@@ -144,7 +144,7 @@ void RayTree::Build(const std::vector<RayBounds>& items, int leafSize, int depth
   Flattener(*this, Margin(this->Bounds)).Write(built.Root());
   if (this->Depth > depthLimit)
   {
-    // Halves reach this only with more items than any level of the limits in ray_scene.h holds.
+    // Halving gets this deep only with more items than the limits in ray_scene.h allow.
     throw std::runtime_error("the scene is too large to trace rays against: a tree over " +
       std::to_string(count) + " items is deeper than the " + std::to_string(depthLimit) +
       " levels that the shaders can walk; show fewer instances.");
@@ -159,7 +159,7 @@ void RayTree::Refit(const std::vector<RayBounds>& items)
     this->Bounds.Add(items[item]);
   }
   const float margin = Margin(this->Bounds);
-  // Children come after their parents: from the back, each is ready when it is asked for.
+  // Children come after their parents, so go backwards.
   for (std::size_t i = this->Nodes.size(); i-- > 0;)
   {
     shared::RayNode& node = this->Nodes[i];

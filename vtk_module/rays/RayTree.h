@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A binary tree of bounds over anything that has bounds, built by Embree's builder and laid out for
+ * A binary tree over items with bounds, built by Embree's builder and laid out for
  * the shader.
  */
 #pragma once
@@ -31,35 +31,35 @@ struct RayBounds
     this->Upper = glm::max(this->Upper, other.Upper);
   }
   bool IsEmpty() const { return !(this->Lower.x <= this->Upper.x); }
-  /// The same, larger all round.
+  /// These bounds, extended on all sides.
   RayBounds Grown(float by) const { return { this->Lower - by, this->Upper + by }; }
   float LargestCoordinate() const;
 };
 
-/// Coordinates from here on are treated like infinities: Embree's own limit (FLT_LARGE).
+/// Larger coordinates are treated as infinite. This is Embree's own limit (FLT_LARGE).
 constexpr float RayCoordinateLimit = 1.8e18f;
 
 struct RayTree
 {
   /// Parents come before their children. Children and leaves count from 0 in this tree.
   std::vector<shared::RayNode> Nodes;
-  /// The items in the order of the leaves.
+  /// Indices of items in the order of the leaves.
   std::vector<std::uint32_t> Order;
-  std::int32_t Root = GI_RAY_DONE; ///< GI_RAY_DONE where there are no items
+  std::int32_t Root = GI_RAY_DONE; ///< GI_RAY_DONE if there are no items
   int Depth = 0;
   RayBounds Bounds;
 
-  /// Build over the items with non-empty bounds.
+  /// Build the tree over the items with non-empty bounds.
   void Build(const std::vector<RayBounds>& items, int leafSize, int depthLimit);
 
-  /// Give the nodes new bounds, keeping the tree's shape. items: in the order given to Build.
+  /// Update the bounds of nodes without changing the tree's structure. items: in the same order as for Build().
   void Refit(const std::vector<RayBounds>& items);
 
-  /// By how much bounds are larger than what they bound: a unit in the last place of the largest
-  /// coordinate, which also keeps a ray in a plane of bounds from being lost (rays/trace.glsl).
+  /// Margin by which bounds are extended: a unit in the last place of the largest
+  /// coordinate. It also ensures that a ray in a face of the bounds is not lost (rays/trace.glsl).
   static float Margin(const RayBounds& all);
 
-  /// A leaf's or node's reference moved by so many nodes and records.
+  /// Reference to a leaf or node, offset by numbers of nodes and records.
   static std::int32_t Moved(std::int32_t reference, std::int32_t nodes, std::int32_t records);
 };
 }

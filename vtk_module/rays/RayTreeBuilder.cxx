@@ -41,13 +41,13 @@ struct Storage
   std::deque<RayBuildLeaf> Leaves;
 };
 
-/// Halves of the items by their centres along the longest axis: as deep as the logarithm, always.
+/// Halves the items by their centres along the longest axis. The depth is always logarithmic.
 class Halver
 {
 public:
   Halver(const std::vector<RayBounds>& items, Storage& storage, int leafSize)
     : Items(items)
-    , Made(storage)
+    , Output(storage)
     , LeafSize(leafSize)
   {
   }
@@ -56,7 +56,7 @@ public:
   {
     if (end - begin <= this->LeafSize)
     {
-      RayBuildLeaf& leaf = this->Made.Leaves.emplace_back();
+      RayBuildLeaf& leaf = this->Output.Leaves.emplace_back();
       leaf.Count = static_cast<std::uint32_t>(end - begin);
       std::copy(begin, end, leaf.Items);
       return &leaf;
@@ -72,7 +72,7 @@ public:
     std::nth_element(begin, middle, end, [&](std::uint32_t a, std::uint32_t b) {
       return this->Center(a)[axis] < this->Center(b)[axis];
     });
-    RayBuildInner& node = this->Made.Inner.emplace_back(); // a deque moves nothing as it grows
+    RayBuildInner& node = this->Output.Inner.emplace_back(); // a deque does not move its elements
     node.Bounds[0] = this->BoundsOf(begin, middle);
     node.Bounds[1] = this->BoundsOf(middle, end);
     node.Children[0] = this->Build(begin, middle);
@@ -96,12 +96,12 @@ private:
   }
 
   const std::vector<RayBounds>& Items;
-  Storage& Made;
+  Storage& Output;
   std::ptrdiff_t LeafSize;
 };
 
 #ifdef PENUMBRA_EMBREE
-/// One device for the process: it owns the threads.
+/// One device for the process, as it owns threads.
 RTCDevice Device()
 {
   static const RTCDevice device = rtcNewDevice(nullptr);
@@ -115,7 +115,7 @@ void* CreateNode(RTCThreadLocalAllocator allocator, unsigned int, void*)
   return node;
 }
 
-/// Embree knows a node by the address of its base.
+/// Embree has the address of a node's base class.
 RayBuildInner* Inner(void* node)
 {
   return static_cast<RayBuildInner*>(static_cast<RayBuildNode*>(node));
@@ -172,7 +172,7 @@ struct RayTreeBuilder::Internals
     {
       return nullptr;
     }
-    // Not a vector: it would clear memory that is written at once, by one thread.
+    // Not a vector, which would first clear the memory in a single thread.
     const std::unique_ptr<RTCBuildPrimitive[]> primitives(new RTCBuildPrimitive[count]);
     std::vector<std::uint32_t> present;
     if (count < items.size())
@@ -195,9 +195,9 @@ struct RayTreeBuilder::Internals
     arguments.maxDepth = static_cast<unsigned int>(depthLimit);
     arguments.minLeafSize = 1;
     arguments.maxLeafSize = static_cast<unsigned int>(leafSize);
-    // Leaves of about four: built a third faster than leaves of one or two, traced as fast.
+    // Leaves of about four items build a third faster than leaves of one or two, and trace as fast.
     arguments.sahBlockSize = 4;
-    // A record costs three gathers where a node costs four.
+    // Reading a record costs three gathers, a node four.
     arguments.traversalCost = 1.0f;
     arguments.intersectionCost = 1.0f;
     arguments.bvh = this->Tree;
@@ -220,14 +220,14 @@ struct RayTreeBuilder::Internals
 
 RayTreeBuilder::RayTreeBuilder(
   const std::vector<RayBounds>& items, std::size_t count, int leafSize, int depthLimit)
-  : Owned(std::make_unique<Internals>())
+  : Impl(std::make_unique<Internals>())
 {
-  this->Top = this->Owned->Build(items, count, leafSize, depthLimit);
+  this->Top = this->Impl->Build(items, count, leafSize, depthLimit);
   this->Embree = this->Top != nullptr;
   if (!this->Top)
   {
     std::vector<std::uint32_t> order = Present(items, count);
-    Halver halver(items, this->Owned->Halves, leafSize);
+    Halver halver(items, this->Impl->Halves, leafSize);
     this->Top = halver.Build(order.data(), order.data() + order.size());
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Builds a tree with Embree (3 or 4). Where Embree gives up, because bounds that it cannot tell
- * apart would make the tree too deep, or was not there at build time, halves by position do.
+ * Builds a tree with Embree (3 or 4). If Embree fails, because bounds that it cannot distinguish
+ * would make the tree too deep, or if it was not found at build time, the items are halved by position.
  */
 #pragma once
 
@@ -16,7 +16,7 @@ namespace penumbra
 /// A node with two children or a leaf with up to GI_RAY_LEAF_SIZE items.
 struct RayBuildNode
 {
-  std::uint32_t Count = 0; ///< items of a leaf; 0 for a node with children
+  std::uint32_t Count = 0; ///< number of items of a leaf; 0 for a node with children
   bool IsLeaf() const { return this->Count > 0; }
 };
 struct RayBuildInner : RayBuildNode
@@ -32,7 +32,7 @@ struct RayBuildLeaf : RayBuildNode
 class RayTreeBuilder
 {
 public:
-  /// count: of the items whose bounds are not empty, at least 1.
+  /// count: number of items whose bounds are not empty, at least 1.
   RayTreeBuilder(
     const std::vector<RayBounds>& items, std::size_t count, int leafSize, int depthLimit);
   ~RayTreeBuilder();
@@ -40,12 +40,12 @@ public:
   RayTreeBuilder& operator=(const RayTreeBuilder&) = delete;
 
   const RayBuildNode* Root() const { return this->Top; }
-  /// Whether Embree built it.
+  /// Whether Embree built the tree.
   bool ByEmbree() const { return this->Embree; }
 
 private:
   struct Internals;
-  std::unique_ptr<Internals> Owned;
+  std::unique_ptr<Internals> Impl;
   const RayBuildNode* Top = nullptr;
   bool Embree = false;
 };

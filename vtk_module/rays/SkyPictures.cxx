@@ -19,23 +19,23 @@ namespace penumbra
 {
 namespace
 {
-// Finer pictures are averaged: two gigabytes of sky would light no differently.
-constexpr int MostWidth = 8192;
+// Larger images are reduced: two gigabytes of sky would not change the light.
+constexpr int MaxWidth = 8192;
 
-constexpr float ToLinear = 2.2f; // the power by which VTK's image-based light decodes
+constexpr float ToLinear = 2.2f; // decoding exponent of VTK's image-based lighting
 
-struct Sphere
+struct SphericalImage
 {
   int Width = 0;
   int Height = 0;
   std::vector<glm::vec4> Pixels;
 };
 
-// Each pixel decoded by a power before it is averaged with others.
-Sphere Unfold(const TexturePixels& pixels, float power)
+// Decodes each pixel by a power before averaging it with others.
+SphericalImage Unfold(const TexturePixels& pixels, float power)
 {
-  const int step = (std::max(pixels.Width, pixels.Height) + MostWidth - 1) / MostWidth;
-  Sphere sphere{ pixels.Width / std::max(1, step), pixels.Height / std::max(1, step), {} };
+  const int step = (std::max(pixels.Width, pixels.Height) + MaxWidth - 1) / MaxWidth;
+  SphericalImage sphere{ pixels.Width / std::max(1, step), pixels.Height / std::max(1, step), {} };
   sphere.Pixels.reserve(static_cast<std::size_t>(sphere.Width) * sphere.Height);
   for (int y = 0; y < sphere.Height; ++y)
   {
@@ -53,7 +53,7 @@ Sphere Unfold(const TexturePixels& pixels, float power)
   return sphere;
 }
 
-/// A cube map's value in a direction, by OpenGL's rules for its faces.
+/// Value of a cube map in a direction, by OpenGL's rules for its faces.
 glm::vec4 Lookup(const TexturePixels (&faces)[6], const glm::vec3& d)
 {
   const glm::vec3 size = glm::abs(d);
@@ -83,10 +83,10 @@ glm::vec4 Lookup(const TexturePixels (&faces)[6], const glm::vec3& d)
     std::clamp(static_cast<int>(place.y), 0, pixels.Height - 1));
 }
 
-Sphere Unfold(vtkTexture* cube, vtkRenderer* renderer, float power)
+SphericalImage Unfold(vtkTexture* cube, vtkRenderer* renderer, float power)
 {
   TexturePixels faces[6];
-  Sphere sphere;
+  SphericalImage sphere;
   for (int i = 0; i < 6; ++i)
   {
     faces[i] = ReadTexturePixels(cube, i);
@@ -95,11 +95,11 @@ Sphere Unfold(vtkTexture* cube, vtkRenderer* renderer, float power)
       return sphere;
     }
   }
-  // VTK turns the direction once more before it looks into a cube map.
+  // VTK rotates the direction again before it looks it up in a cube map.
   const glm::vec3 right(ToVec3(renderer->GetEnvironmentRight()));
   const glm::vec3 up(ToVec3(renderer->GetEnvironmentUp()));
   const glm::vec3 front = glm::cross(up, right);
-  sphere.Width = std::min(4 * faces[0].Width, MostWidth);
+  sphere.Width = std::min(4 * faces[0].Width, MaxWidth);
   sphere.Height = sphere.Width / 2;
   for (int y = 0; y < sphere.Height; ++y)
   {
@@ -111,23 +111,23 @@ Sphere Unfold(vtkTexture* cube, vtkRenderer* renderer, float power)
         ((x + 0.5f) / static_cast<float>(sphere.Width) - 0.5f) * glm::two_pi<float>();
       const glm::vec3 d(std::cos(latitude) * std::cos(longitude), std::sin(latitude),
         std::cos(latitude) * std::sin(longitude));
-      const glm::vec3 turned(glm::dot(d, right), glm::dot(d, up), glm::dot(d, front));
-      const glm::vec3 value(glm::max(Lookup(faces, turned), 0.0f));
+      const glm::vec3 rotated(glm::dot(d, right), glm::dot(d, up), glm::dot(d, front));
+      const glm::vec3 value(glm::max(Lookup(faces, rotated), 0.0f));
       sphere.Pixels.emplace_back(power == 1.0f ? value : glm::pow(value, glm::vec3(power)), 1.0f);
     }
   }
   return sphere;
 }
 
-// What vtkSphericalHarmonics takes the picture for: its own numbers, never a lookup table's colours.
-Sphere UnfoldPlain(vtkTexture* texture, const TexturePixels& drawn)
+// The image as vtkSphericalHarmonics reads it: its own numbers, never the colours of a lookup table.
+SphericalImage UnfoldPlain(vtkTexture* texture, const TexturePixels& texturePixels)
 {
-  TexturePixels plain = drawn.Mapped ? ReadPlainPixels(texture) : drawn;
+  TexturePixels plain = texturePixels.Mapped ? ReadPlainPixels(texture) : texturePixels;
   plain.Srgb = false;
   return Unfold(plain, plain.EightBits ? ToLinear : 1.0f);
 }
 
-// Spherical harmonics came with VTK 9.1.
+// VTK has spherical harmonics since 9.1.
 template <typename Renderer>
 auto UsesHarmonics(Renderer* renderer, int) -> decltype(renderer->GetUseSphericalHarmonics())
 {
@@ -143,14 +143,14 @@ bool UsesHarmonics(Renderer*, long)
 SkyDecoding SkyDecoding::Of(vtkRenderer* renderer)
 {
   SkyDecoding decoding;
-  auto* card = vtkOpenGLRenderer::SafeDownCast(renderer);
+  auto* glRenderer = vtkOpenGLRenderer::SafeDownCast(renderer);
   vtkTexture* texture = renderer->GetEnvironmentTexture();
-  if (card && texture)
+  if (glRenderer && texture)
   {
-    decoding.Harmonics = UsesHarmonics(card, 0) && !texture->GetCubeMap();
+    decoding.Harmonics = UsesHarmonics(glRenderer, 0) && !texture->GetCubeMap();
     decoding.MatteToLinear =
-      !decoding.Harmonics && card->GetEnvMapIrradiance()->GetConvertToLinear();
-    decoding.GlossToLinear = card->GetEnvMapPrefiltered()->GetConvertToLinear();
+      !decoding.Harmonics && glRenderer->GetEnvMapIrradiance()->GetConvertToLinear();
+    decoding.GlossToLinear = glRenderer->GetEnvMapPrefiltered()->GetConvertToLinear();
   }
   return decoding;
 }
@@ -161,28 +161,29 @@ SkyPictures SkyPictures::Of(vtkRenderer* renderer, const SkyDecoding& decoding)
   vtkTexture* texture = renderer->GetEnvironmentTexture();
   const float gloss = power(decoding.GlossToLinear);
   const float matte = power(decoding.MatteToLinear);
-  Sphere shiny;
-  Sphere even;
+  SphericalImage specular;
+  SphericalImage diffuse;
   bool differ = false;
   if (texture->GetCubeMap())
   {
     differ = gloss != matte;
-    even = Unfold(texture, renderer, matte);
-    shiny = differ ? Unfold(texture, renderer, gloss) : Sphere();
+    diffuse = Unfold(texture, renderer, matte);
+    specular = differ ? Unfold(texture, renderer, gloss) : SphericalImage();
   }
   else
   {
-    const TexturePixels drawn = ReadTexturePixels(texture);
-    const bool plain = decoding.Harmonics && drawn.Width > 0;
-    differ = plain ? drawn.Mapped || drawn.EightBits || gloss != 1.0f : gloss != matte;
-    even = plain ? UnfoldPlain(texture, drawn) : Unfold(drawn, matte);
-    shiny = differ ? Unfold(drawn, gloss) : Sphere();
+    const TexturePixels texturePixels = ReadTexturePixels(texture);
+    const bool plain = decoding.Harmonics && texturePixels.Width > 0;
+    differ =
+      plain ? texturePixels.Mapped || texturePixels.EightBits || gloss != 1.0f : gloss != matte;
+    diffuse = plain ? UnfoldPlain(texture, texturePixels) : Unfold(texturePixels, matte);
+    specular = differ ? Unfold(texturePixels, gloss) : SphericalImage();
   }
-  SkyPictures sky{ even.Width, even.Height, std::move(even.Pixels), {} };
-  // A lookup table may show the picture only where VTK's harmonics cannot read it.
-  if (differ && shiny.Pixels.size() == sky.Matte.size() && shiny.Pixels != sky.Matte)
+  SkyPictures sky{ diffuse.Width, diffuse.Height, std::move(diffuse.Pixels), {} };
+  // With a lookup table the texture may be readable although VTK's harmonics cannot read the image.
+  if (differ && specular.Pixels.size() == sky.Matte.size() && specular.Pixels != sky.Matte)
   {
-    sky.Gloss = std::move(shiny.Pixels);
+    sky.Gloss = std::move(specular.Pixels);
   }
   return sky;
 }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A renderer's environment texture as radiance, over longitude and latitude, read as VTK's image-based light reads it.
+ * A renderer's environment texture as equirectangular images of radiance, read as VTK's image-based lighting reads it.
  *
- * VTK reads the picture twice. Reflections are filtered from the texture, decoded by OpenGL where the texture says sRGB,
- * and by a power of 2.2 where SetEnvironmentTexture() was told so. Diffuse light comes from spherical harmonics by
- * default: these are summed up from the picture itself, without regard to either flag, and decode eight bits by a power
- * of 2.2 always. Otherwise, and with cube maps, it comes from the texture too.
+ * VTK reads the image twice. Reflections are filtered from the texture, which OpenGL decodes if the texture is sRGB,
+ * and VTK by a power of 2.2 if SetEnvironmentTexture() was told so. Diffuse light comes from spherical harmonics by
+ * default. They are computed from the image itself, regardless of both flags, and images of eight bits are always
+ * decoded by a power of 2.2. Without harmonics, and with cube maps, diffuse light comes from the texture too.
  */
 #pragma once
 
@@ -18,12 +18,12 @@ class vtkRenderer;
 
 namespace penumbra
 {
-/// What VTK decides on beside the texture's own flags.
+/// VTK's decoding in addition to the texture's own flags.
 struct SkyDecoding
 {
-  bool Harmonics = false;     ///< diffuse light by spherical harmonics
-  bool MatteToLinear = false; ///< else: decoded by a power of 2.2 after the texture is
-  bool GlossToLinear = false; ///< likewise for reflections
+  bool Harmonics = false;     ///< diffuse light comes from spherical harmonics
+  bool MatteToLinear = false; ///< else: diffuse light is decoded by a power of 2.2
+  bool GlossToLinear = false; ///< reflections are decoded by a power of 2.2
 
   static SkyDecoding Of(vtkRenderer* renderer);
   bool operator==(const SkyDecoding& other) const
@@ -35,10 +35,10 @@ struct SkyDecoding
 
 struct SkyPictures
 {
-  int Width = 0; ///< 0 where there is no picture that can be read
+  int Width = 0; ///< 0 if no image can be read
   int Height = 0;
-  std::vector<glm::vec4> Matte; ///< for diffuse reflection, from the lowest row on
-  std::vector<glm::vec4> Gloss; ///< for highlights; empty where that is the same
+  std::vector<glm::vec4> Matte; ///< for diffuse reflection, lowest row first
+  std::vector<glm::vec4> Gloss; ///< for highlights; empty if it is the same
 
   static SkyPictures Of(vtkRenderer* renderer, const SkyDecoding& decoding);
 };

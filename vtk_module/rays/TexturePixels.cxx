@@ -38,7 +38,7 @@ std::uint32_t Pack(const unsigned char* color, int components)
   return color[0] | color[1] << 8 | color[2] << 16 | alpha << 24;
 }
 
-// Whether the texture keeps its picture's numbers, of more than eight bits.
+// Whether the texture keeps the numbers of an image with more than eight bits per component.
 bool IsDirect(vtkTexture* texture, vtkDataArray* scalars)
 {
   const int type = scalars->GetDataType();
@@ -69,7 +69,7 @@ TexturePixels ReadTexturePixels(vtkTexture* texture, int face)
   {
     return pixels;
   }
-  // A picture can lie in any plane.
+  // An image can lie in any coordinate plane.
   int size[3];
   image->GetDimensions(size);
   for (int& length : size)
@@ -140,7 +140,7 @@ TexturePixels ReadPlainPixels(vtkTexture* texture)
   }
   const int type = scalars->GetDataType();
   const bool real = type == VTK_FLOAT || type == VTK_DOUBLE;
-  const double one = real ? 1.0 : scalars->GetDataTypeMax();
+  const double maximum = real ? 1.0 : scalars->GetDataTypeMax();
   int size[3];
   image->GetDimensions(size);
   pixels.Width = size[0];
@@ -152,7 +152,7 @@ TexturePixels ReadPlainPixels(vtkTexture* texture)
     for (int channel = 0; channel < 3; ++channel)
     {
       pixels.Floats[i][channel] =
-        static_cast<float>(scalars->GetComponent(static_cast<vtkIdType>(i), channel) / one);
+        static_cast<float>(scalars->GetComponent(static_cast<vtkIdType>(i), channel) / maximum);
     }
   }
   return pixels;

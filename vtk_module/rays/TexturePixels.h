@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The pixels of a vtkTexture, as it brings them to the graphics card.
+ * The pixels of a vtkTexture as it uploads them.
  */
 #pragma once
 
@@ -18,28 +18,28 @@ namespace penumbra
 {
 struct TexturePixels
 {
-  int Width = 0; ///< 0 where the texture has no pixels that can be read
+  int Width = 0; ///< 0 if the texture has no readable pixels
   int Height = 0;
-  /// One of the two, from the lowest row on: RGBA8, the first channel in the lowest bits, or floats.
+  /// The pixels, lowest row first, in one of the two: RGBA8, the first channel in the lowest bits, or floats.
   std::vector<std::uint32_t> Bytes;
   std::vector<glm::vec4> Floats;
   bool Srgb = false;
-  bool Mapped = false;    ///< colours of a lookup table, not the picture's numbers
-  bool EightBits = false; ///< the picture has that many
+  bool Mapped = false;    ///< whether the pixels are colours of a lookup table
+  bool EightBits = false; ///< whether the image has eight bits per component
 
-  /// A pixel in linear values, rgb and coverage.
+  /// A pixel with linear rgb, and coverage.
   glm::vec4 At(int x, int y) const;
 };
 
-/// Brings the texture's input up to date. face: of a cube map.
+/// Read the pixels of a texture, after updating its input. face: face of a cube map.
 TexturePixels ReadTexturePixels(vtkTexture* texture, int face = 0);
 
-/// Whether shaders read values for display from it: eight bits that nothing decodes.
+/// Whether shaders read values encoded for display from a texture: eight bits that nothing decodes.
 bool HoldsDisplayValues(vtkTexture* texture);
 
-/// The numbers of a texture's picture of three or four components, integers from 0 to 1, whatever its colours are.
+/// Numbers of a texture's image with three or four components, without its lookup table; integers are scaled to [0, 1].
 TexturePixels ReadPlainPixels(vtkTexture* texture);
 
-/// When a texture or what it shows changed last.
+/// Time of the last change of a texture or its image.
 vtkMTimeType TextureTime(vtkTexture* texture);
 }

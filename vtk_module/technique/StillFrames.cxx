@@ -24,7 +24,7 @@ double Halton(int index, int base)
 void RestoreDepth(FrameContext& context, const History& kept)
 {
   const Texture* buffer = context.Input(resource::Depth);
-  const Texture* depth = buffer->IsBorrowed() ? buffer : context.Input(resource::WindowDepth);
+  const Texture* depth = buffer->IsBorrowed() ? buffer : context.Input(resource::DepthCopy);
   const bool keep = !kept.Written || context.GetView().StillFrames == 0;
   context.CopyDepth(keep ? depth : &kept.Storage, keep ? &kept.Storage : depth);
 }
@@ -40,7 +40,7 @@ void ShiftStillFrame(FrameBuilder& frame, int index)
   History& kept = frame.Keep("depth", frame.WindowTexture(format ? format : GL_DEPTH_COMPONENT32F));
   frame.AddPass("steady-depth")
     .Read(resource::Depth)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Color)
     .UpdateHistory(kept)
     .SideEffect()

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mappers of trees of polygonal data: a part a block, with what the tree says of its looks.
+// Mappers of composite polygonal data: one part per block, with the block's display attributes.
 #include "rays/parts/PolyDataParts.h"
 #include "rays/parts/SurfaceMaterial.h"
 
@@ -27,38 +27,40 @@ namespace penumbra
 {
 namespace
 {
-// Before VTK 9.3 vtkCompositePolyDataMapper knows nothing of its blocks' looks, and from 9.4 on
-// vtkCompositePolyDataMapper2 is gone.
+// Before VTK 9.3 vtkCompositePolyDataMapper has no display attributes of blocks. Since 9.4 there is no
+// vtkCompositePolyDataMapper2.
 template <typename Mapper>
-auto Attributes(Mapper* mapper, int) -> decltype(mapper->GetCompositeDataDisplayAttributes())
+auto DisplayAttributesOf(Mapper* mapper, int)
+  -> decltype(mapper->GetCompositeDataDisplayAttributes())
 {
   return mapper ? mapper->GetCompositeDataDisplayAttributes() : nullptr;
 }
 template <typename Mapper>
-vtkCompositeDataDisplayAttributes* Attributes(Mapper*, long)
+vtkCompositeDataDisplayAttributes* DisplayAttributesOf(Mapper*, long)
 {
   return nullptr;
 }
 template <typename Mapper>
-auto ColorsMissing(Mapper* mapper, int) -> decltype(mapper->GetColorMissingArraysWithNanColor())
+auto UsesNanColor(Mapper* mapper, int) -> decltype(mapper->GetColorMissingArraysWithNanColor())
 {
   return mapper && mapper->GetColorMissingArraysWithNanColor();
 }
 template <typename Mapper>
-bool ColorsMissing(Mapper*, long)
+bool UsesNanColor(Mapper*, long)
 {
   return false;
 }
 
-/// From the version on whose blocks can have textures of their own, scalars win over a block's
+/// Since the VTK version in which blocks can have their own textures, scalars take precedence over a block's
 /// colour.
-template <typename Looks>
-auto ScalarsWin(Looks* looks, int) -> decltype(looks->HasBlockTextures())
+template <typename DisplayAttributes>
+auto ScalarsOverrideColor(DisplayAttributes* attributes, int)
+  -> decltype(attributes->HasBlockTextures())
 {
   return true;
 }
-template <typename Looks>
-bool ScalarsWin(Looks*, long)
+template <typename DisplayAttributes>
+bool ScalarsOverrideColor(DisplayAttributes*, long)
 {
   return false;
 }
@@ -79,43 +81,44 @@ std::optional<glm::dvec3> NanColor(vtkScalarsToColors* table)
 class Blocks
 {
 public:
-  Blocks(vtkMapper* mapper, const Drawn& drawn)
+  Blocks(vtkMapper* mapper, const GatherContext& context)
     : Mapper(mapper)
-    , Out(drawn)
+    , Context(context)
   {
 #ifdef PENUMBRA_COMPOSITE_2
     auto* second = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
-    this->Looks = Attributes(second, 0);
-    this->Missing = ColorsMissing(second, 0);
+    this->DisplayAttributes = DisplayAttributesOf(second, 0);
+    this->NanColorForMissing = UsesNanColor(second, 0);
 #endif
     auto* first = vtkCompositePolyDataMapper::SafeDownCast(mapper);
-    this->Looks = this->Looks ? this->Looks : Attributes(first, 0);
-    this->Missing |= ColorsMissing(first, 0);
+    this->DisplayAttributes =
+      this->DisplayAttributes ? this->DisplayAttributes : DisplayAttributesOf(first, 0);
+    this->NanColorForMissing |= UsesNanColor(first, 0);
   }
 
-  /// What a block inherits from those above it.
-  struct Look
+  /// Display attributes that a block inherits from its parents.
+  struct BlockStyle
   {
     bool Visible = true;
     std::optional<double> Opacity;
     std::optional<glm::dvec3> Color;
   };
 
-  void Add(vtkDataObject* block, Look look)
+  void Add(vtkDataObject* block, BlockStyle style)
   {
-    if (this->Looks && this->Looks->HasBlockVisibility(block))
+    if (this->DisplayAttributes && this->DisplayAttributes->HasBlockVisibility(block))
     {
-      look.Visible = this->Looks->GetBlockVisibility(block);
+      style.Visible = this->DisplayAttributes->GetBlockVisibility(block);
     }
-    if (this->Looks && this->Looks->HasBlockOpacity(block))
+    if (this->DisplayAttributes && this->DisplayAttributes->HasBlockOpacity(block))
     {
-      look.Opacity = this->Looks->GetBlockOpacity(block);
+      style.Opacity = this->DisplayAttributes->GetBlockOpacity(block);
     }
-    if (this->Looks && this->Looks->HasBlockColor(block))
+    if (this->DisplayAttributes && this->DisplayAttributes->HasBlockColor(block))
     {
       double color[3];
-      this->Looks->GetBlockColor(block, color);
-      look.Color = ToVec3(color);
+      this->DisplayAttributes->GetBlockColor(block, color);
+      style.Color = ToVec3(color);
     }
     if (auto* tree = vtkDataObjectTree::SafeDownCast(block))
     {
@@ -124,29 +127,29 @@ public:
       iterator->TraverseSubTreeOff();
       for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
       {
-        this->Add(iterator->GetCurrentDataObject(), look);
+        this->Add(iterator->GetCurrentDataObject(), style);
       }
     }
     else if (auto* data = vtkPolyData::SafeDownCast(block))
     {
-      if (look.Visible && data->GetNumberOfPoints() > 0)
+      if (style.Visible && data->GetNumberOfPoints() > 0)
       {
-        this->AddLeaf(data, look);
+        this->AddLeaf(data, style);
       }
     }
   }
 
 private:
-  void AddLeaf(vtkPolyData* data, const Look& look)
+  void AddLeaf(vtkPolyData* data, const BlockStyle& style)
   {
-    const ScalarColors& colors = MapScalarColors(this->Out.Cache, this->Mapper, data);
-    RayPart part = PolyDataPart(this->Out, this->Mapper, data, colors);
-    std::optional<glm::dvec3> color = look.Color;
-    if (color && colors.Array && ScalarsWin(this->Looks, 0))
+    const ScalarColors& colors = MapScalarColors(this->Context.Cache, this->Mapper, data);
+    RayPart part = PolyDataPart(this->Context, this->Mapper, data, colors);
+    std::optional<glm::dvec3> color = style.Color;
+    if (color && colors.Array && ScalarsOverrideColor(this->DisplayAttributes, 0))
     {
       color.reset();
     }
-    if (this->Missing && this->Mapper->GetScalarVisibility() && !colors.Array)
+    if (this->NanColorForMissing && this->Mapper->GetScalarVisibility() && !colors.Array)
     {
       const auto nan = NanColor(this->Mapper->GetLookupTable());
       color = nan ? nan : color;
@@ -155,33 +158,33 @@ private:
     {
       if (color)
       {
-        Recolor(*surface, this->Out.Actor->GetProperty(), glm::vec3(*color));
+        Recolor(*surface, this->Context.Actor->GetProperty(), glm::vec3(*color));
         surface->Where.z &= ~(GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS);
       }
-      if (look.Opacity)
+      if (style.Opacity)
       {
         surface->Color.a = 1.0f;
-        Fade(*surface, static_cast<float>(*look.Opacity));
+        Fade(*surface, static_cast<float>(*style.Opacity));
       }
     }
-    this->Out.Parts.push_back(std::move(part));
+    this->Context.Parts.push_back(std::move(part));
   }
 
   vtkMapper* Mapper;
-  const Drawn& Out;
-  vtkCompositeDataDisplayAttributes* Looks = nullptr;
-  bool Missing = false;
+  const GatherContext& Context;
+  vtkCompositeDataDisplayAttributes* DisplayAttributes = nullptr;
+  bool NanColorForMissing = false;
 };
 }
 
-bool GatherComposite(vtkMapper* mapper, const Drawn& drawn)
+bool GatherComposite(vtkMapper* mapper, const GatherContext& context)
 {
   UpdateInput(mapper);
   if (mapper->GetNumberOfInputConnections(0) > 0)
   {
     if (vtkDataObject* input = mapper->GetInputDataObject(0, 0))
     {
-      Blocks(mapper, drawn).Add(input, {});
+      Blocks(mapper, context).Add(input, {});
     }
   }
   return true;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mappers that draw one dataset's polygons.
+// Mappers that draw the polygons of a single dataset.
 #include "rays/parts/PolyDataParts.h"
 
 #include "vtkActor.h"
@@ -19,25 +19,25 @@ namespace penumbra
 {
 namespace
 {
-/// The mapper makes its filter and its inner mapper when it draws for the first time, which is later
-/// than rays need them; a derived class may name the members, and it takes those that are there.
-struct Inner : public vtkDataSetMapper
+/// Access to protected members. The mapper creates its filter and its inner mapper when it draws for the first time,
+/// which is too late for rays; it uses them if they exist already.
+struct DataSetMapperAccess : public vtkDataSetMapper
 {
   template <typename Filter>
   static void Fill(vtkDataSetMapper* mapper, Filter* vtkDataSetMapper::*)
   {
-    if (!(mapper->*(&Inner::PolyDataMapper)))
+    if (!(mapper->*(&DataSetMapperAccess::PolyDataMapper)))
     {
-      mapper->*(&Inner::GeometryExtractor) = Filter::New();
-      mapper->*(&Inner::PolyDataMapper) = vtkPolyDataMapper::New();
+      mapper->*(&DataSetMapperAccess::GeometryExtractor) = Filter::New();
+      mapper->*(&DataSetMapperAccess::PolyDataMapper) = vtkPolyDataMapper::New();
     }
   }
 
   static vtkPolyData* Surface(vtkDataSetMapper* mapper)
   {
-    Fill(mapper, &Inner::GeometryExtractor);
-    auto* filter = mapper->*(&Inner::GeometryExtractor);
-    vtkPolyDataMapper* inner = mapper->*(&Inner::PolyDataMapper);
+    Fill(mapper, &DataSetMapperAccess::GeometryExtractor);
+    auto* filter = mapper->*(&DataSetMapperAccess::GeometryExtractor);
+    vtkPolyDataMapper* inner = mapper->*(&DataSetMapperAccess::PolyDataMapper);
     filter->SetInputData(mapper->GetInput());
     inner->SetInputConnection(filter->GetOutputPort());
     filter->Update();
@@ -46,30 +46,30 @@ struct Inner : public vtkDataSetMapper
 };
 }
 
-bool GatherPolyData(vtkMapper* mapper, const Drawn& drawn)
+bool GatherPolyData(vtkMapper* mapper, const GatherContext& context)
 {
   UpdateInput(mapper);
   if (vtkPolyData* data = static_cast<vtkPolyDataMapper*>(mapper)->GetInput())
   {
-    const ScalarColors& colors = MapScalarColors(drawn.Cache, mapper, data);
-    drawn.Parts.push_back(PolyDataPart(drawn, mapper, data, colors));
+    const ScalarColors& colors = MapScalarColors(context.Cache, mapper, data);
+    context.Parts.push_back(PolyDataPart(context, mapper, data, colors));
   }
   return true;
 }
 
-bool GatherDataSet(vtkMapper* mapper, const Drawn& drawn)
+bool GatherDataSet(vtkMapper* mapper, const GatherContext& context)
 {
   UpdateInput(mapper);
   auto* source = static_cast<vtkDataSetMapper*>(mapper);
   vtkPolyData* data = vtkPolyData::SafeDownCast(source->GetInput());
   if (!data && source->GetInput())
   {
-    data = Inner::Surface(source);
+    data = DataSetMapperAccess::Surface(source);
   }
   if (data)
   {
-    const ScalarColors& colors = MapScalarColors(drawn.Cache, mapper, data);
-    drawn.Parts.push_back(PolyDataPart(drawn, mapper, data, colors));
+    const ScalarColors& colors = MapScalarColors(context.Cache, mapper, data);
+    context.Parts.push_back(PolyDataPart(context, mapper, data, colors));
   }
   return true;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What gathering keeps from frame to frame, so that it costs what changed: mapped colours, places
- * of glyphs. Each gatherer keeps values of types of its own, found again by what they were made of.
+ * Cache of gathered data such as mapped colours and positions of glyphs, so that only changes cost time.
+ * Each gatherer stores values of its own types, under the objects from which they were computed.
  */
 #pragma once
 
@@ -16,8 +16,8 @@ namespace penumbra
 class GatherCache
 {
 public:
-  /// The value made of these two objects, as the last frame left it; a new one where there is none.
-  /// An address can come back as another object's: compare modification times, which do not.
+  /// The value of type T for two objects, default-constructed at first use.
+  /// A new object may reuse an address, so compare modification times, which are unique.
   template <typename T>
   T& At(const void* a, const void* b)
   {
@@ -30,7 +30,7 @@ public:
     return *static_cast<T*>(entry.Value.get());
   }
 
-  /// Forget what was not asked for since the last call.
+  /// Delete values that were not used since the last call.
   void Sweep()
   {
     for (auto it = this->Entries.begin(); it != this->Entries.end();)

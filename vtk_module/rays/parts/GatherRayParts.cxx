@@ -36,7 +36,7 @@ std::vector<glm::dvec4> ClippingPlanes(vtkMapper* mapper)
 {
   std::vector<glm::dvec4> planes;
   vtkNew<vtkMatrix4x4> world;
-  // VTK draws with as many.
+  // VTK draws with at most this many.
   const int count = std::min(6, mapper->GetNumberOfClippingPlanes());
   for (int i = 0; i < count; ++i)
   {
@@ -64,7 +64,7 @@ std::vector<RayPart> GatherRayParts(
     while (vtkAssemblyPath* path = prop->GetNextPath())
     {
       auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
-      // A sky is behind everything; its light is the environment's.
+      // A skybox is behind everything. Its light is that of the environment.
       if (!actor || !actor->GetVisibility() || !actor->GetMapper() || actor->IsA("vtkSkybox"))
       {
         continue;
@@ -76,7 +76,8 @@ std::vector<RayPart> GatherRayParts(
         continue;
       }
       vtkMatrix4x4* matrix = path->GetLastNode()->GetMatrix();
-      const Drawn drawn = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts, cache };
+      const GatherContext context = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts,
+        cache };
       const std::size_t before = parts.size();
       if (!kind || !kind->Gather || !kind->Gather(actor->GetMapper(), drawn))
       {

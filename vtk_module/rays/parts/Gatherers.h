@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How mappers of one kind become parts. Each adds what the mapper draws for the actor, and says
- * whether rays see all of it.
+ * Functions that convert mappers to parts. Each adds the parts that the mapper draws for the actor, and returns
+ * whether rays see all of them.
  */
 #pragma once
 
@@ -18,7 +18,7 @@ class vtkProperty;
 
 namespace penumbra
 {
-struct Drawn
+struct GatherContext
 {
   vtkActor* Actor;
   glm::dmat4 ToWorld;
@@ -26,20 +26,20 @@ struct Drawn
   GatherCache& Cache;
 };
 
-bool GatherPolyData(vtkMapper* mapper, const Drawn& drawn);
-bool GatherDataSet(vtkMapper* mapper, const Drawn& drawn);
-bool GatherComposite(vtkMapper* mapper, const Drawn& drawn);
-bool GatherGlyphs(vtkMapper* mapper, const Drawn& drawn);
-bool GatherSpheres(vtkMapper* mapper, const Drawn& drawn);
-bool GatherSticks(vtkMapper* mapper, const Drawn& drawn);
-bool GatherMolecule(vtkMapper* mapper, const Drawn& drawn);
+bool GatherPolyData(vtkMapper* mapper, const GatherContext& context);
+bool GatherDataSet(vtkMapper* mapper, const GatherContext& context);
+bool GatherComposite(vtkMapper* mapper, const GatherContext& context);
+bool GatherGlyphs(vtkMapper* mapper, const GatherContext& context);
+bool GatherSpheres(vtkMapper* mapper, const GatherContext& context);
+bool GatherSticks(vtkMapper* mapper, const GatherContext& context);
+bool GatherMolecule(vtkMapper* mapper, const GatherContext& context);
 
-/// A number for what is made of two objects.
+/// Key of data that is computed from two objects.
 std::uint64_t GatherKey(const void* a, const void* b = nullptr);
 
-/// Bring a mapper's input up to date, as drawing it would.
+/// Bring a mapper's input up to date, as drawing would.
 void UpdateInput(vtkMapper* mapper);
 
-/// The mapper's clipping planes in the world: what lies on their negative side is not drawn.
+/// The mapper's clipping planes in world coordinates. Their negative side is not drawn.
 std::vector<glm::dvec4> ClippingPlanes(vtkMapper* mapper);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mappers that draw a shape at each point: a part a shape, in as many places as show it.
+// Mappers that draw a shape at each point: one part per shape, with an instance for each point that shows it.
 #include "rays/parts/GlyphPlaces.h"
 #include "rays/parts/PolyDataParts.h"
 #include "rays/parts/SurfaceMaterial.h"
@@ -22,7 +22,7 @@ namespace penumbra
 {
 namespace
 {
-/// What points choose among; an entry can be a tree of shapes.
+/// Shapes from which the points select. An entry can be a tree of shapes.
 std::vector<vtkDataObject*> Shapes(vtkGlyph3DMapper* mapper)
 {
   std::vector<vtkDataObject*> shapes;
@@ -63,15 +63,15 @@ void ForEachLeaf(vtkDataObject* object, const std::function<void(vtkDataObject*)
   }
 }
 
-void AddShape(vtkPolyData* shape, vtkGlyph3DMapper* mapper, const Drawn& drawn,
+void AddShape(vtkPolyData* shape, vtkGlyph3DMapper* mapper, const GatherContext& context,
   const GlyphPlaces& glyphs, const RayScene::Places& places, const glm::dvec3& color)
 {
-  // Without scalars: those of the shape do not count.
-  RayPart part = PolyDataPart(drawn, mapper, shape, ScalarColors());
+  // VTK ignores the scalars of the shape.
+  RayPart part = PolyDataPart(context, mapper, shape, ScalarColors());
   part.AttributeKey = GatherKey(shape);
   part.Places = places;
-  vtkProperty* property = drawn.Actor->GetProperty();
-  // VTK gives the glyphs the opacity in bytes, beside the property's own.
+  vtkProperty* property = context.Actor->GetProperty();
+  // VTK applies the opacity a second time, rounded to a byte, with the glyphs' colours.
   const double opacity = std::floor(property->GetOpacity() * 255.0 + 0.5) / 255.0;
   for (shared::RaySurface* surface : { &part.Surface, &part.Back })
   {
@@ -85,11 +85,11 @@ void AddShape(vtkPolyData* shape, vtkGlyph3DMapper* mapper, const Drawn& drawn,
       Fade(*surface, static_cast<float>(opacity));
     }
   }
-  drawn.Parts.push_back(std::move(part));
+  context.Parts.push_back(std::move(part));
 }
 }
 
-bool GatherGlyphs(vtkMapper* mapper, const Drawn& drawn)
+bool GatherGlyphs(vtkMapper* mapper, const GatherContext& context)
 {
   auto* source = static_cast<vtkGlyph3DMapper*>(mapper);
   if (source->GetNumberOfInputConnections(0) == 0)
@@ -101,23 +101,23 @@ bool GatherGlyphs(vtkMapper* mapper, const Drawn& drawn)
     source->Update(); // points and shapes
   }
   const std::vector<vtkDataObject*> shapes = Shapes(source);
-  vtkCompositeDataDisplayAttributes* looks = source->GetBlockAttributes();
+  vtkCompositeDataDisplayAttributes* attributes = source->GetBlockAttributes();
   ForEachLeaf(source->GetInputDataObject(0, 0), [&](vtkDataObject* leaf) {
     auto* points = vtkDataSet::SafeDownCast(leaf);
     const bool hidden =
-      looks && looks->HasBlockVisibility(leaf) && !looks->GetBlockVisibility(leaf);
+      attributes && attributes->HasBlockVisibility(leaf) && !attributes->GetBlockVisibility(leaf);
     if (!points || hidden || points->GetNumberOfPoints() == 0)
     {
       return;
     }
     double color[3];
-    drawn.Actor->GetProperty()->GetColor(color);
-    if (looks && looks->HasBlockColor(leaf))
+    context.Actor->GetProperty()->GetColor(color);
+    if (attributes && attributes->HasBlockColor(leaf))
     {
-      looks->GetBlockColor(leaf, color);
+      attributes->GetBlockColor(leaf, color);
     }
     const GlyphPlaces& glyphs = PlaceGlyphs(
-      drawn.Cache, source, points, shapes.size(), drawn.Actor->GetProperty()->GetOpacity());
+      context.Cache, source, points, shapes.size(), context.Actor->GetProperty()->GetOpacity());
     for (std::size_t i = 0; i < shapes.size() && i < glyphs.OfShape.size(); ++i)
     {
       if (glyphs.OfShape[i]->empty())
@@ -128,7 +128,7 @@ bool GatherGlyphs(vtkMapper* mapper, const Drawn& drawn)
         auto* shape = vtkPolyData::SafeDownCast(object);
         if (shape && shape->GetNumberOfPoints() > 0)
         {
-          AddShape(shape, source, drawn, glyphs, glyphs.OfShape[i], ToVec3(color));
+          AddShape(shape, source, context, glyphs, glyphs.OfShape[i], ToVec3(color));
         }
       });
     }

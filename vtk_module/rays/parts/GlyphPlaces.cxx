@@ -17,24 +17,24 @@ namespace penumbra
 {
 namespace
 {
-/// The arrays are found by protected members; a derived class may name them.
-struct Arrays : public vtkGlyph3DMapper
+/// Access to the protected methods that find the arrays.
+struct GlyphMapperAccess : public vtkGlyph3DMapper
 {
   static vtkDataArray* Mask(vtkGlyph3DMapper* mapper, vtkDataSet* data)
   {
-    return (mapper->*(&Arrays::GetMaskArray))(data);
+    return (mapper->*(&GlyphMapperAccess::GetMaskArray))(data);
   }
   static vtkDataArray* Index(vtkGlyph3DMapper* mapper, vtkDataSet* data)
   {
-    return (mapper->*(&Arrays::GetSourceIndexArray))(data);
+    return (mapper->*(&GlyphMapperAccess::GetSourceIndexArray))(data);
   }
   static vtkDataArray* Orientation(vtkGlyph3DMapper* mapper, vtkDataSet* data)
   {
-    return (mapper->*(&Arrays::GetOrientationArray))(data);
+    return (mapper->*(&GlyphMapperAccess::GetOrientationArray))(data);
   }
   static vtkDataArray* Scale(vtkGlyph3DMapper* mapper, vtkDataSet* data)
   {
-    return (mapper->*(&Arrays::GetScaleArray))(data);
+    return (mapper->*(&GlyphMapperAccess::GetScaleArray))(data);
   }
 };
 
@@ -64,7 +64,7 @@ glm::dmat3 Rotation(int mode, const double* o)
   }
   else
   {
-    // Half a turn about the middle between the x axis and the direction.
+    // A half turn about the bisector of the x axis and the direction.
     const glm::dvec3 direction = ToVec3(o);
     const glm::dvec3 middle =
       glm::normalize(direction + glm::dvec3(glm::length(direction), 0.0, 0.0));
@@ -80,18 +80,18 @@ glm::dmat3 Rotation(int mode, const double* o)
   return result;
 }
 
-/// What a mapper says of its glyphs, read once.
-class Placer
+/// Reads the glyphs of a mapper.
+class GlyphReader
 {
 public:
-  Placer(vtkGlyph3DMapper* mapper, vtkDataSet* points, std::size_t shapes)
+  GlyphReader(vtkGlyph3DMapper* mapper, vtkDataSet* points, std::size_t shapes)
     : Mapper(mapper)
     , Points(points)
     , ShapeCount(shapes)
-    , Mask(vtkBitArray::SafeDownCast(Arrays::Mask(mapper, points)))
-    , Index(Arrays::Index(mapper, points))
-    , Orientation(Arrays::Orientation(mapper, points))
-    , Scale(Arrays::Scale(mapper, points))
+    , Mask(vtkBitArray::SafeDownCast(GlyphMapperAccess::Mask(mapper, points)))
+    , Index(GlyphMapperAccess::Index(mapper, points))
+    , Orientation(GlyphMapperAccess::Orientation(mapper, points))
+    , Scale(GlyphMapperAccess::Scale(mapper, points))
   {
     const int mode = mapper->GetOrientationMode();
     const int components = mode == vtkGlyph3DMapper::QUATERNION ? 4 : 3;
@@ -104,10 +104,11 @@ public:
     }
   }
 
-  /// VTK draws nothing where an array has the wrong shape; here, also where one is too short.
+  /// Whether the arrays can be used. VTK draws nothing if an array has the wrong number of components. Here arrays that
+  /// are too short are rejected too.
   bool IsValid() const { return this->Valid; }
 
-  /// The shape at a point, -1 for none.
+  /// Index of the shape at a point, -1 for none.
   int ShapeOf(vtkIdType i) const
   {
     if (this->Mask && this->Mask->GetValue(i) == 0)
@@ -209,14 +210,14 @@ const GlyphPlaces& PlaceGlyphs(GatherCache& cache, vtkGlyph3DMapper* mapper, vtk
   glyphs.SourceTime = time;
   glyphs.Colored = colors.Array != nullptr;
   glyphs.Partly = colors.Partly;
-  const Placer placer(mapper, points, shapes);
-  const vtkIdType count = placer.IsValid() ? points->GetNumberOfPoints() : 0;
+  const GlyphReader reader(mapper, points, shapes);
+  const vtkIdType count = reader.IsValid() ? points->GetNumberOfPoints() : 0;
 
-  // First which shape each point shows, then where: the second, slower part on all cores.
+  // First find the shape of each point, then its transformation. The latter is slower and runs in parallel.
   std::vector<std::vector<vtkIdType>> shown(shapes);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const int shape = placer.ShapeOf(i);
+    const int shape = reader.ShapeOf(i);
     if (shape >= 0)
     {
       shown[static_cast<std::size_t>(shape)].push_back(i);
@@ -229,7 +230,7 @@ const GlyphPlaces& PlaceGlyphs(GatherCache& cache, vtkGlyph3DMapper* mapper, vtk
     ParallelFor(ids.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
       {
-        (*places)[i] = placer.At(ids[i]);
+        (*places)[i] = reader.At(ids[i]);
         (*places)[i].Color = colors.At(ids[i]);
       }
     });

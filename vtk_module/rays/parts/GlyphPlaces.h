@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where a glyph mapper puts its shapes.
+ * Transformations of a glyph mapper's shapes.
  */
 #pragma once
 
@@ -18,13 +18,13 @@ namespace penumbra
 struct GlyphPlaces
 {
   std::vector<RayScene::Places> OfShape;
-  bool Colored = false; ///< the places have colours of their own
-  bool Partly = false;  ///< some of those are translucent
+  bool Colored = false; ///< whether the places have their own colours
+  bool Partly = false;  ///< whether some of these are translucent
 
   vtkMTimeType SourceTime = 0;
 };
 
-/// Place glyphs as vtkOpenGLGlyph3DMapper does, or find that nothing changed.
+/// Place glyphs as vtkOpenGLGlyph3DMapper does, or return the cached result.
 const GlyphPlaces& PlaceGlyphs(GatherCache& cache, vtkGlyph3DMapper* mapper, vtkDataSet* points,
   std::size_t shapes, double opacity);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mappers that draw a sphere or a stick at each point, as impostors: exact ones for rays.
+// Mappers that draw a sphere or a stick at each point as an impostor. Rays get exact primitives.
 #include "rays/parts/PolyDataParts.h"
 #include "rays/parts/SurfaceMaterial.h"
 
@@ -22,7 +22,7 @@ namespace penumbra
 {
 namespace
 {
-// The names of the arrays have no accessors; a derived class may name the members.
+// Access to the names of the arrays, which are protected.
 struct SphereArrays : public vtkOpenGLSphereMapper
 {
   static const char* Scale(vtkMapper* mapper)
@@ -50,20 +50,19 @@ vtkDataArray* Named(vtkPolyData* data, const char* name, int components)
   return usable ? array : nullptr;
 }
 
-/// What makes the impostors of one mapper: which points are drawn, and where. VTK moves the points
-/// with the actor, but scales neither radii nor lengths with it, and clips an impostor as a whole,
+/// The impostors of a mapper: which points are drawn, and where. VTK transforms the points
+/// with the actor but does not scale radii or lengths, and it clips an impostor as a whole
 /// by its point.
 class Impostors
 {
 public:
-  Impostors(const Drawn& drawn, vtkMapper* mapper, vtkPolyData* data)
+  Impostors(const GatherContext& context, vtkMapper* mapper, vtkPolyData* data)
     : Data(data)
-    , ToWorld(drawn.ToWorld)
+    , ToWorld(context.ToWorld)
     , Clip(ClippingPlanes(mapper))
   {
-    // A matrix that only turns and moves is left to the instance, so that a moved actor costs
-    // nothing.
-    const glm::dmat3 turn(drawn.ToWorld);
+    // A rigid transformation is left to the instance, so that moving the actor is cheap.
+    const glm::dmat3 turn(context.ToWorld);
     const glm::dmat3 unit = glm::transpose(turn) * turn - glm::dmat3(1.0);
     for (int i = 0; i < 9; ++i)
     {
@@ -88,17 +87,17 @@ public:
     this->Data->GetPoint(i, p);
     return ToVec3(p);
   }
-  /// A point as the mesh has it.
+  /// A point in mesh coordinates.
   glm::dvec3 Place(const glm::dvec3& point) const
   {
     return this->Rigid ? point : glm::dvec3(this->ToWorld * glm::dvec4(point, 1.0));
   }
   glm::dvec3 Turn(const glm::dvec3& direction) const
   {
-    const glm::dvec3 there =
+    const glm::dvec3 transformed =
       this->Rigid ? direction : glm::transpose(glm::inverse(glm::dmat3(this->ToWorld))) * direction;
-    const double length = glm::length(there);
-    return length > 0.0 ? there / length : glm::dvec3(0.0);
+    const double length = glm::length(transformed);
+    return length > 0.0 ? transformed / length : glm::dvec3(0.0);
   }
 
 private:
@@ -108,8 +107,8 @@ private:
   bool Rigid = true;
 };
 
-/// Middle of the points, so that floats near it lose nothing.
-glm::dvec3 Middle(const std::vector<glm::dvec3>& points)
+/// Middle of the points, near which floats keep their precision.
+glm::dvec3 CenterOf(const std::vector<glm::dvec3>& points)
 {
   RayGeometry geometry;
   geometry.SetPoints(points);
@@ -122,14 +121,14 @@ RayGeometry SphereGeometry(const Impostors& impostors, vtkDataArray* scale, floa
   RayGeometry geometry;
   for (vtkIdType i = 0; i < impostors.Input()->GetNumberOfPoints(); ++i)
   {
-    // One that is clipped keeps its number, and has no size.
+    // A clipped sphere keeps its index but has no size.
     const int components = scale ? scale->GetNumberOfComponents() : 1;
     const double size = scale ? scale->GetComponent(i / components, i % components) : radius;
     centers.push_back(impostors.Place(impostors.Point(i)));
     geometry.Spheres.push_back(
       { glm::vec3(0.0f), impostors.Shows(i) ? static_cast<float>(size) : 0.0f });
   }
-  geometry.Origin = Middle(centers);
+  geometry.Origin = CenterOf(centers);
   for (std::size_t i = 0; i < centers.size(); ++i)
   {
     geometry.Spheres[i].Center = glm::vec3(centers[i] - geometry.Origin);
@@ -146,7 +145,7 @@ RayGeometry StickGeometry(
     centers.push_back(impostors.Place(impostors.Point(i)));
   }
   RayGeometry geometry;
-  geometry.Origin = Middle(centers);
+  geometry.Origin = CenterOf(centers);
   for (vtkIdType i = 0; i < impostors.Input()->GetNumberOfPoints(); ++i)
   {
     const glm::dvec3 along(orientation->GetComponent(i, 0), orientation->GetComponent(i, 1),
@@ -172,7 +171,7 @@ RayAttributes ImpostorAttributes(vtkIdType count, const ScalarColors& colors)
   return attributes;
 }
 
-/// A number for a place, so that what hangs on it is made anew when it changes.
+/// Hash of a transformation, so that dependent data is rebuilt when it changes.
 std::uint64_t PlaceKey(const glm::dmat4& place)
 {
   std::uint64_t key = 0xcbf29ce484222325ull; // Fowler, Noll, Vo
@@ -186,15 +185,15 @@ std::uint64_t PlaceKey(const glm::dmat4& place)
   return key;
 }
 
-RayPart ImpostorPart(const Drawn& drawn, vtkMapper* mapper, const Impostors& impostors)
+RayPart ImpostorPart(const GatherContext& context, vtkMapper* mapper, const Impostors& impostors)
 {
   vtkPolyData* data = impostors.Input();
-  const ScalarColors& colors = MapScalarColors(drawn.Cache, mapper, data);
-  const bool bakes = !impostors.IsRigid() || impostors.IsClipped();
+  const ScalarColors& colors = MapScalarColors(context.Cache, mapper, data);
+  const bool transformsPoints = !impostors.IsRigid() || impostors.IsClipped();
   RayPart part;
-  part.ToWorld = impostors.IsRigid() ? drawn.ToWorld : glm::dmat4(1.0);
-  part.MeshKey =
-    GatherKey(data, mapper) ^ (bakes ? PlaceKey(impostors.Placement()) : std::uint64_t(0));
+  part.ToWorld = impostors.IsRigid() ? context.ToWorld : glm::dmat4(1.0);
+  part.MeshKey = GatherKey(data, mapper) ^
+    (transformsPoints ? PlaceKey(impostors.Placement()) : std::uint64_t(0));
   vtkMTimeType planes = 0;
   if (vtkPlaneCollection* collection = mapper->GetClippingPlanes())
   {
@@ -210,7 +209,7 @@ RayPart ImpostorPart(const Drawn& drawn, vtkMapper* mapper, const Impostors& imp
   const vtkIdType count = data->GetNumberOfPoints();
   part.MakeAttributes = [count, colors] { return ImpostorAttributes(count, colors); };
 
-  vtkProperty* property = drawn.Actor->GetProperty();
+  vtkProperty* property = context.Actor->GetProperty();
   part.Surface = MakeRaySurface(property);
   if (colors.Array)
   {
@@ -218,7 +217,7 @@ RayPart ImpostorPart(const Drawn& drawn, vtkMapper* mapper, const Impostors& imp
   }
   else
   {
-    // VTK gives the points the property's colour in bytes, rounded down, and with it the opacity a
+    // VTK gives the points the property's colour in bytes, rounded down, and thus applies the opacity a
     // second time.
     const glm::dvec3 color = glm::floor(ToVec3(property->GetColor()) * 255.0) / 255.0;
     Recolor(part.Surface, property, glm::vec3(color));
@@ -228,24 +227,24 @@ RayPart ImpostorPart(const Drawn& drawn, vtkMapper* mapper, const Impostors& imp
 }
 }
 
-bool GatherSpheres(vtkMapper* mapper, const Drawn& drawn)
+bool GatherSpheres(vtkMapper* mapper, const GatherContext& context)
 {
   UpdateInput(mapper);
   auto* source = static_cast<vtkOpenGLSphereMapper*>(mapper);
   if (vtkPolyData* data = source->GetInput())
   {
-    const Impostors impostors(drawn, mapper, data);
-    RayPart part = ImpostorPart(drawn, mapper, impostors);
+    const Impostors impostors(context, mapper, data);
+    RayPart part = ImpostorPart(context, mapper, impostors);
     const char* name = SphereArrays::Scale(mapper);
     vtkDataArray* scale = Named(data, name, 1);
     const float radius = source->GetRadius();
     part.MakeGeometry = [=] { return SphereGeometry(impostors, scale, radius); };
-    drawn.Parts.push_back(std::move(part));
+    context.Parts.push_back(std::move(part));
   }
   return true;
 }
 
-bool GatherSticks(vtkMapper* mapper, const Drawn& drawn)
+bool GatherSticks(vtkMapper* mapper, const GatherContext& context)
 {
   UpdateInput(mapper);
   vtkPolyData* data = static_cast<vtkOpenGLStickMapper*>(mapper)->GetInput();
@@ -253,10 +252,10 @@ bool GatherSticks(vtkMapper* mapper, const Drawn& drawn)
   vtkDataArray* orientation = data ? Named(data, StickArrays::Orientation(mapper), 3) : nullptr;
   if (scale && orientation)
   {
-    const Impostors impostors(drawn, mapper, data);
-    RayPart part = ImpostorPart(drawn, mapper, impostors);
+    const Impostors impostors(context, mapper, data);
+    RayPart part = ImpostorPart(context, mapper, impostors);
     part.MakeGeometry = [=] { return StickGeometry(impostors, scale, orientation); };
-    drawn.Parts.push_back(std::move(part));
+    context.Parts.push_back(std::move(part));
   }
   return true;
 }

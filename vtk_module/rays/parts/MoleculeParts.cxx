@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Molecules, which VTK draws as spheres and sticks by mappers that it keeps inside.
+// Molecules, which VTK draws as spheres and sticks by internal mappers.
 #include "rays/parts/Gatherers.h"
 
 #include "vtkMapper.h"
@@ -15,22 +15,25 @@ namespace penumbra
 {
 namespace
 {
-/// Neither the inner mappers nor what fills them have accessors; a derived class may name the members.
-struct Inner : public vtkOpenGLMoleculeMapper
+/// Access to the internal mappers and to the method that updates their input, which are protected.
+struct MoleculeMapperAccess : public vtkOpenGLMoleculeMapper
 {
-  static void Fill(vtkOpenGLMoleculeMapper* mapper) { (mapper->*(&Inner::UpdateGlyphPolyData))(); }
+  static void Fill(vtkOpenGLMoleculeMapper* mapper)
+  {
+    (mapper->*(&MoleculeMapperAccess::UpdateGlyphPolyData))();
+  }
   static vtkMapper* Atoms(vtkOpenGLMoleculeMapper* mapper)
   {
-    return mapper->*(&Inner::FastAtomMapper);
+    return mapper->*(&MoleculeMapperAccess::FastAtomMapper);
   }
   static vtkMapper* Bonds(vtkOpenGLMoleculeMapper* mapper)
   {
-    return mapper->*(&Inner::FastBondMapper);
+    return mapper->*(&MoleculeMapperAccess::FastBondMapper);
   }
 };
 }
 
-bool GatherMolecule(vtkMapper* mapper, const Drawn& drawn)
+bool GatherMolecule(vtkMapper* mapper, const GatherContext& context)
 {
   auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(mapper);
   if (!molecule)
@@ -40,14 +43,14 @@ bool GatherMolecule(vtkMapper* mapper, const Drawn& drawn)
   UpdateInput(mapper);
   if (molecule->GetInput())
   {
-    Inner::Fill(molecule);
+    MoleculeMapperAccess::Fill(molecule);
     if (molecule->GetRenderAtoms())
     {
-      GatherSpheres(Inner::Atoms(molecule), drawn);
+      GatherSpheres(MoleculeMapperAccess::Atoms(molecule), context);
     }
     if (molecule->GetRenderBonds())
     {
-      GatherSticks(Inner::Bonds(molecule), drawn);
+      GatherSticks(MoleculeMapperAccess::Bonds(molecule), context);
     }
   }
   return true;
@@ -56,7 +59,7 @@ bool GatherMolecule(vtkMapper* mapper, const Drawn& drawn)
 #else
 namespace penumbra
 {
-bool GatherMolecule(vtkMapper*, const Drawn&)
+bool GatherMolecule(vtkMapper*, const GatherContext&)
 {
   return false;
 }

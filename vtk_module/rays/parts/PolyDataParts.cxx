@@ -24,8 +24,8 @@ namespace penumbra
 {
 namespace
 {
-/// Calls add(a, b, c, cell, hidden) for each triangle, cells counted as cell data is. hidden: a bit
-/// for each of its edges that runs through its cell.
+/// Calls add(a, b, c, cell, hidden) for each triangle. cell: index in cell data; hidden: a bit
+/// for each edge that is inside its cell.
 template <typename Add>
 void ForEachTriangle(vtkPolyData* data, const Add& add)
 {
@@ -43,7 +43,7 @@ void ForEachTriangle(vtkPolyData* data, const Add& add)
       iterator->GetCurrentCell(size, ids);
       for (vtkIdType i = 1; i + 1 < size; ++i)
       {
-        // Every other triangle of a strip runs the other way round.
+        // Every other triangle of a strip has the opposite winding.
         const vtkIdType a = strips ? ids[i - 1] : ids[0];
         const vtkIdType b = strips && i % 2 == 0 ? ids[i + 1] : ids[i];
         const vtkIdType c = strips && i % 2 == 0 ? ids[i] : ids[i + 1];
@@ -58,7 +58,7 @@ void ForEachTriangle(vtkPolyData* data, const Add& add)
   }
 }
 
-// What is zero or no number is no normal.
+// Zero and NaN count as no normal.
 std::uint32_t PackNormal(glm::vec3 n)
 {
   const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
@@ -73,11 +73,11 @@ std::uint32_t PackNormal(glm::vec3 n)
     p = (1.0f - glm::abs(glm::vec2(p.y, p.x))) * side;
   }
   const std::uint32_t packed = glm::packUnorm2x16(p * 0.5f + 0.5f);
-  // All corners of the map are one direction.
+  // All corners of the octahedral map are the same direction.
   return packed == GI_RAY_NO_NORMAL ? 0xffffffffu : packed;
 }
 
-/// The key of the transform of texture coordinates: its name changed after VTK 9.3, and the old one is deprecated.
+/// Key of the transformation of texture coordinates. Its name changed after VTK 9.3, and the old one is deprecated.
 template <typename Prop>
 auto TextureTransformKey(int) -> decltype(Prop::GENERAL_TEXTURE_TRANSFORM())
 {
@@ -89,7 +89,7 @@ auto TextureTransformKey(long) -> decltype(Prop::GeneralTextureTransform())
   return Prop::GeneralTextureTransform();
 }
 
-/// What an actor's keys do to texture coordinates; the identity where there is no such key.
+/// Transformation of texture coordinates by an actor's keys; the identity if there is no such key.
 glm::dmat4 TextureTransform(vtkActor* actor)
 {
   glm::dmat4 transform(1.0);
@@ -142,14 +142,14 @@ RayAttributes MakeAttributes(
     if (coordinates && i < coordinates->GetNumberOfTuples())
     {
       const bool line = coordinates->GetNumberOfComponents() < 2;
-      const glm::dvec4 there = textureTransform *
+      const glm::dvec4 transformed = textureTransform *
         glm::dvec4(
           coordinates->GetComponent(i, 0), line ? 0.0 : coordinates->GetComponent(i, 1), 0.0, 1.0);
-      point.TextureU = static_cast<float>(there.x / there.w);
-      point.TextureV = line ? 0.0f : static_cast<float>(there.y / there.w);
+      point.TextureU = static_cast<float>(transformed.x / transformed.w);
+      point.TextureV = line ? 0.0f : static_cast<float>(transformed.y / transformed.w);
     }
   }
-  // Filters give points that no surface uses a normal of zero.
+  // Only points of surfaces count: filters give unused points a normal of zero.
   constexpr std::uint32_t index = (1u << GI_RAY_EDGE_SHIFT) - 1u;
   for (const shared::RayAttribute& entry : attributes.Primitives)
   {
@@ -179,32 +179,32 @@ RayGeometry PolyDataGeometry(vtkPolyData* data)
 }
 
 RayPart PolyDataPart(
-  const Drawn& drawn, vtkMapper* mapper, vtkPolyData* data, const ScalarColors& colors)
+  const GatherContext& context, vtkMapper* mapper, vtkPolyData* data, const ScalarColors& colors)
 {
   RayPart part;
-  part.Prop = drawn.Actor;
-  part.ToWorld = drawn.ToWorld;
+  part.Prop = context.Actor;
+  part.ToWorld = context.ToWorld;
   part.MeshKey = GatherKey(data);
   part.CellTime = std::max(data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime());
   part.PointTime = data->GetPoints() ? data->GetPoints()->GetMTime() : 0;
   part.MakeGeometry = [data] { return PolyDataGeometry(data); };
   part.AttributeKey = GatherKey(data, mapper);
   part.AttributeTime = std::max({ data->GetMTime(), colors.Time, part.CellTime });
-  const glm::dmat4 textureTransform = TextureTransform(drawn.Actor);
+  const glm::dmat4 textureTransform = TextureTransform(context.Actor);
   if (textureTransform != glm::dmat4(1.0))
   {
-    part.AttributeKey ^= GatherKey(nullptr, drawn.Actor);
-    part.AttributeTime = std::max(part.AttributeTime, drawn.Actor->GetPropertyKeys()->GetMTime());
+    part.AttributeKey ^= GatherKey(nullptr, context.Actor);
+    part.AttributeTime = std::max(part.AttributeTime, context.Actor->GetPropertyKeys()->GetMTime());
   }
   part.MakeAttributes = [data, colors, textureTransform] {
     return MakeAttributes(data, colors, textureTransform);
   };
   part.Clip = ClippingPlanes(mapper);
 
-  vtkProperty* property = drawn.Actor->GetProperty();
+  vtkProperty* property = context.Actor->GetProperty();
   if (colors.Places || data->GetPointData()->GetTCoords())
   {
-    part.Pictures = PropertyPictures(drawn.Actor);
+    part.Pictures = PropertyPictures(context.Actor);
     part.Pictures[ColorPicture] = colors.Table;
   }
   int extra = 0;
@@ -218,7 +218,7 @@ RayPart PolyDataPart(
   }
   part.Surface = MakeRaySurface(property);
   part.Surface.Where.z |= extra;
-  if (vtkProperty* back = drawn.Actor->GetBackfaceProperty())
+  if (vtkProperty* back = context.Actor->GetBackfaceProperty())
   {
     part.HasBack = true;
     part.Back = MakeRaySurface(back);

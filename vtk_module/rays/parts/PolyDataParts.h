@@ -16,8 +16,8 @@ namespace penumbra
 /// Polygons as fans from their first corner, as VTK's mapper splits them, then strips.
 RayGeometry PolyDataGeometry(vtkPolyData* data);
 
-/// The part of an actor that a mapper draws from this data, with the data's normals and these
+/// The part that a mapper draws from this data for an actor, with the data's normals and these
 /// colours.
 RayPart PolyDataPart(
-  const Drawn& drawn, vtkMapper* mapper, vtkPolyData* data, const ScalarColors& colors);
+  const GatherContext& context, vtkMapper* mapper, vtkPolyData* data, const ScalarColors& colors);
 }

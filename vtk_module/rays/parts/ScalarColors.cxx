@@ -17,16 +17,16 @@ namespace penumbra
 {
 namespace
 {
-/// A mapper of the same settings, with what mapping left in it.
-class Painter : public vtkPolyDataMapper
+/// A mapper that gives access to the protected results of mapping scalars.
+class ScalarMapper : public vtkPolyDataMapper
 {
 public:
-  static Painter* New() { return new Painter; }
+  static ScalarMapper* New() { return new ScalarMapper; }
   vtkImageData* Table() { return this->ColorTextureMap; }
   vtkFloatArray* Places() { return this->ColorCoordinates; }
 
 protected:
-  Painter() = default;
+  ScalarMapper() = default;
 };
 
 bool IsPartly(vtkUnsignedCharArray* colors)
@@ -76,7 +76,7 @@ std::uint32_t ScalarColors::At(vtkIdType i) const
     const unsigned char* color = this->Array->GetPointer(i * components);
     if (components < 3)
     {
-      // Luminance, and alpha.
+      // Luminance, and alpha if there are two components.
       rgba[0] = rgba[1] = rgba[2] = color[0];
       rgba[3] = components == 2 ? color[1] : 255;
     }
@@ -98,23 +98,23 @@ const ScalarColors& MapScalarColors(
     return colors;
   }
   colors.Alpha = alpha;
-  vtkNew<Painter> painter;
-  painter->vtkMapper::ShallowCopy(mapper);
-  colors.Array = painter->MapScalars(data, alpha, colors.Association);
+  vtkNew<ScalarMapper> scalarMapper;
+  scalarMapper->vtkMapper::ShallowCopy(mapper);
+  colors.Array = scalarMapper->MapScalars(data, alpha, colors.Association);
   colors.Partly = colors.Array && IsPartly(colors.Array);
   colors.Table = nullptr;
   colors.Places = nullptr;
-  if (painter->Table() && painter->Places())
+  if (scalarMapper->Table() && scalarMapper->Places())
   {
     colors.Table = vtkSmartPointer<vtkTexture>::New();
-    colors.Table->SetInputData(painter->Table());
+    colors.Table->SetInputData(scalarMapper->Table());
     colors.Table->RepeatOff();
-    colors.Places = painter->Places();
+    colors.Places = scalarMapper->Places();
   }
-  vtkTimeStamp now;
-  now.Modified();
-  colors.Time = now;
-  // Mapping may set a table's range, which counts as a change of the mapper.
+  vtkTimeStamp timeStamp;
+  timeStamp.Modified();
+  colors.Time = timeStamp;
+  // Mapping may set the range of a lookup table, which counts as a change of the mapper.
   colors.SourceTime = SourceTime(mapper, data);
   return colors;
 }

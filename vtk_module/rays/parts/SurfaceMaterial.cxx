@@ -31,7 +31,7 @@ void Fade(shared::RaySurface& surface, float opacity)
 
 namespace
 {
-// VTK 9.4 and later give edges a width and an opacity of their own.
+// Since VTK 9.4 edges have their own width and opacity.
 template <typename Property>
 auto EdgeWidth(Property* property, int) -> decltype(property->GetEdgeWidth())
 {
@@ -99,7 +99,7 @@ shared::RaySurface MakeRaySurface(vtkProperty* property)
   surface.More.w = static_cast<float>(EdgeOpacity(property, 0));
   if (property->GetEdgeVisibility())
   {
-    constexpr float thinnest = 1.1f; // that VTK draws
+    constexpr float thinnest = 1.1f; // VTK's minimum
     surface.Edge = glm::vec4(ToVec3(property->GetEdgeColor()),
       std::max(thinnest, static_cast<float>(EdgeWidth(property, 0))));
   }
@@ -119,7 +119,7 @@ std::array<vtkTexture*, PictureSlots> PropertyPictures(vtkActor* actor)
     return pictures;
   }
   pictures[BasePicture] = actor->GetTexture();
-  // The names that belong to PBR show nothing elsewhere; of others, VTK's first is the one shown.
+  // Textures with PBR names are not shown on other materials. Of the others, VTK shows the first.
   const std::set<std::string> special = { "albedoTex", "materialTex", "normalTex", "emissiveTex",
     "brdfTex", "anisotropyTex", "coatNormalTex" };
   for (const auto& named : property->GetAllTextures())

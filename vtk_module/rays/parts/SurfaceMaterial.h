@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A vtkProperty as the rays need it.
+ * Converts a vtkProperty to a material for ray tracing.
  */
 #pragma once
 
@@ -12,17 +12,17 @@ class vtkProperty;
 
 namespace penumbra
 {
-/// The same surface in another colour, which VTK's shaders put in place of the property's diffuse and
-/// ambient ones.
+/// Replace a surface's colour, as VTK's shaders replace the property's diffuse and
+/// ambient colours.
 void Recolor(shared::RaySurface& surface, vtkProperty* property, const glm::vec3& color);
 
-/// Let through what an opacity below one, after the surface's own, says.
+/// Multiply a surface's opacity.
 void Fade(shared::RaySurface& surface, float opacity);
 
-/// The material of a property, without scalar colours. Flags are set but for those that depend on
-/// the mesh (smooth normals, colours).
+/// Material of a property, without scalar colours. Flags that depend on
+/// the mesh (smooth normals, colours) are not set.
 shared::RaySurface MakeRaySurface(vtkProperty* property);
 
-/// The pictures that VTK shows on an actor's surface, where it has texture coordinates.
+/// Textures that VTK shows on an actor's surface if it has texture coordinates.
 std::array<vtkTexture*, PictureSlots> PropertyPictures(vtkActor* actor);
 }

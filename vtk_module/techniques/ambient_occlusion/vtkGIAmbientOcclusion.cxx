@@ -181,7 +181,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     frame.AddPass("ambient-occlusion-upsample")
       .Read(Smoothed, "rawTexture")
       .Read(resource::Depth)
-      .Read(resource::WindowDepth)
+      .Read(resource::DepthCopy)
       .Read(resource::Normal)
       .Write(resource::AmbientVisibility, fullSize)
       .Draw("ambient_occlusion/upsample.frag", variant, {}, finalDrawing);

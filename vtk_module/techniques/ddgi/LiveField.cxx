@@ -91,7 +91,7 @@ void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeT
     this->CreateGrids(view);
   }
   const SceneChanges& changes = view.Changes;
-  if (changes.Lights || changes.Props || changes.Looks || this->Parameters != parameters)
+  if (changes.Lights || changes.Props || changes.Appearance || this->Parameters != parameters)
   {
     this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
   }

@@ -83,7 +83,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   IndirectLight light;
   light.Kind = IndirectKind::LiveProbes;
   light.Declare = [this, &field, &view](PassDeclaration& pass) {
-    pass.Read(resource::WindowDepth)
+    pass.Read(resource::DepthCopy)
       .Read(resource::Albedo)
       .Read(resource::Normal)
       .Offer(this->GetShaderParameters());

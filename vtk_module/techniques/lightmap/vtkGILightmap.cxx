@@ -140,7 +140,7 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   IndirectLight light;
   light.Kind = IndirectKind::BakedOnSurfaces;
   light.Declare = [](PassDeclaration& pass) {
-    pass.Read(resource::WindowDepth).Read(resource::Normal);
+    pass.Read(resource::DepthCopy).Read(resource::Normal);
   };
   light.Draw = [this, solid = fit.IsSolid()](FrameContext& context) {
     this->Impl->Map.Draw(context, this->Intensity, solid);

@@ -260,7 +260,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
   }
   pass.Read(resource::Albedo)
     .Read(resource::Normal)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
     .Modify(resource::Color, TraceOrder)
     .Offer(rays.ShaderArguments())

@@ -76,7 +76,7 @@ struct Reflections
   PassDeclaration& AddPass(const std::string& name) const
   {
     return this->Frame.AddPass(name)
-      .Read(resource::WindowDepth)
+      .Read(resource::DepthCopy)
       .Read(resource::Albedo)
       .Read(resource::Normal)
       .ReadIfPresent(resource::Surface)
@@ -161,7 +161,7 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   const glm::ivec2 size = PyramidLayout(view.Viewport).back();
   const std::vector<glm::ivec2> levels = LevelOffsets(view.Viewport);
   frame.AddPass("reflection-pyramid")
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Normal)
     .Write(Pyramid, { GL_RG32F, size.x, size.y, 0 }, "pyramid")
     .Compute("screen_space_reflections/depth_pyramid.comp", {},

@@ -142,7 +142,7 @@ void vtkGISHProbes::Contribute(FrameBuilder& frame)
     IndirectLight light;
     light.Kind = IndirectKind::BakedProbes;
     light.Declare = [this, view = frame.GetView()](PassDeclaration& pass) {
-      pass.Read(resource::WindowDepth)
+      pass.Read(resource::DepthCopy)
         .Read(resource::Albedo)
         .Read(resource::Normal)
         .Offer(this->GetShaderParameters());

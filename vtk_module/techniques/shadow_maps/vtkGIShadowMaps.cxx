@@ -46,7 +46,7 @@ vtkMTimeType CasterTime(vtkProp* prop)
     time = std::max(time, part->GetRedrawMTime());
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      time = std::max(time, LookTime(actor));
+      time = std::max(time, AppearanceTime(actor));
     }
   }
   return time;
@@ -240,7 +240,7 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
                FrameContext& context) { this->DrawMaps(context, scene, atlas, contents); });
   frame.AddPass("shadow-mask")
     .Read(resource::Depth)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::Facet)

@@ -222,7 +222,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     [&](const std::string& name) { return &frame.Keep(name, frame.WindowTexture(GL_RGBA32F)); });
   frame.AddPass("temporal-reproject")
     .Read(resource::Depth)
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Read(resource::Normal)
     .ReadIfPresent(resource::Displacement, "GI_DISPLACEMENT")
     .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
