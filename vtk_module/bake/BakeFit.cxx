@@ -10,7 +10,7 @@ void BakeFit::Check(FrameBuilder& frame, const BakedScene& baked, const std::str
 {
   const View& view = frame.GetView();
   this->Difference = this->Watch.Difference(
-    baked, frame.GetRenderer(), view.Changes.Props || view.Changes.Looks, view.FrameNumber);
+    baked, frame.GetRenderer(), view.Changes.Props || view.Changes.Appearance, view.FrameNumber);
   if (!this->Difference.empty())
   {
     frame.AddNote(complaint + ": " + this->Difference + " since the bake");

@@ -19,9 +19,10 @@ namespace penumbra
 {
 namespace
 {
-/// Whether it holds for the prop, or for any part of an assembly; other is the answer for what is no actor.
-template <typename Holds>
-bool AnyActor(vtkProp* prop, bool other, const Holds& holds)
+/// Whether the predicate is true of the prop, or of any part of an assembly. other: the answer for a prop that is no
+/// actor.
+template <typename Predicate>
+bool AnyActor(vtkProp* prop, bool other, const Predicate& predicate)
 {
   if (vtkAssembly* assembly = vtkAssembly::SafeDownCast(prop))
   {
@@ -126,7 +127,7 @@ bool CanCapture(vtkProp* prop)
 {
   return !AnyActor(prop, true, [](vtkActor* actor) {
     const MapperKind* kind = actor->GetMapper() ? FindMapperKind(actor->GetMapper()) : nullptr;
-    return !kind || !kind->Hooked || actor->IsA("vtkSkybox") || DecidesItsColor(actor);
+    return !kind || !kind->Hooked || actor->IsA("vtkSkybox") || WritesItsOwnColor(actor);
   });
 }
 

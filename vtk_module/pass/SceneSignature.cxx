@@ -51,7 +51,7 @@ void SceneSignature::AddProp(vtkProp* prop)
     changeTime = std::max(changeTime, part->GetRedrawMTime());
     if (auto* actor = vtkActor::SafeDownCast(part))
     {
-      appearanceTime = std::max(appearanceTime, LookTime(actor));
+      appearanceTime = std::max(appearanceTime, AppearanceTime(actor));
     }
   }
   this->Values[Props].push_back(ToNumber(std::max(changeTime, appearanceTime)));

@@ -79,7 +79,7 @@ std::vector<RayPart> GatherRayParts(
       const GatherContext context = { actor, ToMatrix(matrix ? matrix : actor->GetMatrix()), parts,
         cache };
       const std::size_t before = parts.size();
-      if (!kind || !kind->Gather || !kind->Gather(actor->GetMapper(), drawn))
+      if (!kind || !kind->Gather || !kind->Gather(actor->GetMapper(), context))
       {
         left.push_back(prop);
       }

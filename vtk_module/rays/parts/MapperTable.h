@@ -9,13 +9,13 @@ class vtkMapper;
 
 namespace penumbra
 {
-struct Drawn;
+struct GatherContext;
 
 struct MapperKind
 {
   const char* Class;
   /// How its surfaces become parts; nullptr: it has none.
-  bool (*Gather)(vtkMapper* mapper, const Drawn& drawn);
+  bool (*Gather)(vtkMapper* mapper, const GatherContext& context);
   /// It draws surfaces whatever the representation.
   bool Impostors;
   /// It fills VTK's polydata shader template and calls the hooks on every draw, so that it can be captured.

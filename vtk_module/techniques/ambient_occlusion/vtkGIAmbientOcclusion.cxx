@@ -130,7 +130,7 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     stride > 1 ? Drawing{ false, stride, {} } : Drawing{ true, 1, NoSurface };
 
   frame.AddPass("ambient-occlusion-depth")
-    .Read(resource::WindowDepth)
+    .Read(resource::DepthCopy)
     .Write(DepthCopy, frame.WindowTexture(GL_R32F))
     .Draw("ambient_occlusion/depth.frag", {}, {});
   auto& sample = frame.AddPass("ambient-occlusion")

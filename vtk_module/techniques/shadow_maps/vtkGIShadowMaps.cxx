@@ -173,7 +173,7 @@ bool vtkGIShadowMaps::UpdatePlan(FrameBuilder& frame)
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &widest);
   ShadowOptions options;
   options.Resolution = std::min(this->Resolution, static_cast<int>(widest));
-  this->Impl->PartialCoverage = frame.Capture().CastsInPart();
+  this->Impl->PartialCoverage = frame.Capture().CastsPartialShadows();
   const bool dithered = this->FilterRadius > 0.0 && this->Impl->PartialCoverage;
   this->Impl->Radius = dithered ? std::max(this->FilterRadius, PatternRadius) : this->FilterRadius;
   this->Impl->Samples =

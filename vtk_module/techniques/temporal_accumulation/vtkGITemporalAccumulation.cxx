@@ -46,7 +46,7 @@ struct Ages
   void Advance(const View& view, const LightTable& lights, bool continued)
   {
     this->Accumulation = continued ? this->Accumulation + 1 : 1;
-    this->Looks = !continued || view.Changes.Looks || view.Changes.Lights ? 1 : this->Looks + 1;
+    this->Looks = !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
     this->Props = view.Changes.Props ? 0 : this->Props + 1;
     std::vector<LightGeometry> geometries;
     for (const Light& light : lights.Lights())
@@ -78,7 +78,7 @@ struct Ages
   {
     const int age = noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1)
                                    : this->Accumulation;
-    return noisy.Looks ? std::min(age, this->Looks) : age;
+    return noisy.Appearance ? std::min(age, this->Looks) : age;
   }
 };
 
