@@ -7,7 +7,7 @@ import numpy as np
 
 from .measures import EDGE_BAND, Judge, pixel_width
 
-# What is still good: less is not seen in a picture. Acne is a share of the light on lit surfaces, gaps are in texels.
+# The limits of a safe bias: less is invisible. Acne is a fraction of the light on lit surfaces; gaps are in texels.
 LIMITS = {"acne": 0.001, "gap": 1.0}
 PIXELS_PER_TEXEL = 2
 SMALLEST_MAP = 64
