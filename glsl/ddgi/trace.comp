@@ -64,7 +64,8 @@ vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)
 
 void main()
 {
-  int index = int(gl_GlobalInvocationID.x) + firstProbe * rays;
+  int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x) +
+    firstProbe * rays;
   int probe = index / rays;
   if (probe >= lastProbe)
   {

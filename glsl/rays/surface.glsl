@@ -27,12 +27,6 @@ struct RaySurfacePoint
   int primitive;
 };
 
-vec3 rayToMeshTransposed(int instance, vec3 v)
-{
-  int at = instance * GI_RAY_INSTANCE_TEXELS;
-  return rayInstance(at).xyz * v.x + rayInstance(at + 1).xyz * v.y + rayInstance(at + 2).xyz * v.z;
-}
-
 // Normal of a point, zero if it has none.
 vec3 rayPointNormal(uint bits)
 {

@@ -13,6 +13,8 @@ using vec4 = glm::vec4;
 using ivec4 = glm::ivec4;
 #endif
 
+#define GI_VIEW_BINDING 0
+
 struct ViewData
 {
   mat4 ViewToClip; // with this frame's jitter
@@ -28,7 +30,7 @@ static_assert(sizeof(ViewData) == 3 * 64 + 3 * 16, "std140 layout");
 }
 }
 #else
-layout(std140, binding = 0) uniform ViewBlock
+layout(std140, binding = GI_VIEW_BINDING) uniform ViewBlock
 {
   ViewData view;
 };

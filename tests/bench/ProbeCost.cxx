@@ -125,8 +125,8 @@ double MillisecondsOfUpdate(vtkGIPass* pass)
   for (const auto& one : statistics.at("passes"))
   {
     const std::string name = one.at("name");
-    milliseconds +=
-      name == "ddgi-trace" || name == "ddgi-blend" ? one.at("milliseconds").get<double>() : 0.0;
+    const bool ofUpdate = name.compare(0, 5, "ddgi-") == 0 && name.compare(0, 10, "ddgi-balls") != 0;
+    milliseconds += ofUpdate ? one.at("milliseconds").get<double>() : 0.0;
   }
   return milliseconds;
 }

@@ -144,7 +144,10 @@ TEST(Leaks, RenderersLeaveNothingBehind)
       scene.Window->Render();
       scene.Window->RemoveRenderer(other);
     }
-    scene.Window->Render();
+    if (round % 4 < 2)
+    {
+      scene.Window->Render(); // else the next renderer may lie at the address of this one
+    }
     bytes.push_back(AllocatedBytes());
     scene.Window->MakeCurrent();
     objects.push_back(CountObjects());

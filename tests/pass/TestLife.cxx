@@ -326,5 +326,68 @@ TEST(Life, AbortedRenderRecovers)
     EXPECT_STREQ(pass->GetLastError(), "");
   }
 }
+
+TEST(Life, AnAbortedFrameLeavesNoShadowsOut)
+{
+  const auto prepare = [](Scene& scene) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(-6.0, 0.5, 1.0);
+    light->SetFocalPoint(0.5, 0.0, 0.0);
+    scene.Renderer->AddLight(light);
+    scene.SetPass()->GetTechnique("shadow-maps")->EnabledOn();
+  };
+  const auto move = [](Scene& scene) { scene.Ball->SetPosition(-0.2, 0.1, 0.1); };
+  Scene fresh;
+  prepare(fresh);
+  move(fresh);
+  const Picture expected = Shoot(fresh.Window);
+  Scene scene;
+  prepare(scene);
+  Shoot(scene.Window);
+  move(scene);
+  Impatience impatience;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Impatience::Answer);
+  command->SetClientData(&impatience);
+  const unsigned long tag = scene.Window->AddObserver(vtkCommand::AbortCheckEvent, command);
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  scene.Window->Render();
+  EXPECT_GE(impatience.Questions, 1) << "nobody asked";
+  scene.Window->RemoveObserver(tag);
+  scene.Window->SetAbortRender(0);
+  ExpectSame(expected, Shoot(scene.Window), 1.0);
+}
+
+TEST(Life, FramesStandAloneOnlyOnceAfterARestart)
+{
+  Scene one;
+  Scene two;
+  vtkNew<vtkGIPass> pass;
+  vtkGITechnique* probes = pass->GetTechnique("ddgi");
+  probes->EnabledOn();
+  probes->SetParameter("probes", 27);
+  probes->SetParameter("updates", 8);
+  pass->CollectStatisticsOn();
+  const auto countUpdates = [&pass](Scene& scene) {
+    scene.Window->Render();
+    const std::string statistics = pass->GetStatistics();
+    int updates = 0;
+    for (std::size_t at = 0; (at = statistics.find("\"ddgi-trace\"", at)) != std::string::npos; ++at)
+    {
+      ++updates;
+    }
+    return updates;
+  };
+  one.Renderer->SetPass(pass);
+  two.Renderer->SetPass(pass);
+  EXPECT_EQ(countUpdates(one), 1);
+  pass->Restart();
+  EXPECT_EQ(countUpdates(one), 8);
+  EXPECT_EQ(countUpdates(two), 8);
+  // In turns: each time the other window's resources go.
+  EXPECT_EQ(countUpdates(one), 1);
+  EXPECT_EQ(countUpdates(two), 1);
+}
 }
 }

@@ -81,7 +81,7 @@ TEST(Plan, OneOfTwoThatFindTheSameTakesPart)
     EXPECT_EQ(Compare(byRays, Shoot(scene.Window), 0).Within, 1.0);
     EXPECT_STREQ(pass->GetLastError(), "");
     EXPECT_STREQ(pass->GetNotes(),
-      "shadow-maps stands back: ray-traced-shadows, which is on too, finds the same");
+      "shadow-maps is not used, because ray-traced-shadows, which is on too, takes its place");
     EXPECT_TRUE(traced->GetTookPart());
     EXPECT_FALSE(mapped->GetTookPart());
   }

@@ -112,6 +112,32 @@ TEST_F(DDGI, APictureThatStandsAloneKnowsNothingOfThoseBefore)
   }
 }
 
+TEST_F(DDGI, APictureThatStandsAloneIgnoresTheBudget)
+{
+  this->Scene.Window->SetSize(48, 36);
+  this->Probes->SetProbes(216);
+  this->Probes->SetUpdates(20);
+  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+  this->Lamp->SetIntensity(0.5);
+  this->Pass->CollectStatisticsOn();
+  std::vector<Values> pictures;
+  for (const int budget : { 0, 10 }) // probes per frame
+  {
+    this->Probes->SetRaysPerFrame(budget * this->Probes->GetRays());
+    this->Pass->Restart();
+    pictures.push_back(this->After(1));
+    const std::string statistics = this->Pass->GetStatistics();
+    int updates = 0;
+    for (std::size_t at = 0; (at = statistics.find("\"ddgi-trace\"", at)) != std::string::npos; ++at)
+    {
+      ++updates;
+    }
+    EXPECT_EQ(updates, 20);
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+}
+
 TEST_F(DDGI, ARoomNextDoorStaysDark)
 {
   this->Scene.Window->SetSize(48, 36);

@@ -155,6 +155,16 @@ TEST_F(LightmapTechnique, AMovedWallIsReportedAtOnce)
   this->ExpectStale("object 1 ");
 }
 
+TEST_F(LightmapTechnique, NoMismatchIsLeftOfABakeThatWasRemoved)
+{
+  this->Bake();
+  this->Wall->SetPosition(0.0, 0.0, 0.01);
+  this->ExpectStale("object 1 moved");
+  this->Map->SetBake(nullptr);
+  this->Scene.Window->Render();
+  EXPECT_EQ(this->Map->GetMismatch(this->Scene.Renderer), "");
+}
+
 TEST_F(LightmapTechnique, AnotherColourIsReportedAtOnce)
 {
   this->Bake();

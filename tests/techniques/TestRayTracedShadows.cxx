@@ -181,7 +181,7 @@ TEST(RayTracedShadows, WinOverShadowMaps)
     pass->GetTechnique("shadow-maps")->SetEnabled(maps);
     const Picture picture = Shoot(stage.Window);
     EXPECT_STREQ(pass->GetNotes(), rays && maps
-        ? "shadow-maps stands back: ray-traced-shadows, which is on too, finds the same"
+        ? "shadow-maps is not used, because ray-traced-shadows, which is on too, takes its place"
         : "");
     return picture;
   };

@@ -226,6 +226,17 @@ TEST(FrameGraph, PassesThatWaitForEachOthersHistoriesAreAnError)
   EXPECT_NE(ErrorOf(graph).find("waits for a pass that waits for it"), std::string::npos);
 }
 
+TEST(FrameGraph, APassMayReadAndOverwriteAHistory)
+{
+  History kept{ Texture::Borrow(1, Small), false };
+  FrameGraph graph;
+  graph.AddPass("first").WriteHistory(kept);
+  graph.AddPass("both").ReadHistory(kept, "kept").WriteHistory(kept).SideEffect();
+  graph.AddPass("both again").WriteHistory(kept).ReadHistory(kept, "kept").SideEffect();
+  graph.Compile();
+  EXPECT_EQ(Order(graph), (Names{ "first", "both", "both again" }));
+}
+
 TEST(FrameGraph, ShadersGetWhatIsDeclaredByItsName)
 {
   History kept{ Texture::Borrow(1, Small), false };

@@ -11,6 +11,7 @@
 #include "graph/Resources.h"
 
 #include <array>
+#include <cstring>
 #include <set>
 
 namespace penumbra
@@ -34,6 +35,7 @@ public:
   bool Extended = false; ///< whether there are textures or PBR
   /// Resource of the third target. Shaders write the same values in any case.
   const char* AmbientTarget = resource::Ambient;
+  bool HasAmbient() const { return std::strcmp(this->AmbientTarget, resource::Ambient) == 0; }
 
   void Request(const char* resource) { this->Requested.insert(resource); }
   bool Has(const char* resource) const { return this->Requested.count(resource) > 0; }

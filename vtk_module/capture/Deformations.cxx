@@ -117,16 +117,4 @@ GLuint Deformations::TextureOf(vtkActor* actor) const
 {
   return this->HasDisplacements(actor) ? this->Shapes.at(actor).Texture.Get() : 0;
 }
-
-GLuint Deformations::AnyTexture() const
-{
-  for (const auto& shape : this->Shapes)
-  {
-    if (shape.second.Texture)
-    {
-      return shape.second.Texture.Get();
-    }
-  }
-  return 0;
-}
 }

@@ -32,9 +32,6 @@ public:
   /// 0 if none moved.
   GLuint TextureOf(vtkActor* actor) const;
 
-  /// Any of these textures, to be bound if a shader needs one but does not read it.
-  GLuint AnyTexture() const;
-
 private:
   struct Shape
   {

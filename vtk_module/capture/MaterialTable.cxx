@@ -10,7 +10,6 @@ void MaterialTable::Clear()
 {
   this->Entries.assign(1, { glm::vec4(0.0f), glm::ivec4(GI_MATERIAL_AS_DRAWN, 0, 0, 0) });
   this->Index.clear();
-  this->PBR = false;
   this->Specular = false;
   this->PartialCoverage = false;
 }
@@ -32,7 +31,6 @@ int MaterialTable::Find(vtkProperty* property, const Owner& owner)
   {
     return found->second;
   }
-  this->PBR |= pbr;
   this->Specular |= !pbr && scale > 0.0;
   constexpr std::size_t limit = 65536;
   if (this->Entries.size() == limit)

@@ -35,7 +35,6 @@ public:
   /// 65535 different ones in a frame share the last entry.
   int Find(vtkProperty* property, const Owner& owner);
 
-  bool HasPBR() const { return this->PBR; }
   bool HasSpecular() const { return this->Specular; }
 
   /// Whether fragments that are drawn as opaque may cover a pixel partly, by the alpha of a texture or of
@@ -52,7 +51,6 @@ public:
 private:
   std::vector<shared::MaterialData> Entries;
   std::map<std::array<float, 8>, int> Index;
-  bool PBR = false;
   bool Specular = false;
   bool PartialCoverage = false;
   Buffer Storage;

@@ -133,7 +133,7 @@ void SceneCapture::Contribute(Frame& frame)
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as in VTK.
-  const bool wide = this->Outputs.Extended || this->Outputs.AmbientTarget != resource::Ambient ||
+  const bool wide = this->Outputs.Extended || !this->Outputs.HasAmbient() ||
     (frame.GetView().KeepsRadiance && !this->Table.HasPartialCoverage());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))

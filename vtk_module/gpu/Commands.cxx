@@ -15,11 +15,6 @@ namespace
 {
 constexpr std::size_t MaxGroups = 32768; // per dimension; OpenGL 4.3 guarantees 65535
 
-bool ChecksShaders()
-{
-  return std::getenv("PENUMBRA_CHECK_SHADERS") != nullptr;
-}
-
 template <typename T>
 const T* Find(const std::map<std::string, T>& given, const std::map<std::string, T>& offered,
   const std::string& name)
@@ -48,9 +43,8 @@ GLuint NameOf(const Arguments::Bound& bound)
 
 Work Work::GroupsInRows(std::size_t count)
 {
-  const std::size_t width = std::min(count, MaxGroups);
-  return Groups(static_cast<int>(width),
-    static_cast<int>((count + width - 1) / std::max<std::size_t>(width, 1)));
+  const std::size_t width = std::max<std::size_t>(std::min(count, MaxGroups), 1);
+  return Groups(static_cast<int>(width), static_cast<int>((count + width - 1) / width));
 }
 
 glm::ivec2 Work::GroupsOf(const Program& program) const
@@ -59,10 +53,16 @@ glm::ivec2 Work::GroupsOf(const Program& program) const
   {
     return this->Count;
   }
-  GLint size[3] = { 1, 1, 1 };
-  glGetProgramiv(program.Get(), GL_COMPUTE_WORK_GROUP_SIZE, size);
-  const glm::ivec2 group(size[0], size[1]);
-  return (this->Count + group - 1) / group;
+  const glm::ivec2 group = program.GroupSize();
+  const auto width = static_cast<std::size_t>(group.x);
+  return this->ItemCount > 0 ? GroupsInRows((this->ItemCount + width - 1) / width).Count
+                             : (this->Count + group - 1) / group;
+}
+
+Commands::Commands(ShaderLibrary& shaders)
+  : Library(shaders)
+  , ChecksShaders(std::getenv("PENUMBRA_CHECK_SHADERS") != nullptr)
+{
 }
 
 void Commands::InsertBarrier(const Object& object, GLbitfield use)
@@ -136,7 +136,7 @@ void Commands::Check(const Program& program, const Arguments& given, const Argum
 void Commands::Use(const Program& program, const Arguments& given, const Arguments& offered)
 {
   // Replacement shaders may omit inputs.
-  if (ChecksShaders() && this->Library.OverrideFolder().empty())
+  if (this->ChecksShaders && this->Library.OverrideFolder().empty())
   {
     this->Check(program, given, offered);
   }

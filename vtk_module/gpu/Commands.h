@@ -25,26 +25,28 @@ public:
   static Work Groups(int x, int y = 1) { return { glm::ivec2(x, y), true }; }
   /// A number of groups, possibly more than one dimension can hold. The shader counts them along x, then y.
   static Work GroupsInRows(std::size_t count);
+  /// A number of invocations of a shader with one-dimensional groups, rounded up to whole groups, which the shader counts
+  /// in the same way.
+  static Work ItemsInRows(std::size_t count) { return { glm::ivec2(0), false, count }; }
 
   glm::ivec2 GroupsOf(const Program& program) const;
 
 private:
-  Work(const glm::ivec2& count, bool groups)
+  Work(const glm::ivec2& count, bool groups, std::size_t items = 0)
     : Count(count)
     , InGroups(groups)
+    , ItemCount(items)
   {
   }
   glm::ivec2 Count;
   bool InGroups;
+  std::size_t ItemCount; ///< 0 if Count holds the size
 };
 
 class Commands
 {
 public:
-  explicit Commands(ShaderLibrary& shaders)
-    : Library(shaders)
-  {
-  }
+  explicit Commands(ShaderLibrary& shaders);
 
   /// Set the window whose context is current. Call this first.
   void SetWindow(vtkOpenGLRenderWindow* window) { this->Window = window; }
@@ -83,6 +85,7 @@ private:
   void Check(const Program& program, const Arguments& given, const Arguments& offered) const;
 
   ShaderLibrary& Library;
+  bool ChecksShaders;
   vtkOpenGLRenderWindow* Window = nullptr;
   int Barriers = 0;
   /// Objects that shaders have written, with the uses for which there was a barrier since.

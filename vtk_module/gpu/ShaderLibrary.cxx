@@ -100,6 +100,17 @@ const std::vector<Program::Input>& Program::Inputs() const
   return this->Reflected;
 }
 
+const glm::ivec2& Program::GroupSize() const
+{
+  if (this->Group.x == 0)
+  {
+    GLint size[3] = { 1, 1, 1 };
+    glGetProgramiv(this->Name, GL_COMPUTE_WORK_GROUP_SIZE, size);
+    this->Group = { size[0], size[1] };
+  }
+  return this->Group;
+}
+
 bool Program::Mentions(const std::string& name) const
 {
   const auto inWord = [](

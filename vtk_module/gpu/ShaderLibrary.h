@@ -59,6 +59,8 @@ public:
   GLuint Get() const { return this->Name; }
   const std::string& Key() const { return this->Label; }
   const std::vector<Input>& Inputs() const;
+  /// Width and height of the work groups of a compute shader.
+  const glm::ivec2& GroupSize() const;
   /// Whether the text contains a word.
   bool Mentions(const std::string& name) const;
 
@@ -79,6 +81,7 @@ private:
   mutable std::map<std::string, GLint> Locations;
   mutable std::vector<Input> Reflected;
   mutable bool IsReflected = false;
+  mutable glm::ivec2 Group{ 0 };
 };
 
 class ShaderLibrary

@@ -11,6 +11,8 @@
 #include "graph/Resources.h"
 #include "graph/View.h"
 
+#include <optional>
+
 class vtkOpenGLRenderer;
 class vtkOpenGLState;
 
@@ -62,8 +64,9 @@ public:
 
 private:
   friend class FrameExecutor;
-  Arguments Offered() const;
+  const Arguments& Offered() const;
   class FrameExecutor* Executor = nullptr;
   const FrameGraph::Step* Step = nullptr;
+  mutable std::optional<Arguments> StepArguments; ///< of Offered(), after its first call
 };
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/FrameExecutor.h"
 
+#include "base/ScopeExit.h"
 #include "gpu/ScopedState.h"
 
 #include "view.h"
@@ -36,6 +37,7 @@ FrameExecutor::FrameExecutor(ResourcePool& pool, ShaderLibrary& shaders, const V
 
 FrameExecutor::~FrameExecutor()
 {
+  this->CommandRunner.Finish(); // also if a pass has thrown
   for (Texture* texture : this->Lent)
   {
     this->Pool.Release(texture);
@@ -71,7 +73,7 @@ const Texture* FrameExecutor::Find(int version) const
   return this->Lent[version];
 }
 
-void FrameExecutor::Prepare(const FrameGraph::Step& step, int)
+void FrameExecutor::Prepare(const FrameGraph::Step& step)
 {
   for (const auto& output : step.Outputs)
   {
@@ -106,7 +108,7 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
   for (int position = 0; position < static_cast<int>(graph.Steps().size()); ++position)
   {
     const auto& step = graph.Steps()[position];
-    this->Prepare(step, position);
+    this->Prepare(step);
     FrameContext context;
     context.Executor = this;
     context.Step = &step;
@@ -115,10 +117,14 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     {
       timer->Begin(step.Name);
     }
-    (*step.Action)(context);
-    if (timer)
     {
-      timer->End();
+      const ScopeExit end([timer] {
+        if (timer)
+        {
+          timer->End();
+        }
+      });
+      (*step.Action)(context);
     }
     for (History* history : step.Written)
     {
@@ -127,6 +133,8 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     this->Retire(position);
   }
   this->CommandRunner.Finish();
+  // Shaders of shadow maps in props that VTK draws after the frame graph read it.
+  this->ViewBlock.BindBase(GL_UNIFORM_BUFFER, GI_VIEW_BINDING);
   this->Held.Restore(this->State);
 }
 
@@ -222,18 +230,23 @@ Commands& FrameContext::GetCommands() const
   return this->Executor->CommandRunner;
 }
 
-Arguments FrameContext::Offered() const
+const Arguments& FrameContext::Offered() const
 {
-  Arguments offered = this->Step->Offered;
-  for (const auto& input : this->Step->InputSamplers)
+  if (!this->StepArguments)
   {
-    offered.Sample(input.second, this->Input(input.first.c_str()));
+    Arguments& offered = this->StepArguments.emplace(this->Step->Offered);
+    for (const auto& input : this->Step->InputSamplers)
+    {
+      offered.Sample(input.second, this->Input(input.first.c_str()));
+    }
+    for (const auto& output : this->Step->OutputImages)
+    {
+      offered.Image(
+        output.second, *this->Output(output.first.c_str()), ShaderAccess::Write);
+    }
+    offered.Block("ViewBlock", this->Executor->ViewBlock);
   }
-  for (const auto& output : this->Step->OutputImages)
-  {
-    offered.Image(output.second, *this->Output(output.first.c_str()), ShaderAccess::Write);
-  }
-  return offered.Block("ViewBlock", this->Executor->ViewBlock);
+  return *this->StepArguments;
 }
 
 Defines FrameContext::Variant(const Defines& added) const

@@ -37,7 +37,7 @@ private:
   const Texture* Find(int version) const;
   bool IsWindow(int version) const;
   void UploadView();
-  void Prepare(const FrameGraph::Step& step, int position);
+  void Prepare(const FrameGraph::Step& step);
   void Retire(int position);
 
   ResourcePool& Pool;

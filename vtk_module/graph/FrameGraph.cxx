@@ -5,6 +5,7 @@
 #include "graph/FrameContext.h"
 
 #include <algorithm>
+#include <queue>
 #include <stdexcept>
 
 namespace penumbra
@@ -131,6 +132,10 @@ void FrameGraph::LinkHistories(Links& links) const
     for (const auto& use : this->Passes[pass]->Histories)
     {
       Last& last = histories[use.Target];
+      if (last.Writer == pass)
+      {
+        continue; // the pass has declared another use of this history
+      }
       if (use.Access != ShaderAccess::Write && last.Writer != None)
       {
         links.HistoryWriters[pass].push_back(last.Writer);
@@ -141,7 +146,8 @@ void FrameGraph::LinkHistories(Links& links) const
         continue;
       }
       auto& earlier = links.Predecessors[pass];
-      earlier.insert(earlier.end(), last.Readers.begin(), last.Readers.end());
+      std::copy_if(last.Readers.begin(), last.Readers.end(), std::back_inserter(earlier),
+        [pass](int reader) { return reader != pass; });
       if (last.Writer != None)
       {
         earlier.push_back(last.Writer);
@@ -282,36 +288,52 @@ std::vector<bool> FrameGraph::Needed(const Links& links) const
 std::vector<int> FrameGraph::Order(const Links& links, const std::vector<bool>& needed) const
 {
   const int count = static_cast<int>(this->Passes.size());
-  std::vector<int> order;
-  std::vector<bool> scheduled(count, false);
-  // There are few passes. Repeated scans keep the declared order among passes that are ready.
-  for (bool progress = true; progress;)
-  {
-    progress = false;
-    for (int pass = 0; pass < count && !progress; ++pass)
+  std::vector<std::vector<int>> successors(count);
+  std::vector<int> waits(count, 0);
+  const auto wait = [&](int pass, int other) {
+    if (needed[other])
     {
-      if (scheduled[pass] || !needed[pass])
+      successors[other].push_back(pass);
+      ++waits[pass];
+    }
+  };
+  // Of the passes that are ready, the one declared first runs next.
+  std::priority_queue<int, std::vector<int>, std::greater<>> ready;
+  for (int pass = 0; pass < count; ++pass)
+  {
+    if (!needed[pass])
+    {
+      continue;
+    }
+    for (const auto& input : links.Inputs[pass])
+    {
+      wait(pass, links.Writer[input.second]);
+    }
+    for (const auto* others : { &links.HistoryWriters[pass], &links.Predecessors[pass] })
+    {
+      std::for_each(others->begin(), others->end(), [&](int other) { wait(pass, other); });
+    }
+    if (waits[pass] == 0)
+    {
+      ready.push(pass);
+    }
+  }
+  std::vector<int> order;
+  while (!ready.empty())
+  {
+    order.push_back(ready.top());
+    ready.pop();
+    for (const int pass : successors[order.back()])
+    {
+      if (--waits[pass] == 0)
       {
-        continue;
-      }
-      const auto isScheduled = [&](int other) { return scheduled[other] || !needed[other]; };
-      const bool ready =
-        std::all_of(links.Inputs[pass].begin(), links.Inputs[pass].end(),
-          [&](const auto& input) { return scheduled[links.Writer[input.second]]; }) &&
-        std::all_of(
-          links.HistoryWriters[pass].begin(), links.HistoryWriters[pass].end(), isScheduled) &&
-        std::all_of(links.Predecessors[pass].begin(), links.Predecessors[pass].end(), isScheduled);
-      if (ready)
-      {
-        scheduled[pass] = true;
-        order.push_back(pass);
-        progress = true;
+        ready.push(pass);
       }
     }
   }
   for (int pass = 0; pass < count; ++pass)
   {
-    if (needed[pass] && !scheduled[pass])
+    if (waits[pass] > 0)
     {
       throw std::logic_error("frame graph: the pass '" + this->Passes[pass]->Name +
         "' waits for a pass that waits for it");

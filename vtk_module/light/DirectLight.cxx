@@ -162,6 +162,10 @@ void ContributeDirectLight(
       resource::LitRadiance, frame.WindowTexture(options.Radiance ? GL_RGBA32F : GL_RGBA16F));
   }
   pass.Execute(Resolve{ &lights, &materials, options });
+}
+
+void ContributePresentation(Frame& frame)
+{
   frame.AddPass("present")
     .Read(resource::Color)
     .Read(resource::DepthCopy)

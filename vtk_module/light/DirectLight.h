@@ -23,8 +23,10 @@ struct DirectLightOptions
   double Interreflection = 0.0; ///< see LightingPlan::SetInterreflection()
 };
 
-/// Add the passes that make the picture from the G-buffer: "direct-light" writes the colour (and the radiance, if it is
-/// kept); "present" copies it to a window that cannot be drawn to directly.
+/// Add the pass that makes the picture from the G-buffer: it writes the colour, and the radiance if it is kept.
 void ContributeDirectLight(
   Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options);
+
+/// Add the pass that copies the finished picture to a window that cannot be drawn to directly.
+void ContributePresentation(Frame& frame);
 }

@@ -27,6 +27,10 @@ void ForwardProgram::Begin(vtkOpenGLState* state, const int* units)
 void ForwardProgram::Set(const Arguments& arguments) const
 {
   this->SetValues(arguments);
+  if (arguments.Blocks().empty())
+  {
+    return; // this is called for each draw of a prop
+  }
   for (const Input& input : this->Inputs())
   {
     const auto block = arguments.Blocks().find(input.Name);

@@ -70,7 +70,9 @@ vtkGIPass::Internals::ViewRecord& vtkGIPass::Internals::FindOrAddRecord(vtkRende
   ViewRecord& record = this->Views[{ renderer, renderer->GetActiveCamera()->GetLeftEye() }];
   if (!record.Renderer)
   {
-    record = ViewRecord(); // a new view, or a new renderer at the address of a deleted one
+    // A new view, or a new renderer at the address of a deleted one.
+    this->ForgetView({ renderer, renderer->GetActiveCamera()->GetLeftEye() });
+    record = ViewRecord();
     record.Renderer = renderer;
     record.Name = std::to_string(++this->ViewCount);
   }
@@ -189,13 +191,17 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       this->Forward->ReloadShaders();
       this->ShadersInvalid = false;
     }
-    this->DrawFrame(self, state, record, standsAlone);
-    ++record.StillFrames;
+    const bool complete = this->DrawFrame(self, state, record, standsAlone);
+    record.StillFrames = complete ? record.StillFrames + 1 : 0;
     ++record.FrameNumber;
   }
   catch (const std::exception& error)
   {
     problem = error.what();
+    // Techniques may have counted work that was not done.
+    this->Pool.ForgetView(record.Name);
+    record.States = ViewState();
+    record.Motion = MotionTable();
   }
   this->Pool.EndFrame(record.Name);
   for (auto it = this->Views.begin(); it != this->Views.end();)
@@ -205,11 +211,19 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       ++it;
       continue;
     }
-    this->Pool.ForgetView(it->second.Name);
-    this->RayScenes.erase(it->first.first);
+    this->ForgetView(it->first);
     it = this->Views.erase(it);
   }
   return problem;
+}
+
+void vtkGIPass::Internals::ForgetView(const ViewKey& key)
+{
+  this->Pool.ForgetView(this->Views[key].Name);
+  if (!this->FindRecord(key.first))
+  {
+    this->RayScenes.erase(key.first);
+  }
 }
 
 void vtkGIPass::Internals::SkipFrame(vtkRenderer* renderer)
@@ -243,7 +257,7 @@ std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound
 }
 }
 
-void vtkGIPass::Internals::DrawFrame(
+bool vtkGIPass::Internals::DrawFrame(
   vtkGIPass* self, const vtkRenderState* state, ViewRecord& record, bool standsAlone)
 {
   auto* renderer = static_cast<vtkOpenGLRenderer*>(state->GetRenderer());
@@ -296,6 +310,8 @@ void vtkGIPass::Internals::DrawFrame(
   {
     this->KeepRadiance(builder, record);
   }
+  builder.AddLastPasses();
+  ContributePresentation(builder);
   graph.Compile();
   this->Lights.Upload();
 
@@ -311,12 +327,17 @@ void vtkGIPass::Internals::DrawFrame(
   executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
   this->CapturedProps = this->Capture.CapturedProps() + skies + this->Capture.DrawOthers(renderer);
   this->Forward->SetLights(this->Lights, builder.GetForwardLight());
-  // The signature is taken after drawing, because drawing updates pipelines and lights.
-  record.Signature = this->Sign(renderer, unshifted);
   if (self->GetCollectStatistics())
   {
     this->WriteStatistics(timer.Collect(), view);
   }
+  if (window->GetAbortRender())
+  {
+    return false; // the next frame is compared with the last complete one
+  }
+  // The signature is taken after drawing, because drawing updates pipelines and lights.
+  record.Signature = this->Sign(renderer, unshifted);
+  return true;
 }
 
 namespace
@@ -422,7 +443,14 @@ void vtkGIPass::Internals::FreeResources()
   this->Lights.ReleaseGraphicsResources();
   this->Capture.Materials().ReleaseGraphicsResources();
   this->ViewBlock = Buffer();
-  this->Views.clear();
   this->DrawnByRays = nullptr;
   this->RayScenes.clear();
+  for (auto& [key, record] : this->Views)
+  {
+    ViewRecord cleared;
+    cleared.Renderer = record.Renderer;
+    cleared.Name = record.Name;
+    cleared.Restarts = record.Restarts;
+    record = std::move(cleared);
+  }
 }

@@ -89,8 +89,10 @@ private:
   static std::string CheckContext();
   penumbra::View MakeView(vtkOpenGLRenderer* renderer, ViewRecord& record);
   penumbra::SceneSignature Sign(vtkOpenGLRenderer* renderer, const penumbra::View& view);
-  void DrawFrame(
+  /// Returns false if the frame is incomplete because the user aborted it.
+  bool DrawFrame(
     vtkGIPass* self, const vtkRenderState* state, ViewRecord& record, bool standsAlone);
+  void ForgetView(const ViewKey& key); ///< free what is kept for a view that is gone
   void KeepRadiance(penumbra::FrameBuilder& frame, ViewRecord& record);
   void WriteStatistics(
     const std::vector<penumbra::GpuTimer::Span>& spans, const penumbra::View& view);

@@ -47,8 +47,8 @@ std::vector<vtkGITechnique*> ChooseTechniques(
     vtkGITechnique* best = technique->GetEnabled() && resource ? preferred.at(resource) : technique;
     if (best != technique)
     {
-      frame.AddNote(std::string(technique->GetName()) + " stands back: " + best->GetName() +
-        ", which is on too, finds the same");
+      frame.AddNote(std::string(technique->GetName()) + " is not used, because " + best->GetName() +
+        ", which is on too, takes its place");
     }
     else if (technique->GetEnabled())
     {

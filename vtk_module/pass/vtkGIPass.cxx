@@ -4,7 +4,6 @@
 
 #include "gpu/ScopedState.h"
 #include "graph/FrameExecutor.h"
-#include "light/DirectLight.h"
 #include "base/ScopeExit.h"
 #include "pass/PassInternals.h"
 #include "pass/StockStages.h"

@@ -33,7 +33,6 @@ public:
   Arguments SkyCells(int rays);
 
   const glm::dvec3& Origin() const { return this->Scene.Origin(); }
-  std::size_t EmitterCount() const { return this->Emitters; }
   bool Contains(vtkProp* prop) const { return this->TracedProps.count(prop) > 0; }
   /// Number of visible props with surfaces that rays do not see.
   std::size_t LeftOut() const { return this->LeftOutCount; }

@@ -32,7 +32,6 @@ public:
   /// Update a mesh whose points moved. Rebuilds it if it has other primitives or does not exist yet.
   void RefitMesh(Key mesh, const RayGeometry& geometry);
   void RemoveMesh(Key mesh);
-  bool HasMesh(Key mesh) const { return this->Meshes.count(mesh) > 0; }
 
   /// Add an instance of a mesh, or replace the one with this key. Hits report `user`.
   void SetInstance(Key instance, Key mesh, const glm::dmat4& meshToWorld, std::int32_t user = 0);

@@ -223,7 +223,6 @@ RayTreeBuilder::RayTreeBuilder(
   : Impl(std::make_unique<Internals>())
 {
   this->Top = this->Impl->Build(items, count, leafSize, depthLimit);
-  this->Embree = this->Top != nullptr;
   if (!this->Top)
   {
     std::vector<std::uint32_t> order = Present(items, count);

@@ -40,13 +40,10 @@ public:
   RayTreeBuilder& operator=(const RayTreeBuilder&) = delete;
 
   const RayBuildNode* Root() const { return this->Top; }
-  /// Whether Embree built the tree.
-  bool ByEmbree() const { return this->Embree; }
 
 private:
   struct Internals;
   std::unique_ptr<Internals> Impl;
   const RayBuildNode* Top = nullptr;
-  bool Embree = false;
 };
 }

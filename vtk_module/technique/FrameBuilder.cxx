@@ -87,6 +87,14 @@ void FrameBuilder::RequestSurroundings()
   }
 }
 
+void FrameBuilder::AddLastPasses()
+{
+  for (const auto& addPasses : this->Last)
+  {
+    addPasses(*this);
+  }
+}
+
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)
 {
   View& view = this->CurrentView;

@@ -60,6 +60,14 @@ public:
   /// Shift this frame's picture by a fraction of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
+  /// Have passes added after those of everything else, except for what presents the picture. They run when no other pass
+  /// can.
+  void AddLast(std::function<void(FrameBuilder& frame)> addPasses)
+  {
+    this->Last.push_back(std::move(addPasses));
+  }
+  void AddLastPasses();
+
   /// Have resource::LitRadiance written, and resource::Surroundings if there is environment light.
   void RequestLitRadiance();
   bool WantsLitRadiance() const { return this->LitRadianceRequested; }
@@ -90,6 +98,7 @@ private:
   bool TracedSceneReady = false;
   bool MotionReady = false;
   bool LitRadianceRequested = false;
+  std::vector<std::function<void(FrameBuilder&)>> Last;
   ForwardPart Visibility;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;

@@ -32,7 +32,6 @@ public:
   {
     this->Indirect.push_back({ kind, detail });
   }
-  bool HasIndirectLight() const { return !this->Indirect.empty(); }
   /// Whether any of it is known in space, not only on surfaces.
   bool HasLightInSpace() const
   {

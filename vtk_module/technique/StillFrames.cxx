@@ -38,12 +38,14 @@ void ShiftStillFrame(FrameBuilder& frame, int index)
   }
   const GLenum format = frame.GetView().DepthFormat;
   History& kept = frame.Keep("depth", frame.WindowTexture(format ? format : GL_DEPTH_COMPONENT32F));
-  frame.AddPass("steady-depth")
-    .Read(resource::Depth)
-    .Read(resource::DepthCopy)
-    .Read(resource::Color)
-    .UpdateHistory(kept)
-    .SideEffect()
-    .Execute([&kept](FrameContext& context) { RestoreDepth(context, kept); });
+  frame.AddLast([&kept](FrameBuilder& last) {
+    last.AddPass("steady-depth")
+      .Read(resource::Depth)
+      .Read(resource::DepthCopy)
+      .Read(resource::Color)
+      .UpdateHistory(kept)
+      .SideEffect()
+      .Execute([&kept](FrameContext& context) { RestoreDepth(context, kept); });
+  });
 }
 }

@@ -80,7 +80,6 @@ int LiveField::Settings::ProbesPerFrame(int maximum) const
 
 void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeType parameters)
 {
-  this->Current = settings;
   const std::array<int, 2> requestedLayout = { settings.Probes, settings.Grids };
   if (view.StandsAlone || requestedLayout != this->RequestedLayout ||
     !this->Grids().Get(0).Suits(view.Bounds))
@@ -89,6 +88,11 @@ void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeT
     this->Current = settings;
     this->RequestedLayout = requestedLayout;
     this->CreateGrids(view);
+  }
+  this->Current = settings;
+  if (view.StandsAlone)
+  {
+    this->Current.RaysBudget = 0; // all updates are done in this frame anyway
   }
   const SceneChanges& changes = view.Changes;
   if (changes.Lights || changes.Props || changes.Appearance || this->Parameters != parameters)
@@ -144,6 +148,10 @@ void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights)
   const int size = this->Grids().Size();
   this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays);
   this->Uninitialized |= this->ProbeMaps.AreEmpty();
+  if (!this->ProbeMaps.RayResults->Written)
+  {
+    this->CompleteRayResults = this->NextProbe == 0 ? 0 : -1;
+  }
   if (this->Uninitialized)
   {
     this->ProbeMaps.Clear(frame);
@@ -187,7 +195,7 @@ void LiveField::Trace(Frame& frame, RayProps& rays, LightTable& lights)
   {
     return;
   }
-  const bool relocates = this->NextProbe == 0 &&
+  const bool relocates = this->NextProbe == 0 && this->CompleteRayResults > 0 &&
     this->TotalUpdates % RelocationInterval == FirstRelocation &&
     this->UpdatesSinceChange < AdaptationUpdates && this->Current.Relocate;
   if (relocates)
@@ -232,6 +240,7 @@ void LiveField::Advance()
   {
     this->NextProbe = 0;
     ++this->TotalUpdates;
+    ++this->CompleteRayResults;
     ++this->UpdatesSinceSceneChange;
     ++this->UpdatesSinceChange;
     ++this->DistanceUpdates;

@@ -70,6 +70,8 @@ private:
   /// Number of probes from NextProbe on whose visibility of each other may have changed.
   int UnconnectedProbes = 0;
   int TotalUpdates = 0; ///< since the grids were created
+  /// Number of whole updates whose results of rays are kept. The first may have begun before the results were kept.
+  int CompleteRayResults = 0;
   int UpdatesSinceSceneChange = 0;
   int UpdatesSinceChange = 0;       ///< since the scene changed or a grid moved
   int DistanceUpdates = 0;          ///< since geometry changed

@@ -147,7 +147,7 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
         .Set("firstProbe", this->First)
         .Set("lastProbe", this->Last)
         .Set("lit", this->UpdateNumber > 0),
-      Work::Items(this->RayCount * (this->Last - this->First)));
+      Work::ItemsInRows(std::size_t(this->RayCount) * std::size_t(this->Last - this->First)));
 }
 
 void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geometryMoves) const

@@ -113,12 +113,14 @@ void vtkGILightmap::ReleaseGraphicsResources(vtkWindow*)
 
 void vtkGILightmap::Plan(LightingPlan& plan, FrameBuilder& frame)
 {
+  BakeFit& fit = frame.ViewState<BakeFit>(this);
   if (!this->HasBake())
   {
+    fit = BakeFit();
+    this->Impl->Map.Release(); // of a bake that was removed
     frame.AddNote("the lightmap is on without a bake: make one with penumbra bake lightmap");
     return;
   }
-  BakeFit& fit = frame.ViewState<BakeFit>(this);
   fit.Check(frame, this->Impl->Scene, "the lightmap no longer fits");
   if (fit.Fits())
   {

@@ -114,12 +114,14 @@ void vtkGISHProbes::ReleaseGraphicsResources(vtkWindow*)
 
 void vtkGISHProbes::Plan(LightingPlan& plan, FrameBuilder& frame)
 {
+  BakeFit& fit = frame.ViewState<BakeFit>(this);
   if (!this->HasBake())
   {
+    fit = BakeFit();
+    this->Impl->Textures.reset(); // of a bake that was removed
     frame.AddNote("the probes are on without a bake: make one with penumbra bake probes");
     return;
   }
-  BakeFit& fit = frame.ViewState<BakeFit>(this);
   fit.Check(frame, this->Impl->Scene, "the probes no longer fit");
   if (fit.Fits())
   {

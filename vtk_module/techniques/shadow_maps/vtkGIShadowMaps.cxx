@@ -12,6 +12,8 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkRenderWindow.h"
 
 #include <cstdint>
 #include <map>
@@ -272,6 +274,11 @@ void vtkGIShadowMaps::DrawMaps(
       ++this->DrawnMaps;
     }
     drawn.Tiles[key] = std::move(signature);
+  }
+  if (context.Renderer()->GetRenderWindow()->GetAbortRender())
+  {
+    contents = AtlasContents(); // maps may lack casters
+    return;
   }
   // After drawing, because drawing updates pipelines.
   drawn.Casters = CasterSignature(scene);

@@ -37,6 +37,9 @@ LightGeometry GeometryOf(const Light& light)
 /// Numbers of frames since the last change of each kind, including the frame being drawn.
 struct Ages
 {
+  static constexpr int Never = -2;
+  int LastFrame = Never;                ///< number of the last frame that was accumulated
+  std::map<std::string, int> LastMeans; ///< number of the frame whose means are kept, by noisy resource
   int Accumulation = 0;    ///< since accumulation began
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
@@ -110,7 +113,7 @@ using SurfacePair = PingPong<History>;
 struct Accumulator
 {
   MotionTable* Motion;
-  const Ages* Age;
+  Ages* Age;
   int MaximumFrames;
   int ChangeFrames;
   double DepthTolerance;
@@ -132,10 +135,14 @@ struct Accumulator
     scope.DepthMask(false);
   }
 
-  void Reproject(FrameContext& context, const SurfacePair& surfaces) const
+  void Reproject(FrameContext& context, const SurfacePair& surfaces, const LightTable& lights) const
   {
     const View& view = context.GetView();
-    const bool continued = this->Motion->IsContinued() && surfaces.Previous->Written;
+    // The graph leaves this pass out of frames without a noisy resource.
+    const bool continued = this->Motion->IsContinued() && surfaces.Previous->Written &&
+      this->Age->LastFrame + 1 == view.FrameNumber;
+    this->Age->Advance(view, lights, continued);
+    this->Age->LastFrame = view.FrameNumber;
     ScopedState scope(context.State());
     this->Begin(scope);
     context.BindTarget({ { context.Output(Reprojection), -1 }, { &surfaces.Current->Storage, -1 } },
@@ -173,6 +180,9 @@ struct Accumulator
         isNew[&texture] = created;
         return &texture;
       });
+    int& lastMean = this->Age->LastMeans.emplace(noisy.Name, Ages::Never).first->second;
+    const bool restarts = isNew[means.Previous] || lastMean + 1 != view.FrameNumber;
+    lastMean = view.FrameNumber;
     Defines variant;
     if (desc.Layers > 0)
     {
@@ -197,7 +207,7 @@ struct Accumulator
       for (int i = 0; i < 4; ++i)
       {
         const int age =
-          isNew[means.Previous] ? 1 : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
+          restarts ? 1 : this->Age->Of(noisy, static_cast<std::size_t>(4 * layer + i));
         maximumAge[i] = static_cast<float>(age);
       }
       context.DrawBound("temporal_accumulation/accumulate.frag", variant,
@@ -230,9 +240,8 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     .WriteHistory(*surfaces.Current)
     .Offer(frame.Capture().Materials().ShaderArguments())
     .Offer(motion.ShaderArguments())
-    .Execute([accumulator, surfaces, &ages, &motion, &lights](FrameContext& context) {
-      ages.Advance(context.GetView(), lights, motion.IsContinued());
-      accumulator.Reproject(context, surfaces);
+    .Execute([accumulator, surfaces, &lights](FrameContext& context) {
+      accumulator.Reproject(context, surfaces, lights);
     });
   for (const NoisyResource& noisy : resource::Noisy)
   {
