@@ -55,7 +55,7 @@ struct LightmapFrames : LightmapScene
   LightmapFrames()
   {
     this->Scene.Window->SetSize(1280, 720);
-    this->LightAsUsers();
+    this->UseShadowedLamp();
   }
 
   double SecondsOfNext(bool map)

@@ -19,14 +19,6 @@ namespace penumbra_test
 {
 namespace
 {
-vtkActor* AddTorus(Stage& stage)
-{
-  vtkActor* actor = stage.Add(Torus());
-  actor->GetProperty()->SetSpecular(0.4);
-  Stage::LookAround(stage.Renderer);
-  return actor;
-}
-
 void AddText(Stage& stage)
 {
   vtkNew<vtkTextActor> text;
@@ -78,7 +70,7 @@ void AddShape2D(Stage& stage)
 void AddImage2D(Stage& stage)
 {
   vtkNew<vtkImageMapper> mapper;
-  mapper->SetInputData(Checks());
+  mapper->SetInputData(Checkerboard());
   mapper->SetColorWindow(255.0);
   mapper->SetColorLevel(127.0);
   vtkNew<vtkActor2D> actor;
@@ -104,12 +96,12 @@ void AddBillboard(Stage& stage)
   stage.Renderer->AddActor(text);
 }
 
-// What a case shows besides the torus.
-template <void (*Extra)(Stage&)>
+// The torus with another prop.
+template <void (*AddOther)(Stage&)>
 void WithTorus(Stage& stage)
 {
-  AddTorus(stage);
-  Extra(stage);
+  AddTorus(stage, 0.4);
+  AddOther(stage);
 }
 }
 
@@ -125,7 +117,7 @@ ParityCases AnnotationCases()
     { "billboard text", WithTorus<AddBillboard> },
     { "every annotation",
       [](Stage& s) {
-        AddTorus(s)->GetProperty()->SetOpacity(0.8);
+        AddTorus(s, 0.4)->GetProperty()->SetOpacity(0.8);
         s.Add(Ball());
         AddText(s);
         AddScalarBar(s);

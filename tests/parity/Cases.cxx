@@ -58,7 +58,7 @@ vtkSmartPointer<vtkPolyData> Torus()
   return source->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> Checks(int components)
+vtkSmartPointer<vtkImageData> Checkerboard(int components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   constexpr int size = 64;
@@ -78,5 +78,19 @@ vtkSmartPointer<vtkImageData> Checks(int components)
     }
   }
   return image;
+}
+
+vtkActor* AddTorus(Stage& stage, double specular, double specularPower)
+{
+  vtkActor* actor = stage.Add(Torus());
+  actor->GetProperty()->SetSpecular(specular);
+  actor->GetProperty()->SetSpecularPower(specularPower);
+  Stage::LookAround(stage.Renderer);
+  return actor;
+}
+
+vtkActor* AddShinyTorus(Stage& stage)
+{
+  return AddTorus(stage, 0.5, 20.0);
 }
 }

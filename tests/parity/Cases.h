@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes of which the pass, with every technique off, must draw stock VTK's picture.
+// Scenes that the pass, with every technique off, must draw like stock VTK.
 #pragma once
 
 #include "Stage.h"
@@ -9,14 +9,13 @@
 
 namespace penumbra_test
 {
-/// A scene as data. The picture must show something, and where Captured is set some of its pixels
-/// must have come through the G-buffer.
+/// A named scene. Its picture must not be empty.
 struct ParityCase
 {
   const char* Name;
   void (*Build)(Stage&);
-  bool Captured = true;
-  double Share = 0.999; ///< least share of pixels within 2/255 of stock VTK's
+  bool Captured = true; ///< whether any pixel comes through the G-buffer
+  double Share = 0.999; ///< smallest share of pixels within 2/255 of stock VTK's
 
   std::string Id() const; ///< the name in letters, digits and underscores
 };
@@ -26,12 +25,12 @@ using ParityCases = std::vector<ParityCase>;
 
 ParityCases SurfaceCases();    ///< shading, representations, normals, cell kinds
 ParityCases MaterialCases();   ///< scalars, textures, physically based materials, environments
-ParityCases MapperCases();     ///< the mappers and props beside a polydata mapper's actor
-ParityCases LightCases();      ///< the lights
+ParityCases MapperCases();     ///< mappers and props other than an actor with polygonal data
+ParityCases LightCases();      ///< lights of every type
 ParityCases ViewCases();       ///< cameras, viewports, windows, backgrounds, coordinates
 ParityCases LayerCases();      ///< translucent props, volumes and images among surfaces
 ParityCases AnnotationCases(); ///< text, axes and 2-D props over surfaces
-ParityCases CustomCases();     ///< the user's own shader code, and rare switches
+ParityCases CustomCases();     ///< shader code of users, and rare switches
 ParityCases AllCases();
 
 /// A tessellated ball without lines of symmetry along the axes of the picture.
@@ -40,6 +39,11 @@ vtkSmartPointer<vtkPolyData> Ball(int resolution = 24);
 /// A torus, with normals and texture coordinates.
 vtkSmartPointer<vtkPolyData> Torus();
 
-/// A smooth colourful image: 8 bits, with 3 or 4 components.
-vtkSmartPointer<vtkImageData> Checks(int components = 3);
+/// A checkerboard with gradients in colour: 8 bits, with up to 4 components.
+vtkSmartPointer<vtkImageData> Checkerboard(int components = 3);
+
+/// Add the torus and look at it.
+vtkActor* AddTorus(Stage& stage, double specular = 0.0, double specularPower = 1.0);
+/// Add the torus with a highlight.
+vtkActor* AddShinyTorus(Stage& stage);
 }

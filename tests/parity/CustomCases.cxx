@@ -15,16 +15,7 @@ namespace penumbra_test
 {
 namespace
 {
-vtkActor* AddTorus(Stage& stage)
-{
-  vtkActor* actor = stage.Add(Torus());
-  actor->GetProperty()->SetSpecular(0.5);
-  actor->GetProperty()->SetSpecularPower(20.0);
-  Stage::LookAround(stage.Renderer);
-  return actor;
-}
-
-// What a user wrote, in shader_code/.
+// Shader code of a user, from shader_code/.
 std::string ShaderCode(const std::string& name)
 {
   std::ifstream file(TestData("parity/shader_code/" + name + ".glsl"));
@@ -37,7 +28,7 @@ std::string ShaderCode(const std::string& name)
 // The user's code in place of a tag of VTK's fragment shader.
 vtkShaderProperty* AddFragmentCode(Stage& stage, const char* tag, const char* name, bool first)
 {
-  vtkShaderProperty* shader = AddTorus(stage)->GetShaderProperty();
+  vtkShaderProperty* shader = AddShinyTorus(stage)->GetShaderProperty();
   shader->AddFragmentShaderReplacement(tag, first, ShaderCode(name), false);
   return shader;
 }
@@ -45,7 +36,7 @@ vtkShaderProperty* AddFragmentCode(Stage& stage, const char* tag, const char* na
 // Stripes along the object's own coordinates, as in VTK's examples of replaced shaders.
 void AddVertexCode(Stage& stage)
 {
-  vtkShaderProperty* shader = AddTorus(stage)->GetShaderProperty();
+  vtkShaderProperty* shader = AddShinyTorus(stage)->GetShaderProperty();
   shader->AddVertexShaderReplacement(
     "//VTK::Normal::Dec", true, ShaderCode("vertex_declaration"), false);
   shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, ShaderCode("vertex"), false);
@@ -75,25 +66,25 @@ ParityCases CustomCases()
         shader->GetFragmentCustomUniforms()->SetUniform3f("tint", tint);
       } },
     { "shader code of vertices", AddVertexCode },
-    { "shader of one's own",
+    { "shader code of a whole shader",
       [](Stage& s) {
-        AddTorus(s)->GetShaderProperty()->SetFragmentShaderCode(ShaderCode("whole").c_str());
+        AddShinyTorus(s)->GetShaderProperty()->SetFragmentShaderCode(ShaderCode("whole").c_str());
       },
       false },
     { "hidden lines removed",
       [](Stage& s) {
-        AddTorus(s)->GetProperty()->SetRepresentationToWireframe();
+        AddShinyTorus(s)->GetProperty()->SetRepresentationToWireframe();
         s.Renderer->UseHiddenLineRemovalOn();
       },
       false },
     { "two-sided lighting off",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->TwoSidedLightingOff();
       } },
-    { "opaque by force, translucent by force",
+    { "forced opaque, forced translucent",
       [](Stage& s) {
-        AddTorus(s)->ForceOpaqueOn();
+        AddShinyTorus(s)->ForceOpaqueOn();
         s.Renderer->GetActors()->GetLastActor()->GetProperty()->SetOpacity(0.4);
         s.Add(Ball())->ForceTranslucentOn();
       } },

@@ -19,21 +19,13 @@ namespace penumbra_test
 {
 namespace
 {
-vtkActor* AddTorus(Stage& stage)
-{
-  vtkActor* actor = stage.Add(Torus());
-  actor->GetProperty()->SetSpecular(0.4);
-  Stage::LookAround(stage.Renderer);
-  return actor;
-}
-
 //------------------------------------------------------------------------------
 // Translucent props
 
 // Glass balls around, inside and in front of an opaque torus.
 void AddGlass(Stage& stage)
 {
-  AddTorus(stage);
+  AddTorus(stage, 0.4);
   for (int i = 0; i < 3; ++i)
   {
     vtkActor* glass = stage.Add(Ball());
@@ -127,6 +119,7 @@ void AddSmartVolume(Stage& stage, bool shaded)
 
 void AddRayCastVolume(Stage& stage)
 {
+  AddTorus(stage, 0.4);
   vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
   mapper->SetAutoAdjustSampleDistances(false);
   mapper->SetSampleDistance(0.1f);
@@ -139,7 +132,7 @@ void AddRayCastVolume(Stage& stage)
 void AddImageActor(Stage& stage)
 {
   vtkNew<vtkImageActor> image;
-  image->GetMapper()->SetInputData(Checks());
+  image->GetMapper()->SetInputData(Checkerboard());
   image->RotateX(30.0);
   stage.Renderer->AddActor(image);
   vtkActor* ball = stage.Add(Ball());
@@ -151,7 +144,7 @@ void AddImageActor(Stage& stage)
 void AddImageSlice(Stage& stage)
 {
   vtkNew<vtkImageSliceMapper> mapper;
-  mapper->SetInputData(Checks());
+  mapper->SetInputData(Checkerboard());
   vtkNew<vtkImageSlice> slice;
   slice->SetMapper(mapper);
   stage.Renderer->AddViewProp(slice);
@@ -160,14 +153,6 @@ void AddImageSlice(Stage& stage)
   ball->SetPosition(30.0, 30.0, 0.0);
   Stage::LookAround(stage.Renderer);
 }
-
-// What a case shows besides the torus.
-template <void (*Extra)(Stage&)>
-void WithTorus(Stage& stage)
-{
-  AddTorus(stage);
-  Extra(stage);
-}
 }
 
 ParityCases LayerCases()
@@ -175,12 +160,13 @@ ParityCases LayerCases()
   return {
     { "translucent", AddGlass },
     { "translucent, depth peeling", AddPeeledGlass },
-    { "translucent only", [](Stage& s) { AddTorus(s)->GetProperty()->SetOpacity(0.5); }, false },
+    { "translucent only", [](Stage& s) { AddTorus(s, 0.4)->GetProperty()->SetOpacity(0.5); },
+      false },
     { "translucent, scalars", AddTranslucentScalars },
     { "volume", [](Stage& s) { AddSmartVolume(s, false); }, false },
     { "volume with a surface",
       [](Stage& s) {
-        AddTorus(s);
+        AddTorus(s, 0.4);
         AddSmartVolume(s, true);
       } },
     { "volume, translucent and opaque",
@@ -188,12 +174,12 @@ ParityCases LayerCases()
         AddGlass(s);
         AddSmartVolume(s, false);
       } },
-    { "volume ray cast on the CPU", WithTorus<AddRayCastVolume> },
+    { "volume ray cast on the CPU", AddRayCastVolume },
     { "image actor", AddImageActor },
     { "image slice", AddImageSlice },
     { "FXAA",
       [](Stage& s) {
-        AddTorus(s);
+        AddTorus(s, 0.4);
         s.Renderer->UseFXAAOn();
       } },
   };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cases.h"
+#include "SceneParts.h"
 
 #include "vtkActorCollection.h"
 #include "vtkLightKit.h"
@@ -26,16 +27,6 @@ void AddScene(Stage& stage)
   Stage::LookAround(stage.Renderer);
 }
 
-vtkLight* AddLight(Stage& stage, double x, double y, double z)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  stage.Renderer->AddLight(light);
-  return light;
-}
-
 vtkLight* AddLamp(Stage& stage, double x, double y, double z)
 {
   vtkLight* light = AddLight(stage, x, y, z);
@@ -51,7 +42,7 @@ vtkLight* AddCone(Stage& stage, double angle, double exponent)
   return light;
 }
 
-// Build the scene, then its lights.
+// The scene with lights.
 template <void (*Lights)(Stage&)>
 void Lit(Stage& stage)
 {
@@ -147,8 +138,8 @@ void OffFirst(Stage& s)
   AddLight(s, 2, 1, 3)->SetColor(1.0, 0.8, 0.5);
 }
 
-// VTK then adds a headlight, but lights the first frame by another formula than the next: no
-// highlights, in which the two differ.
+// VTK then adds a headlight, but lights the first frame with another formula than the next. The two differ in
+// highlights only, so there are none.
 void AllOff(Stage& s)
 {
   AddLight(s, 2, 1, 3)->SwitchOff();
@@ -239,7 +230,7 @@ ParityCases LightCases()
     { "light kit", Lit<Kit> },
     { "twelve lights", Lit<Twelve> },
     { "light with a transform", Lit<Transformed> },
-    { "light beyond white", Lit<Bright> },
+    { "light brighter than white", Lit<Bright> },
     { "light's three colours", Lit<DiffuseOnlyColour> },
     { "light not following the camera", Lit<NotFollowing> },
   };

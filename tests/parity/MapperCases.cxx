@@ -119,7 +119,7 @@ void AddImpostors(Stage& stage, bool scalars)
   Stage::LookAround(stage.Renderer);
 }
 
-// The mapper reads floats and colours, and three numbers of each stick: length, radius, nothing.
+// The mapper reads floats and colours, and three numbers per stick: length, radius, and one that it ignores.
 void AddSticks(Stage& stage)
 {
   vtkSmartPointer<vtkPolyData> spiral = Spiral(16);
@@ -244,7 +244,7 @@ void AddSplats(Stage& stage)
   vtkNew<vtkPointGaussianMapper> mapper;
   mapper->SetInputData(Spiral(30));
   mapper->SetScaleFactor(0.1);
-  // A shader of opaque discs: the default's soft splats are translucent.
+  // Opaque discs: the default splats are soft and translucent.
   mapper->SetSplatShaderCode("//VTK::Color::Impl\n"
                              "  if (dot(offsetVCVSOutput, offsetVCVSOutput) > 1.0) { discard; }\n");
   mapper->EmissiveOff();

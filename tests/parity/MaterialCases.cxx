@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cases.h"
+#include "SceneParts.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkLookupTable.h"
@@ -41,7 +42,7 @@ vtkPolyDataMapper* AddScalars(Stage& stage, bool perCell)
   return static_cast<vtkPolyDataMapper*>(actor->GetMapper());
 }
 
-// Half of the surface is clear: masked, not blended, as the actor is forced opaque.
+// Half of the surface is transparent. It is masked, not blended, because the actor is forced opaque.
 void AddMaskedOpacity(Stage& stage)
 {
   vtkSmartPointer<vtkPolyData> torus = Torus();
@@ -62,23 +63,23 @@ void AddMaskedOpacity(Stage& stage)
 //------------------------------------------------------------------------------
 // Textures
 
-vtkSmartPointer<vtkTexture> MakeTexture(int components = 3, bool sRGB = false)
+vtkSmartPointer<vtkTexture> CheckerTexture(int components = 3, bool sRGB = false)
 {
   auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputData(Checks(components));
+  texture->SetInputData(Checkerboard(components));
   texture->InterpolateOn();
   texture->SetUseSRGBColorSpace(sRGB);
   return texture;
 }
 
-vtkSmartPointer<vtkTexture> MakeConstantTexture(unsigned char r, unsigned char g, unsigned char b)
+// A colour with a slight gradient.
+vtkSmartPointer<vtkTexture> GradientTexture(unsigned char r, unsigned char g, unsigned char b)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(16, 16, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   for (int i = 0; i < 256; ++i)
   {
-    // A gradient keeps it from being constant after all.
     auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(i % 16, i / 16, 0));
     pixel[0] = r;
     pixel[1] = static_cast<unsigned char>(std::min(255, g + 4 * (i % 16)));
@@ -115,7 +116,7 @@ vtkProperty* AddPBR(Stage& stage, double metallic = 0.2, double roughness = 0.4)
   return property;
 }
 
-// A sky with a bright warm patch, brighter than white.
+// A sky with a warm patch that is brighter than white.
 void SetEnvironment(Stage& stage, bool sphericalHarmonics)
 {
   vtkNew<vtkImageData> image;
@@ -134,16 +135,11 @@ void SetEnvironment(Stage& stage, bool sphericalHarmonics)
       pixel[2] = sun ? 4.0f : 0.9f - 0.6f * x / width;
     }
   }
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
-  texture->SetColorModeToDirectScalars();
-  texture->MipmapOn();
-  texture->InterpolateOn();
   auto* renderer = static_cast<vtkOpenGLRenderer*>(stage.Renderer.Get());
-  renderer->SetEnvironmentTexture(texture);
+  renderer->SetEnvironmentTexture(EnvironmentTexture(image));
   renderer->UseImageBasedLightingOn();
   renderer->SetUseSphericalHarmonics(sphericalHarmonics);
-  // Small: the filtering takes longer than the picture otherwise.
+  // Small tables: filtering would take longer than the picture.
   renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(32);
   renderer->GetEnvMapPrefiltered()->SetPrefilterLevels(3);
   renderer->GetEnvMapIrradiance()->SetIrradianceSize(16);
@@ -154,10 +150,10 @@ void SetEnvironment(Stage& stage, bool sphericalHarmonics)
 
 void SetEveryTexture(vtkProperty* property)
 {
-  property->SetBaseColorTexture(MakeTexture(3, true));
-  property->SetORMTexture(MakeConstantTexture(200, 120, 40));
-  property->SetNormalTexture(MakeConstantTexture(150, 100, 200));
-  property->SetEmissiveTexture(MakeTexture(3, true));
+  property->SetBaseColorTexture(CheckerTexture(3, true));
+  property->SetORMTexture(GradientTexture(200, 120, 40));
+  property->SetNormalTexture(GradientTexture(150, 100, 200));
+  property->SetEmissiveTexture(CheckerTexture(3, true));
   property->SetEmissiveFactor(0.3, 0.1, 0.2);
   property->SetOcclusionStrength(0.8);
   property->SetNormalScale(0.7);
@@ -184,23 +180,23 @@ ParityCases MaterialCases()
         s.Renderer->GetActors()->GetLastActor()->GetProperty()->SetInterpolationToPBR();
       } },
     { "opacity masked", AddMaskedOpacity },
-    { "texture", [](Stage& s) { AddTextured(s, MakeTexture()); } },
+    { "texture", [](Stage& s) { AddTextured(s, CheckerTexture()); } },
     { "texture, specular and ambient",
       [](Stage& s) {
-        vtkProperty* property = AddTextured(s, MakeTexture())->GetProperty();
+        vtkProperty* property = AddTextured(s, CheckerTexture())->GetProperty();
         property->SetSpecular(0.6);
         property->SetSpecularPower(10.0);
         property->SetAmbient(0.2);
       } },
     { "texture, LightingOff",
-      [](Stage& s) { AddTextured(s, MakeTexture())->GetProperty()->LightingOff(); } },
-    { "texture with alpha", [](Stage& s) { AddTextured(s, MakeTexture(4)); }, false },
+      [](Stage& s) { AddTextured(s, CheckerTexture())->GetProperty()->LightingOff(); } },
+    { "texture with alpha", [](Stage& s) { AddTextured(s, CheckerTexture(4)); }, false },
     { "texture with alpha, masked",
-      [](Stage& s) { AddTextured(s, MakeTexture(4))->ForceOpaqueOn(); } },
-    { "texture, grey", [](Stage& s) { AddTextured(s, MakeTexture(1)); } },
+      [](Stage& s) { AddTextured(s, CheckerTexture(4))->ForceOpaqueOn(); } },
+    { "texture, grey", [](Stage& s) { AddTextured(s, CheckerTexture(1)); } },
     { "texture from scalars",
       [](Stage& s) {
-        auto texture = MakeTexture(1);
+        auto texture = CheckerTexture(1);
         vtkNew<vtkLookupTable> table;
         table->SetRange(0.0, 255.0);
         table->Build();
@@ -211,12 +207,12 @@ ParityCases MaterialCases()
     { "two textures",
       [](Stage& s) {
         vtkActor* actor = AddTextured(s, nullptr);
-        actor->GetProperty()->SetTexture("checks", MakeTexture());
-        actor->GetProperty()->SetTexture("gradient", MakeConstantTexture(240, 180, 170));
+        actor->GetProperty()->SetTexture("checks", CheckerTexture());
+        actor->GetProperty()->SetTexture("gradient", GradientTexture(240, 180, 170));
       } },
     { "texture beside plain",
       [](Stage& s) {
-        AddTextured(s, MakeTexture());
+        AddTextured(s, CheckerTexture());
         s.Add(Ball(20))->GetProperty()->SetSpecular(0.5);
       } },
     { "physically based", [](Stage& s) { AddPBR(s); } },

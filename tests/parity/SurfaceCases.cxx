@@ -21,14 +21,7 @@ vtkActor* AddBall(Stage& stage)
   return actor;
 }
 
-vtkActor* AddTorus(Stage& stage)
-{
-  vtkActor* actor = stage.Add(Torus());
-  Stage::LookAround(stage.Renderer);
-  return actor;
-}
-
-// Open and curved: half of what is seen is its inside.
+// Half of a sphere, which shows its inside.
 vtkActor* AddBowl(Stage& stage)
 {
   vtkNew<vtkSphereSource> source;
@@ -223,11 +216,23 @@ ParityCases SurfaceCases()
     { "backface culling", [](Stage& s) { AddBowl(s)->GetProperty()->BackfaceCullingOn(); } },
     { "frontface culling", [](Stage& s) { AddBowl(s)->GetProperty()->FrontfaceCullingOn(); } },
     { "no normals", [](Stage& s) { AddWithoutNormals(s)->GetProperty()->SetSpecular(0.4); } },
+    { "flat, backface property",
+      [](Stage& s) {
+        vtkActor* actor = AddBowl(s);
+        actor->GetProperty()->SetInterpolationToFlat();
+        vtkNew<vtkProperty> inside;
+        inside->SetColor(0.9, 0.2, 0.8);
+        actor->SetBackfaceProperty(inside);
+      } },
     { "no normals, backface property",
       [](Stage& s) {
         vtkActor* actor = AddBowl(s);
-        static_cast<vtkPolyDataMapper*>(actor->GetMapper())->Update();
-        actor->GetProperty()->SetInterpolationToFlat();
+        auto* mapper = static_cast<vtkPolyDataMapper*>(actor->GetMapper());
+        mapper->Update();
+        vtkNew<vtkPolyData> data;
+        data->ShallowCopy(mapper->GetInput());
+        data->GetPointData()->SetNormals(nullptr);
+        mapper->SetInputData(data);
         vtkNew<vtkProperty> inside;
         inside->SetColor(0.9, 0.2, 0.8);
         actor->SetBackfaceProperty(inside);
@@ -259,17 +264,17 @@ ParityCases SurfaceCases()
     { "polygons", AddFaces },
     { "inconsistent winding",
       [](Stage& s) {
-        // Every other triangle is turned over.
+        // Every second triangle is reversed.
         vtkSmartPointer<vtkPolyData> ball = Ball();
-        vtkNew<vtkCellArray> turned;
+        vtkNew<vtkCellArray> triangles;
         vtkNew<vtkIdList> ids;
         for (vtkIdType i = 0; i < ball->GetNumberOfCells(); ++i)
         {
           ball->GetCellPoints(i, ids);
-          turned->InsertNextCell(
+          triangles->InsertNextCell(
             { ids->GetId(0), ids->GetId(i % 2 ? 2 : 1), ids->GetId(i % 2 ? 1 : 2) });
         }
-        ball->SetPolys(turned);
+        ball->SetPolys(triangles);
         s.Add(ball)->GetProperty()->SetSpecular(0.4);
         Stage::LookAround(s.Renderer);
       } },

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// EGL and OSMesa draw the same picture where both are the same software driver.
+// EGL and OSMesa draw the same picture where both use the same software driver.
 #include "Cases.h"
 #include "Picture.h"
 
@@ -12,8 +12,8 @@ namespace penumbra_test
 {
 namespace
 {
-// A case of each kind.
-const std::set<std::string> Chosen = { "specular", "edges as tubes", "points as spheres",
+// One case of each kind.
+const std::set<std::string> ComparedCases = { "specular", "edges as tubes", "points as spheres",
   "scalars per cell", "opacity masked", "texture, specular and ambient",
   "physically based, textures, environment", "glyphs coloured", "composite, block colours",
   "sphere impostors", "clipping planes, backface property", "lights of every type",
@@ -41,12 +41,12 @@ TEST(Backends, EglAndOSMesaAgree)
   window->SetBackendToEGL();
   if (!std::strstr(window->GetDescription(), "llvmpipe"))
   {
-    GTEST_SKIP() << "EGL is on a GPU here";
+    GTEST_SKIP() << "EGL uses a GPU here";
   }
   std::size_t compared = 0;
   for (const auto& row : AllCases())
   {
-    if (Chosen.count(row.Name) == 0)
+    if (ComparedCases.count(row.Name) == 0)
     {
       continue;
     }
@@ -61,7 +61,7 @@ TEST(Backends, EglAndOSMesaAgree)
     }
     ++compared;
   }
-  EXPECT_EQ(compared, Chosen.size()) << "a case changed its name";
+  EXPECT_EQ(compared, ComparedCases.size()) << "a compared case does not exist";
 }
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pass with every technique off draws stock VTK's picture: its own path, capture into the
-// G-buffer and direct light per pixel, against a renderer without pass.
+// The pass with every technique off draws stock VTK's picture. Its capture into the G-buffer and its direct light are
+// compared with a renderer without a pass.
 #include "Cases.h"
 #include "Picture.h"
 
@@ -29,7 +29,7 @@ struct Row
 };
 std::vector<Row> Table;
 
-// The share of pixels that came through the G-buffer of any renderer.
+// Share of pixels that came through the G-buffer, summed over the renderers.
 double CapturedShare(Stage& stage, const std::vector<vtkSmartPointer<vtkGIPass>>& passes)
 {
   double share = 0.0;
@@ -76,7 +76,7 @@ protected:
   }
 };
 
-// Baked light of every scene that knows nothing: its one triangle is out of sight.
+// Give every renderer a lightmap whose only triangles are out of sight.
 void AddEmptyMaps(Stage& stage, const std::vector<vtkSmartPointer<vtkGIPass>>& passes)
 {
   for (std::size_t i = 0; i < passes.size(); ++i)
@@ -119,10 +119,10 @@ TEST_P(Parity, EqualsStock)
     EXPECT_STREQ("", pass->GetLastError());
     pass->KeepRadianceOn();
   }
-  // A second frame, with the radiance kept: the same picture, and what was captured in it.
+  // A second frame with kept radiance: the same picture, and the pixels that were captured.
   const Picture again = Shoot(stage.Window);
   const double captured = CapturedShare(stage, passes);
-  // Indirect light of which nothing is known changes nothing, whatever it shares its target with.
+  // A lightmap without visible surfaces changes nothing, whichever target it shares.
   AddEmptyMaps(stage, passes);
   const Picture mapped = Shoot(stage.Window);
   for (const auto& pass : passes)
@@ -137,7 +137,7 @@ TEST_P(Parity, EqualsStock)
   EXPECT_GE(found.Within, row.Share);
   EXPECT_GE(found.DepthWithin, row.Share);
   EXPECT_GE(Compare(ours, again, 1).Within, row.Share) << "the second frame differs";
-  // Without any lamp a map is all the light that there is: colours are no longer shown as they are.
+  // Without a lamp VTK draws unlit colours, which any lightmap replaces.
   if (vtkOpenGLRenderer::SafeDownCast(stage.Renderer)->GetLightingComplexity() > 0 ||
     stage.Renderer->GetEnvironmentTexture())
   {

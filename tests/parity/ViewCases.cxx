@@ -12,15 +12,6 @@ namespace penumbra_test
 {
 namespace
 {
-vtkActor* AddTorus(Stage& stage)
-{
-  vtkActor* actor = stage.Add(Torus());
-  actor->GetProperty()->SetSpecular(0.5);
-  actor->GetProperty()->SetSpecularPower(20.0);
-  Stage::LookAround(stage.Renderer);
-  return actor;
-}
-
 void AddTo(vtkRenderer* renderer, vtkPolyData* data, double red, double green)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -34,7 +25,7 @@ void AddTo(vtkRenderer* renderer, vtkPolyData* data, double red, double green)
 
 vtkRenderer* AddSecond(Stage& stage)
 {
-  AddTorus(stage);
+  AddShinyTorus(stage);
   vtkRenderer* second = stage.AddRenderer();
   AddTo(second, Ball(), 0.2, 0.8);
   Stage::LookAround(second);
@@ -62,7 +53,7 @@ void AddThreeViewports(Stage& stage)
 void SetSize(Stage& stage, int width, int height)
 {
   stage.Window->SetSize(width, height);
-  AddTorus(stage);
+  AddShinyTorus(stage);
 }
 
 // The same torus, larger and far from the origin.
@@ -75,7 +66,7 @@ void AddFar(Stage& stage, double size, double offset)
   Stage::LookAround(stage.Renderer);
 }
 
-// The coordinates themselves are large, not the actor's matrix.
+// Large coordinates in the data instead of the actor's matrix.
 void AddFarData(Stage& stage, double size, double offset)
 {
   vtkSmartPointer<vtkPolyData> torus = Torus();
@@ -109,13 +100,13 @@ void AddCoincident(Stage& stage)
 vtkSmartPointer<vtkTexture> BackgroundTexture()
 {
   auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputData(Checks());
+  texture->SetInputData(Checkerboard());
   return texture;
 }
 
 void AddSkybox(Stage& stage)
 {
-  AddTorus(stage);
+  AddShinyTorus(stage);
   auto texture = BackgroundTexture();
   texture->InterpolateOn();
   texture->MipmapOn();
@@ -127,15 +118,15 @@ void AddSkybox(Stage& stage)
 
 void SetStereo(Stage& stage, int type)
 {
-  AddTorus(stage);
+  AddShinyTorus(stage);
   stage.Window->SetStereoType(type);
   stage.Window->StereoRenderOn();
 }
 
-// As VTK's screenshots in tiles do it: one part of a larger picture.
+// One tile of a larger picture, as in VTK's tiled screenshots.
 void SetTile(Stage& stage)
 {
-  AddTorus(stage);
+  AddShinyTorus(stage);
   stage.Window->SetTileScale(2, 2);
   stage.Window->SetTileViewport(0.5, 0.0, 1.0, 0.5);
 }
@@ -153,7 +144,7 @@ ParityCases ViewCases()
     { "viewports with gaps", AddThreeViewports },
     { "viewport inside the window",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->SetViewport(0.3, 0.2, 0.8, 0.9);
       } },
     { "layer above", [](Stage& s) { AddLayer(s); } },
@@ -176,24 +167,24 @@ ParityCases ViewCases()
       } },
     { "parallel projection",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->GetActiveCamera()->ParallelProjectionOn();
         s.Renderer->ResetCamera();
       } },
     { "wide angle",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->GetActiveCamera()->SetViewAngle(110.0);
         s.Renderer->ResetCamera();
       } },
     { "window centre moved",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->GetActiveCamera()->SetWindowCenter(0.3, -0.2);
       } },
     { "camera rolled, user transform",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         vtkNew<vtkTransform> shear;
         shear->Scale(1.0, 0.7, 1.0);
         s.Renderer->GetActiveCamera()->SetUserViewTransform(shear);
@@ -206,19 +197,19 @@ ParityCases ViewCases()
     { "tile of a larger picture", SetTile },
     { "gradient background",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->SetBackground2(0.9, 0.9, 0.6);
         s.Renderer->GradientBackgroundOn();
       } },
     { "textured background",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Renderer->SetBackgroundTexture(BackgroundTexture());
         s.Renderer->TexturedBackgroundOn();
       } },
     { "transparent background",
       [](Stage& s) {
-        AddTorus(s);
+        AddShinyTorus(s);
         s.Window->SetAlphaBitPlanes(1);
         s.Renderer->SetBackgroundAlpha(0.0);
       } },
@@ -233,7 +224,7 @@ ParityCases ViewCases()
     { "a thousandth of a unit", [](Stage& s) { AddFar(s, 0.001, 0.0); } },
     { "matrix, negative scale",
       [](Stage& s) {
-        vtkActor* actor = AddTorus(s);
+        vtkActor* actor = AddShinyTorus(s);
         vtkNew<vtkMatrix4x4> shear;
         shear->SetElement(0, 1, 0.4);
         shear->SetElement(2, 2, 0.5);
@@ -243,7 +234,7 @@ ParityCases ViewCases()
       } },
     { "hidden actor",
       [](Stage& s) {
-        AddTorus(s)->VisibilityOff();
+        AddShinyTorus(s)->VisibilityOff();
         s.Add(Ball());
       } },
     { "coincident topology", AddCoincident },

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene with something of every kind, for tests of how the pass lives in a program.
+// A scene with props of several kinds, for tests of the pass in a program.
 #pragma once
 
 #include "Messages.h"
@@ -59,15 +59,15 @@ struct Scene : public Stage
   vtkActor* Glass = nullptr;
 };
 
-/// A preset with so many samples that frames of different noise look the same: tests of what is stale are not
-/// to see noise.
+/// Set a preset with so many samples that frames of different noise look the same, for tests that look for stale parts
+/// of a picture.
 inline void SetQuietPreset(vtkGIPass* pass, const char* preset)
 {
   pass->SetPreset(preset);
   pass->GetTechnique("ambient-occlusion")->SetParameter("samples", 128);
 }
 
-/// The two pictures show the same, to a rounding.
+/// Expect a picture that is not empty and another one that equals it up to rounding.
 inline void ExpectSame(const Picture& a, const Picture& b, double share = 0.999)
 {
   EXPECT_GT(Busyness(a), 0.01);

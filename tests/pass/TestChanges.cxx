@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whatever changes in a scene shows in the next frame: a changed scene looks like one built so.
+// Every change of a scene shows in the next frame: the picture equals that of a scene built with the change.
 #include "Scenes.h"
 
 namespace penumbra_test
@@ -50,53 +50,53 @@ const std::vector<Change> Changes = {
   { "background", [](Scene& s) { s.Renderer->SetBackground(0.8, 0.1, 0.1); } },
 };
 
-struct Use
+struct Variant
 {
   const char* Name;
   const char* Preset;
-  bool Accumulates; ///< temporal accumulation, which takes eight frames to forget
+  bool Accumulates; ///< temporal accumulation, whose history lasts eight frames
 };
 
-class ChangedScene : public testing::TestWithParam<std::tuple<Change, Use>>
+class ChangedScene : public testing::TestWithParam<std::tuple<Change, Variant>>
 {
 };
 
-vtkSmartPointer<vtkGIPass> Prepare(Scene& scene, const Use& use)
+vtkSmartPointer<vtkGIPass> Prepare(Scene& scene, const Variant& variant)
 {
   vtkGIPass* pass = scene.SetPass();
-  SetQuietPreset(pass, use.Preset);
-  pass->GetTechnique("temporal-accumulation")->SetEnabled(use.Accumulates);
+  SetQuietPreset(pass, variant.Preset);
+  pass->GetTechnique("temporal-accumulation")->SetEnabled(variant.Accumulates);
   return pass;
 }
 
-Picture Settled(Scene& scene, const Use& use)
+Picture ShootSettled(Scene& scene, const Variant& variant)
 {
-  for (int i = 0; use.Accumulates && i < 8; ++i)
+  for (int i = 0; variant.Accumulates && i < 8; ++i)
   {
     scene.Window->Render();
   }
   return Shoot(scene.Window);
 }
 
-TEST_P(ChangedScene, LooksLikeANewOne)
+TEST_P(ChangedScene, EqualsAFreshOne)
 {
-  const auto& [change, use] = GetParam();
+  const auto& [change, variant] = GetParam();
   Scene changed;
-  Prepare(changed, use);
+  Prepare(changed, variant);
   const Picture before = Shoot(changed.Window);
   changed.Window->Render();
   change.Apply(changed);
-  const Picture after = Settled(changed, use);
+  const Picture after = ShootSettled(changed, variant);
 
   Scene fresh;
   fresh.Window->SetMultiSamples(0);
   change.Apply(fresh);
-  Prepare(fresh, use);
+  Prepare(fresh, variant);
   EXPECT_GT(1.0 - Compare(before, after, 2).Within, 0.002) << "nothing changed";
-  ExpectSame(Settled(fresh, use), after);
+  ExpectSame(ShootSettled(fresh, variant), after);
 }
 
-std::string Name(const testing::TestParamInfo<std::tuple<Change, Use>>& info)
+std::string Name(const testing::TestParamInfo<std::tuple<Change, Variant>>& info)
 {
   std::string name = std::string(std::get<0>(info.param).Name) + "_" + std::get<1>(info.param).Name;
   std::replace(name.begin(), name.end(), ' ', '_');
@@ -105,8 +105,8 @@ std::string Name(const testing::TestParamInfo<std::tuple<Change, Use>>& info)
 
 INSTANTIATE_TEST_SUITE_P(Changes, ChangedScene,
   testing::Combine(testing::ValuesIn(Changes),
-    testing::Values(Use{ "off", "off", false }, Use{ "balanced", "balanced", false },
-      Use{ "accumulated", "balanced", true })),
+    testing::Values(Variant{ "off", "off", false }, Variant{ "balanced", "balanced", false },
+      Variant{ "accumulated", "balanced", true })),
   Name);
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mistakes are answered with one clear sentence, and a picture all the same.
+// Errors give one clear message, and there is still a picture.
 #include "Scenes.h"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ namespace penumbra_test
 {
 namespace
 {
-// One message that holds a text.
+// Expect exactly one message, which contains a text.
 void ExpectOneMessage(const std::string& text)
 {
   const auto messages = TakeMessages();
@@ -40,7 +40,7 @@ public:
   const std::filesystem::path Path;
 };
 
-TEST(Errors, CorruptShaderOverride)
+TEST(Errors, CorruptShadersAreReportedOnce)
 {
   Scene plain;
   const Picture stock = Shoot(plain.Window);
@@ -56,11 +56,11 @@ TEST(Errors, CorruptShaderOverride)
     EXPECT_STREQ(pass->GetLastError(), "");
 
     pass->SetShaderPath(folder.Path.c_str());
-    const Picture instead = Shoot(scene.Window);
-    EXPECT_EQ(Compare(stock, instead, 1).Within, 1.0) << "VTK's picture is drawn instead";
+    const Picture fallback = Shoot(scene.Window);
+    EXPECT_EQ(Compare(stock, fallback, 1).Within, 1.0) << "VTK's picture is drawn instead";
     EXPECT_NE(std::string(pass->GetLastError()), "");
     ExpectOneMessage(*text == '#' && text[1] == 'i' ? "no/such/file.glsl" : "resolve.frag");
-    // Said once, not with every frame.
+    // Reported once, not in every frame.
     scene.Window->Render();
     EXPECT_EQ(TakeMessages(), std::vector<std::string>());
     EXPECT_GT(pass->GetNumberOfRenderedProps(), 0);
@@ -70,8 +70,8 @@ TEST(Errors, CorruptShaderOverride)
   EXPECT_STREQ(pass->GetLastError(), "");
 }
 
-// VTK itself compiles the capture snippets, and crashes over a program that it could not build.
-TEST(Errors, CorruptCaptureOverride)
+// VTK itself compiles the capture snippets, and crashes if it cannot build the program.
+TEST(Errors, CorruptCaptureSnippetsAreReported)
 {
   Scene plain;
   const Picture stock = Shoot(plain.Window);
@@ -87,7 +87,7 @@ TEST(Errors, CorruptCaptureOverride)
   EXPECT_STREQ(pass->GetLastError(), "");
 }
 
-TEST(Errors, ShaderOverrideTakesEffect)
+TEST(Errors, ValidShaderOverridesTakeEffect)
 {
   OverrideFolder folder;
   folder.Write("direct_light/resolve.frag",
@@ -100,7 +100,7 @@ TEST(Errors, ShaderOverrideTakesEffect)
   EXPECT_EQ(picture.At(130, 110)[0], 255);
 }
 
-TEST(Errors, UnknownNames)
+TEST(Errors, UnknownNamesAreReported)
 {
   vtkNew<vtkGIPass> pass;
   EXPECT_TRUE(pass->SetPreset("fast"));
@@ -117,21 +117,21 @@ TEST(Errors, UnknownNames)
   vtkGITechnique* shadows = pass->GetTechnique("shadow-maps");
   EXPECT_FALSE(shadows->SetParameter("radius", 1.0));
   EXPECT_NE(std::string(shadows->GetLastError()).find("slope-bias"), std::string::npos)
-    << "the remedy: the names there are";
+    << "the message lists the valid names";
   ExpectOneMessage("radius");
   EXPECT_FALSE(shadows->SetParameterFromText(nullptr, "1"));
   EXPECT_EQ(TakeMessages().size(), 1u);
   EXPECT_FALSE(shadows->ApplyPreset("fastest"));
 }
 
-TEST(Errors, ParametersOutOfRange)
+TEST(Errors, ParametersOutOfRangeAreRefused)
 {
   vtkNew<vtkGIPass> pass;
   vtkGITechnique* shadows = pass->GetTechnique("shadow-maps");
   const double before = shadows->GetParameter("resolution");
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  const double endless = std::numeric_limits<double>::infinity();
-  for (const double value : { 0.0, -5.0, 1e9, 100.5, nothing, endless })
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double value : { 0.0, -5.0, 1e9, 100.5, nan, infinity })
   {
     EXPECT_FALSE(shadows->SetParameter("resolution", value)) << value;
     ExpectOneMessage("shadow-maps.resolution");
@@ -146,7 +146,7 @@ TEST(Errors, ParametersOutOfRange)
   EXPECT_EQ(shadows->GetParameter("resolution"), 512.0);
 }
 
-TEST(Errors, StatisticsAreJson)
+TEST(Statistics, AreJson)
 {
   Scene scene;
   vtkGIPass* pass = scene.SetPass();
@@ -167,15 +167,15 @@ TEST(Errors, StatisticsAreJson)
   EXPECT_GT(statistics["bytes"].get<double>(), 0.0);
 }
 
-TEST(Errors, EmptyScenes)
+TEST(Errors, EmptyScenesRaiseNone)
 {
   Stage stage;
   auto passes = stage.SetPasses();
   passes[0]->SetPreset("balanced");
   stage.Window->Render();
   EXPECT_STREQ(passes[0]->GetLastError(), "");
-  vtkNew<vtkPolyData> nothing;
-  stage.Add(nothing);
+  vtkNew<vtkPolyData> empty;
+  stage.Add(empty);
   stage.Window->Render();
   vtkNew<vtkImageData> radiance;
   EXPECT_FALSE(passes[0]->GetRadiance(stage.Renderer, radiance));
@@ -187,8 +187,8 @@ TEST(Errors, EmptyScenes)
   EXPECT_STREQ(passes[0]->GetLastError(), "");
 }
 
-// Points that are not numbers are drawn or left out, never spread.
-TEST(Errors, PointsThatAreNotNumbers)
+// Points that are NaN do not spread into the picture.
+TEST(Errors, NaNPointsGiveFiniteRadiance)
 {
   Stage stage;
   vtkNew<vtkSphereSource> sphere;
@@ -198,8 +198,8 @@ TEST(Errors, PointsThatAreNotNumbers)
   vtkPolyData* data = sphere->GetOutput();
   vtkActor* actor = stage.Add(data);
   Stage::LookAround(stage.Renderer);
-  const double bad = std::numeric_limits<double>::quiet_NaN();
-  data->GetPoints()->SetPoint(100, bad, bad, bad);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  data->GetPoints()->SetPoint(100, nan, nan, nan);
   data->GetPoints()->Modified();
   actor->GetProperty()->SetSpecular(0.5);
   auto passes = stage.SetPasses();

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Windows and renderers that come and go leave nothing behind. PENUMBRA_NIGHTLY=1 asks for 500 windows and 200 renderers.
+// Deleted windows and renderers leave no memory and no OpenGL objects behind. PENUMBRA_NIGHTLY=1 asks for 500 windows
+// and 200 renderers.
+#include "Cost.h"
+#include "Nightly.h"
 #include "Scenes.h"
 
 #include "gpu/GL.h"
 
 #include "vtkGITechnique.h"
 
-#include <cstdlib>
 #include <malloc.h>
 #include <memory>
 
@@ -15,34 +17,22 @@ namespace penumbra_test
 {
 namespace
 {
-int Rounds(int nightly, int otherwise)
-{
-  const char* value = std::getenv("PENUMBRA_NIGHTLY");
-  return value && *value && std::string(value) != "0" ? nightly : otherwise;
-}
-
 double AllocatedBytes()
 {
   return static_cast<double>(mallinfo2().uordblks);
 }
 
-double Median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-// Bytes that a round adds, from the medians of the second and of the last quarter: caches fill before.
+// Bytes added per round, from the medians of the second and the last quarter. Caches fill in the first one.
 double Growth(const std::vector<double>& bytes)
 {
   const std::size_t quarter = bytes.size() / 4;
   const auto begin = bytes.begin();
-  const double before = Median({ begin + quarter, begin + 2 * quarter });
-  const double after = Median({ bytes.end() - quarter, bytes.end() });
+  const double before = MedianOf({ begin + quarter, begin + 2 * quarter });
+  const double after = MedianOf({ bytes.end() - quarter, bytes.end() });
   return (after - before) / static_cast<double>(bytes.size() - 2 * quarter);
 }
 
-void UseEverything(vtkRenderer* renderer)
+void EnableEveryTechnique(vtkRenderer* renderer)
 {
   vtkNew<vtkGIPass> pass;
   pass->SetPreset("high");
@@ -56,18 +46,18 @@ void UseEverything(vtkRenderer* renderer)
   renderer->SetPass(pass);
 }
 
-void ShowWindow(bool lit)
+void ShowWindow(bool withPass)
 {
   Scene scene(false);
   scene.Window->SetSize(48, 32);
-  if (lit)
+  if (withPass)
   {
-    UseEverything(scene.Renderer);
+    EnableEveryTechnique(scene.Renderer);
   }
   scene.Window->Render();
 }
 
-// Names of objects that the current context knows.
+// Number of OpenGL objects in the current context.
 int CountObjects()
 {
   constexpr GLuint most = 20000;
@@ -81,7 +71,7 @@ int CountObjects()
 }
 }
 
-TEST(Leaks, WhatStaysIsSeen)
+TEST(Leaks, AreDetected)
 {
   Scene scene(false);
   scene.Window->Render();
@@ -104,17 +94,17 @@ TEST(Leaks, WhatStaysIsSeen)
 
 TEST(Leaks, WindowsLeaveNothingBehind)
 {
-  const int rounds = Rounds(500, 8);
+  const int rounds = IsNightly() ? 500 : 8;
   std::vector<double> bytes[2];
-  for (int lit = 0; lit < 2; ++lit)
+  for (int withPass = 0; withPass < 2; ++withPass)
   {
     for (int round = 0; round < rounds; ++round)
     {
-      ShowWindow(lit == 1);
-      bytes[lit].push_back(AllocatedBytes());
+      ShowWindow(withPass == 1);
+      bytes[withPass].push_back(AllocatedBytes());
     }
   }
-  // What a window of stock VTK leaves, the driver's part among it, is not ours.
+  // Leaks of stock VTK, which include the driver's, are not ours.
   const double stock = Growth(bytes[0]);
   const double ours = Growth(bytes[1]);
   std::cout << rounds << " windows: " << stock << " bytes a window by stock VTK, " << ours
@@ -124,10 +114,10 @@ TEST(Leaks, WindowsLeaveNothingBehind)
 
 TEST(Leaks, RenderersLeaveNothingBehind)
 {
-  const int rounds = Rounds(200, 24);
+  const int rounds = IsNightly() ? 200 : 24;
   Scene scene(false);
   scene.Window->SetSize(48, 32);
-  UseEverything(scene.Renderer);
+  EnableEveryTechnique(scene.Renderer);
   std::vector<double> bytes;
   std::vector<int> objects;
   for (int round = 0; round < rounds; ++round)
@@ -139,8 +129,8 @@ TEST(Leaks, RenderersLeaveNothingBehind)
       vtkNew<vtkActor> ball;
       ball->SetMapper(scene.Ball->GetMapper());
       other->AddActor(ball);
-      // By turns a pass of its own, and one that remembers the other renderer's views, too.
-      round % 2 == 0 ? UseEverything(other) : other->SetPass(scene.Renderer->GetPass());
+      // Alternately a new pass, and the first renderer's pass, which then has views of both renderers.
+      round % 2 == 0 ? EnableEveryTechnique(other) : other->SetPass(scene.Renderer->GetPass());
       scene.Window->Render();
       scene.Window->RemoveRenderer(other);
     }

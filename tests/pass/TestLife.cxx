@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Windows come and go, passes are shared, set and removed, renders are aborted.
+// Life of a pass: windows are created and deleted, passes are shared, set and removed, renders are aborted.
 #include "Scenes.h"
 
 #include "gpu/GL.h"
@@ -22,9 +22,8 @@ Picture Stock()
   return Shoot(scene.Window);
 }
 
-TEST(Life, ReleaseAndRenderAgain)
+TEST(Life, AReleasedPassRendersTheSame)
 {
-  const Picture stock = Stock();
   for (const char* preset : { "off", "balanced" })
   {
     Scene scene;
@@ -42,7 +41,7 @@ TEST(Life, ReleaseAndRenderAgain)
   }
 }
 
-TEST(Life, MoveToAnotherWindow)
+TEST(Life, ARendererMayMoveToAnotherWindow)
 {
   const Picture stock = Stock();
   Scene scene;
@@ -54,7 +53,7 @@ TEST(Life, MoveToAnotherWindow)
   other->SetMultiSamples(0);
   other->AddRenderer(scene.Renderer);
   ExpectSame(stock, Shoot(other));
-  // And back, once the other is gone.
+  // And back, after the other window is gone.
   other->RemoveRenderer(scene.Renderer);
   other->Finalize();
   scene.Window->AddRenderer(scene.Renderer);
@@ -62,7 +61,7 @@ TEST(Life, MoveToAnotherWindow)
   EXPECT_STREQ(pass->GetLastError(), "");
 }
 
-TEST(Life, PassOutlivesItsWindow)
+TEST(Life, APassMayOutliveItsWindow)
 {
   const Picture stock = Stock();
   auto pass = vtkSmartPointer<vtkGIPass>::New();
@@ -74,8 +73,8 @@ TEST(Life, PassOutlivesItsWindow)
   }
 }
 
-// The window goes while its renderer has no pass: whatever the pass had in its context is nobody's name afterwards.
-TEST(Life, WindowGoesWithoutItsPass)
+// The window is deleted while its renderer has no pass. The object names in its context are void afterwards.
+TEST(Life, AWindowMayBeDeletedBeforeItsPass)
 {
   Scene kept;
   SetQuietPreset(kept.SetPass(), "balanced");
@@ -88,14 +87,14 @@ TEST(Life, WindowGoesWithoutItsPass)
     Shoot(scene.Window);
     scene.Renderer->SetPass(nullptr);
   }
-  kept.Window->Render(); // its context is current when the pass goes
+  kept.Window->Render(); // its context is current when the pass is deleted
   pass = nullptr;
   ExpectSame(before, Shoot(kept.Window));
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-// Released for another window, or with another context current.
-TEST(Life, ReleaseLeavesOthersAlone)
+// Release for another window, and with another context current.
+TEST(Life, ReleaseLeavesOtherWindowsAlone)
 {
   Scene one;
   Scene two;
@@ -131,7 +130,7 @@ TEST(Life, RadianceHasTheSizeOfItsFrame)
   ASSERT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
   EXPECT_EQ(radiance->GetDimensions()[0], 512);
   EXPECT_EQ(radiance->GetDimensions()[1], 384);
-  // A frame that kept none leaves none of an earlier one.
+  // A frame without kept radiance discards that of earlier frames.
   pass->KeepRadianceOff();
   scene.Window->Render();
   EXPECT_FALSE(pass->GetRadiance(scene.Renderer, radiance));
@@ -141,8 +140,8 @@ TEST(Life, RadianceHasTheSizeOfItsFrame)
   EXPECT_EQ(radiance->GetDimensions()[0], 64);
 }
 
-// Averages over still frames begin when something is first asked for: it is as bright as if it had been kept all along.
-TEST(Life, RadianceMayBeAskedForAfterStillFrames)
+// Averaging starts in the frame that first keeps radiance; the brightness does not depend on that frame.
+TEST(Life, RadianceMayBeKeptLate)
 {
   const auto mean = [](int before, int after, int maximum) {
     Scene scene;
@@ -170,15 +169,15 @@ TEST(Life, RadianceMayBeAskedForAfterStillFrames)
     }
     return sum / (3.0 * radiance->GetNumberOfPoints());
   };
-  const double known = mean(0, 8, 8);
-  ASSERT_GT(known, 0.05);
-  EXPECT_NEAR(mean(5, 1, 256) / known, 1.0, 0.01);
-  EXPECT_NEAR(mean(5, 3, 256) / known, 1.0, 0.01);
-  EXPECT_NEAR(mean(5, 3, 4) / known, 1.0, 0.01)
-    << "the picture's average is whole, radiance's is not";
+  const double expected = mean(0, 8, 8);
+  ASSERT_GT(expected, 0.05);
+  EXPECT_NEAR(mean(5, 1, 256) / expected, 1.0, 0.01);
+  EXPECT_NEAR(mean(5, 3, 256) / expected, 1.0, 0.01);
+  EXPECT_NEAR(mean(5, 3, 4) / expected, 1.0, 0.01)
+    << "the picture's average is complete, that of radiance is not";
 }
 
-TEST(Life, PassTakenOffAndPutBack)
+TEST(Life, APassMayBeRemovedAndSetAgain)
 {
   const Picture stock = Stock();
   Scene scene;
@@ -193,7 +192,7 @@ TEST(Life, PassTakenOffAndPutBack)
 }
 
 // One pass, two renderers with their own cameras and sizes.
-TEST(Life, SharedByTwoRenderers)
+TEST(Life, TwoRenderersMayShareAPass)
 {
   const auto shoot = [](bool withPass, const char* preset) {
     Scene scene;
@@ -220,7 +219,7 @@ TEST(Life, SharedByTwoRenderers)
 }
 
 // One pass, two windows in turn.
-TEST(Life, SharedByTwoWindows)
+TEST(Life, TwoWindowsMayShareAPass)
 {
   const Picture stock = Stock();
   Scene one;
@@ -236,14 +235,14 @@ TEST(Life, SharedByTwoWindows)
 }
 
 // The same with techniques that keep textures and buffers.
-TEST(Life, PresetsSharedByTwoWindows)
+TEST(Life, TwoWindowsMayShareAPassWithTechniques)
 {
   Scene one;
   Scene two;
   vtkNew<vtkGIPass> pass;
   SetQuietPreset(pass, "balanced");
   one.Renderer->SetPass(pass);
-  Shoot(two.Window); // names in its context are others from now on
+  Shoot(two.Window); // makes the object names in its context differ
   two.Renderer->SetPass(pass);
   const Picture first = Shoot(one.Window);
   const Picture second = Shoot(two.Window);
@@ -256,7 +255,7 @@ TEST(Life, PresetsSharedByTwoWindows)
   EXPECT_STREQ(pass->GetLastError(), "");
 }
 
-TEST(Life, ResizedWindow)
+TEST(Life, AResizedWindowEqualsStock)
 {
   Scene scene;
   scene.SetPass();
@@ -269,8 +268,8 @@ TEST(Life, ResizedWindow)
   }
 }
 
-// Without a pixel VTK's translucent stage and its volumes report OpenGL errors, so the pass does not ask them.
-TEST(Life, ViewWithoutPixels)
+// VTK's translucent stage and its volumes raise OpenGL errors in a view without pixels, so the pass skips them.
+TEST(Life, AViewWithoutPixelsRaisesNoGLError)
 {
   Scene scene(false);
   vtkGIPass* pass = scene.SetPass();
@@ -279,10 +278,10 @@ TEST(Life, ViewWithoutPixels)
   const Picture first = Shoot(scene.Window);
   vtkNew<vtkImageData> radiance;
   EXPECT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
-  for (const std::array<double, 4>& nowhere : { std::array<double, 4>{ 0.0, 0.0, 0.001, 1.0 },
+  for (const std::array<double, 4>& viewport : { std::array<double, 4>{ 0.0, 0.0, 0.001, 1.0 },
          std::array<double, 4>{ 0.0, 0.0, 1.0, 0.001 } })
   {
-    scene.Renderer->SetViewport(nowhere.data());
+    scene.Renderer->SetViewport(viewport.data());
     scene.Window->Render();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
     EXPECT_FALSE(pass->GetRadiance(scene.Renderer, radiance));
@@ -292,18 +291,18 @@ TEST(Life, ViewWithoutPixels)
   EXPECT_TRUE(pass->GetRadiance(scene.Renderer, radiance));
 }
 
-// VTK asks while it draws whether to go on, but five times a second at most.
-struct Impatience
+// Aborts a render at the first check. VTK checks at most five times a second.
+struct RenderAbort
 {
-  int Questions = 0;
-  static void Answer(vtkObject* window, unsigned long, void* self, void*)
+  int Checks = 0;
+  static void Abort(vtkObject* window, unsigned long, void* self, void*)
   {
-    ++static_cast<Impatience*>(self)->Questions;
+    ++static_cast<RenderAbort*>(self)->Checks;
     static_cast<vtkRenderWindow*>(window)->SetAbortRender(1);
   }
 };
 
-TEST(Life, AbortedRenderRecovers)
+TEST(Life, TheFrameAfterAnAbortIsComplete)
 {
   const Picture stock = Stock();
   for (const char* preset : { "off", "balanced" })
@@ -312,14 +311,14 @@ TEST(Life, AbortedRenderRecovers)
     vtkGIPass* pass = scene.SetPass();
     SetQuietPreset(pass, preset);
     const Picture whole = Shoot(scene.Window);
-    Impatience impatience;
+    RenderAbort observer;
     vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(Impatience::Answer);
-    command->SetClientData(&impatience);
+    command->SetCallback(RenderAbort::Abort);
+    command->SetClientData(&observer);
     const unsigned long tag = scene.Window->AddObserver(vtkCommand::AbortCheckEvent, command);
     std::this_thread::sleep_for(std::chrono::milliseconds(250));
     scene.Window->Render();
-    EXPECT_GE(impatience.Questions, 1) << "nobody asked";
+    EXPECT_GE(observer.Checks, 1) << "VTK did not check";
     scene.Window->RemoveObserver(tag);
     scene.Window->SetAbortRender(0);
     ExpectSame(whole, Shoot(scene.Window));

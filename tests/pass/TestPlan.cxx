@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a frame is lit does not depend on the order of the techniques.
+// The lighting of a frame does not depend on the order of the techniques.
 #include "Scenes.h"
 
 #include "pass/PassInternals.h"
@@ -23,7 +23,7 @@ namespace penumbra_test
 {
 namespace
 {
-// Orders that techniques are tried in.
+// Number of random orders.
 constexpr int Orders = 50;
 
 TEST(Plan, OrderOfTechniquesDoesNotMatter)
@@ -55,17 +55,17 @@ TEST(Plan, OrderOfTechniquesDoesNotMatter)
   }
 }
 
-TEST(Plan, OneOfTwoThatFindTheSameTakesPart)
+TEST(Plan, OnlyOneOfTwoShadowTechniquesTakesPart)
 {
   Scene scene;
-  vtkNew<vtkLight> lamp; // from the side, as nothing is in the shadow of a headlight
+  vtkNew<vtkLight> lamp; // from the side: a headlight's shadows are hidden
   lamp->SetPosition(4.0, 2.0, 1.0);
   scene.Renderer->AddLight(lamp);
   vtkGIPass* pass = scene.SetPass();
   vtkGITechnique* traced = pass->GetTechnique("ray-traced-shadows");
   vtkGITechnique* mapped = pass->GetTechnique("shadow-maps");
   mapped->EnabledOn();
-  mapped->SetParameter("resolution", 256); // so coarse that its shadows can be told from the others
+  mapped->SetParameter("resolution", 256); // coarse, to tell its shadows from the others
   const Picture byMaps = Shoot(scene.Window);
   mapped->EnabledOff();
   traced->EnabledOn();

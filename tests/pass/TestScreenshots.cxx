@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkWindowToImageFilter: alpha, tiled large pictures, depth.
+// Pictures of vtkWindowToImageFilter: alpha, depth, and large pictures in tiles.
 #include "Scenes.h"
 
 #include "gpu/GL.h"
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkImageData> Capture(Scene& scene, const Options& options)
   return filter->GetOutput();
 }
 
-void ExpectEqual(const Options& options, bool glass)
+void ExpectStock(const Options& options, bool glass)
 {
   Scene plain;
   plain.Glass->SetVisibility(glass);
@@ -69,29 +69,29 @@ void ExpectEqual(const Options& options, bool glass)
   EXPECT_STREQ(pass->GetLastError(), "");
 }
 
-TEST(Screenshots, Plain)
+TEST(Screenshots, EqualStock)
 {
-  ExpectEqual({ 1, false, false }, true);
+  ExpectStock({ 1, false, false }, true);
 }
 
-TEST(Screenshots, TransparentBackground)
+TEST(Screenshots, WithTransparentBackgroundEqualStock)
 {
-  ExpectEqual({ 1, true, false }, true);
+  ExpectStock({ 1, true, false }, true);
 }
 
-TEST(Screenshots, Depth)
+TEST(Screenshots, OfDepthEqualStock)
 {
-  ExpectEqual({ 1, false, true }, false);
+  ExpectStock({ 1, false, true }, false);
 }
 
-TEST(Screenshots, TwiceTheSize)
+TEST(Screenshots, AtTwiceTheSizeEqualStock)
 {
-  ExpectEqual({ 2, false, false }, false);
+  ExpectStock({ 2, false, false }, false);
 }
 
-TEST(Screenshots, ThreeTimesTheSizeWithAlpha)
+TEST(Screenshots, AtThreeTimesTheSizeWithAlphaEqualStock)
 {
-  ExpectEqual({ 3, true, false }, false);
+  ExpectStock({ 3, true, false }, false);
 }
 
 vtkGIPass* Prepare(Scene& scene, const char* preset)
@@ -118,11 +118,11 @@ double ShareWithin(vtkImageData* one, vtkImageData* other, int limit)
   return static_cast<double>(within) / count;
 }
 
-// Tiles with shadows and occlusion on fit together: as a window of that size.
+// Tiles with shadows and ambient occlusion fit together, as in a window of the whole size.
 TEST(Screenshots, TilesFitTogether)
 {
   const auto prepare = [](Scene& scene) {
-    // The scene's size in the picture decides the default.
+    // The default depends on the size of the scene in the picture.
     Prepare(scene, "balanced")->GetTechnique("ambient-occlusion")->SetParameter("radius", 0.3);
     scene.Glass->VisibilityOff();
   };
@@ -136,20 +136,20 @@ TEST(Screenshots, TilesFitTogether)
   EXPECT_GE(ShareWithin(tiled, whole, 8), 0.98);
 }
 
-// Joined ones are the picture of a window of that size, whatever techniques find on the screen; glass and alpha too.
+// Joined tiles equal the picture of a window of the whole size, also with screen-space techniques, glass and alpha.
 void ExpectJoined(const Options& options, bool parallel)
 {
   const auto prepare = [&](Scene& scene) {
     scene.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
     vtkGIPass* pass = Prepare(scene, "high");
-    pass->GetTechnique("ddgi")->EnabledOff(); // it knows more with each frame
+    pass->GetTechnique("ddgi")->EnabledOff(); // it changes from frame to frame
     return pass;
   };
   Scene small(false);
   vtkGIPass* pass = prepare(small);
   pass->JoinTilesOn();
   const auto tiled = Capture(small, options);
-  // What was kept for the tiles does not show in the next frame.
+  // The tiles leave no trace in the next frame.
   pass->JoinTilesOff();
   pass->Restart();
   const auto after = Capture(small, { 1, options.Alpha, false });
@@ -166,24 +166,24 @@ void ExpectJoined(const Options& options, bool parallel)
   EXPECT_STREQ(pass->GetLastError(), "");
 }
 
-TEST(Screenshots, JoinedTilesAreTheWholePicture)
+TEST(Screenshots, JoinedTilesEqualTheWholePicture)
 {
   ExpectJoined({ 3, false, false }, false);
 }
 
-TEST(Screenshots, JoinedTilesWithAlphaInParallelProjection)
+TEST(Screenshots, JoinedTilesWithAlphaInParallelProjectionEqualTheWholePicture)
 {
   ExpectJoined({ 2, true, false }, true);
 }
 
-// A layer is drawn onto those below, which a picture of its own would not hold.
+// A layer is drawn over the layers below, which a separate picture would not contain.
 TEST(Screenshots, LayersAreNotJoined)
 {
   const auto prepare = [](Scene& scene, bool mixed) {
     scene.Window->SetNumberOfLayers(2);
     vtkRenderer* above = scene.AddRenderer();
     above->SetLayer(1);
-    above->SetPreserveDepthBuffer(mixed); // with what is below
+    above->SetPreserveDepthBuffer(mixed); // tests against the depth below
     above->AddActor(scene.Glass);
     above->SetActiveCamera(scene.Renderer->GetActiveCamera());
     scene.Glass->GetProperty()->SetOpacity(1.0);
@@ -204,7 +204,7 @@ TEST(Screenshots, LayersAreNotJoined)
   }
 }
 
-// Textures as wide as a picture that is three times as large as the window.
+// Number of textures as wide as a picture of three times the window's size.
 int CountWideTextures(vtkRenderWindow* window)
 {
   window->MakeCurrent();
@@ -217,7 +217,7 @@ int CountWideTextures(vtkRenderWindow* window)
     }
     GLint width = 0;
     glBindTexture(GL_TEXTURE_2D, name);
-    if (glGetError() == GL_NO_ERROR) // not of another target
+    if (glGetError() == GL_NO_ERROR) // a texture of this target
     {
       glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
     }
@@ -227,7 +227,7 @@ int CountWideTextures(vtkRenderWindow* window)
   return count;
 }
 
-// What the pass keeps of its own goes after some frames that do not use it.
+// The pass releases its textures some frames after their last use.
 int CountWideTexturesLater(vtkRenderWindow* window)
 {
   for (int i = 0; i < 20; ++i)
@@ -237,7 +237,7 @@ int CountWideTexturesLater(vtkRenderWindow* window)
   return CountWideTextures(window);
 }
 
-TEST(Screenshots, JoinedTilesAreForgottenWithTheNextFrame)
+TEST(Screenshots, JoinedTilesAreReleasedInLaterFrames)
 {
   for (const bool joins : { true, false })
   {
@@ -251,7 +251,7 @@ TEST(Screenshots, JoinedTilesAreForgottenWithTheNextFrame)
   }
 }
 
-TEST(Screenshots, JoinedTilesAreForgottenWithTheirRenderer)
+TEST(Screenshots, JoinedTilesAreReleasedWithTheirRenderer)
 {
   Scene scene(false);
   const vtkSmartPointer<vtkGIPass> pass = scene.SetPass();
@@ -261,7 +261,7 @@ TEST(Screenshots, JoinedTilesAreForgottenWithTheirRenderer)
   vtkRenderer* other = scene.AddRenderer();
   other->AddActor(scene.Ball);
   other->SetPass(pass);
-  scene.Renderer->SetPass(nullptr); // which would forget everything as the renderer goes
+  scene.Renderer->SetPass(nullptr); // or the renderer would release everything when it goes
   scene.Window->RemoveRenderer(scene.Renderer);
   scene.Renderer = nullptr;
   EXPECT_EQ(CountWideTexturesLater(scene.Window), 0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Hardware selection and picking find the same with the pass as without.
+// Hardware selection and picking give the same results with the pass as without.
 #include "Scenes.h"
 
 #include "vtkAssemblyNode.h"
@@ -51,12 +51,7 @@ Selected Select(Scene& scene, int association)
   return found;
 }
 
-void SwitchOnEverything(vtkGIPass* pass)
-{
-  pass->SetPreset("balanced");
-}
-
-TEST(Selection, CellsAndPointsOfAnArea)
+TEST(Selection, OfCellsAndPointsEqualsStock)
 {
   for (const int association :
     { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
@@ -68,15 +63,14 @@ TEST(Selection, CellsAndPointsOfAnArea)
     vtkGIPass* pass = scene.SetPass();
     scene.Window->Render();
     EXPECT_EQ(Select(scene, association), stock);
-    SwitchOnEverything(pass);
+    pass->SetPreset("balanced");
     scene.Window->Render();
     EXPECT_EQ(Select(scene, association), stock);
     EXPECT_EQ(Select(scene, association), stock) << "the second time";
   }
 }
 
-// A selection leaves the window as it was.
-TEST(Selection, PictureAfterwards)
+TEST(Selection, LeavesThePictureUnchanged)
 {
   Scene scene;
   scene.SetPass();
@@ -98,7 +92,7 @@ std::vector<int> PickGrid(Scene& scene)
   return picked;
 }
 
-TEST(Selection, PickProp)
+TEST(Selection, OfPropsByPickingEqualsStock)
 {
   Scene scene(false);
   scene.Window->Render();
@@ -110,7 +104,7 @@ TEST(Selection, PickProp)
   EXPECT_EQ(PickGrid(scene), stock);
 }
 
-TEST(Selection, PickFromAList)
+TEST(Selection, OfPropsFromAListEqualsStock)
 {
   const auto pick = [](bool withPass) {
     Scene scene(false);
@@ -134,13 +128,13 @@ TEST(Selection, PickFromAList)
   EXPECT_EQ(pick(true), stock);
 }
 
-TEST(Selection, PickersFindTheSamePosition)
+TEST(Selection, OfPositionsByPickersEqualsStock)
 {
   const auto pick = [](bool withPass) {
     Scene scene;
     if (withPass)
     {
-      SwitchOnEverything(scene.SetPass());
+      scene.SetPass()->SetPreset("balanced");
     }
     scene.Window->Render();
     std::vector<double> found;

@@ -10,8 +10,8 @@ namespace penumbra_test
 {
 namespace
 {
-// Whether colours change across the pixel's neighbourhood more than smooth shading does.
-bool AtEdge(const Picture& p, int x, int y)
+// Whether colours change around a pixel by more than smooth shading does.
+bool IsAtEdge(const Picture& p, int x, int y)
 {
   for (int channel = 0; channel < 3; ++channel)
   {
@@ -34,7 +34,7 @@ bool AtEdge(const Picture& p, int x, int y)
 }
 }
 
-void LightFromTheEye(Stage& stage)
+void LightFromCamera(Stage& stage)
 {
   vtkRenderer* renderer = stage.Renderer;
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -42,7 +42,7 @@ void LightFromTheEye(Stage& stage)
   camera->Azimuth(25.0);
   camera->Elevation(20.0);
   renderer->ResetCamera();
-  // From as far away as a lens of one degree needs to show the same.
+  // A view angle of about one degree shows the same from farther away.
   camera->Dolly(1.0 / 30.0);
   camera->SetViewAngle(0.9);
   renderer->ResetCameraClippingRange();
@@ -54,7 +54,7 @@ void LightFromTheEye(Stage& stage)
   renderer->AddLight(light);
 }
 
-Agreement Compare(Stage& stage)
+Agreement CompareWithRaster(Stage& stage)
 {
   Agreement result;
   auto pass = stage.SetPasses().front();
@@ -81,7 +81,7 @@ Agreement Compare(Stage& stage)
   {
     for (int x = 0; x < result.Raster.Width; ++x)
     {
-      if (AtEdge(result.Raster, x, y))
+      if (IsAtEdge(result.Raster, x, y))
       {
         continue;
       }
@@ -93,19 +93,19 @@ Agreement Compare(Stage& stage)
                                                                                                : 0;
     }
   }
-  result.Away = away > 0 ? within / static_cast<double>(away) : 0.0;
+  result.AwayFromEdges = away > 0 ? within / static_cast<double>(away) : 0.0;
   result.Considered = away / static_cast<double>(result.Raster.Width * result.Raster.Height);
   return result;
 }
 
 void ExpectAgreement(Stage& stage, const std::string& name)
 {
-  const Agreement found = Compare(stage);
+  const Agreement found = CompareWithRaster(stage);
   std::printf("%-36s centres %.4f  away from edges %.4f (of %.2f)  shown %.2f\n", name.c_str(),
-    found.AtCenters, found.Away, found.Considered, found.Shown);
+    found.AtCenters, found.AwayFromEdges, found.Considered, found.Shown);
   EXPECT_GT(found.Shown, 0.05) << "the case shows nothing";
   EXPECT_GT(found.Considered, 0.5) << "hardly anything is away from edges";
-  EXPECT_GE(found.Away, 0.99);
+  EXPECT_GE(found.AwayFromEdges, 0.99);
   EXPECT_GE(found.AtCenters, 0.999);
   EXPECT_EQ(found.Notes.find("rays do not see"), std::string::npos) << found.Notes;
   if (testing::Test::HasFailure())

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes seen by VTK's rasterizer and by rays.
+// Comparison of VTK's rasterizer with rays.
 #pragma once
 
 #include "Picture.h"
@@ -8,29 +8,28 @@
 
 namespace penumbra_test
 {
-/// How far a path-traced picture of direct light only is from the rasterizer's.
+/// Agreement of a path-traced picture of direct light with the rasterizer's.
 struct Agreement
 {
-  double AtCenters = 0.0;  ///< share of all pixels within 3/255, rays through the pixels' centres
-  double Away = 0.0;       ///< share within 2/255 of those away from edges, 16 rays a pixel
-  double Considered = 0.0; ///< share of pixels that are away from edges
-  double Shown = 0.0;      ///< share of pixels that are not background
-  std::string Notes;       ///< the pass's, of the path-traced frame
+  double AtCenters = 0.0;     ///< share of all pixels within 3/255, with rays through the centres
+  double AwayFromEdges = 0.0; ///< share of pixels away from edges within 2/255, 16 rays per pixel
+  double Considered = 0.0;    ///< share of pixels that are away from edges
+  double Shown = 0.0;         ///< share of pixels that are not background
+  std::string Notes;          ///< the pass's notes on the path-traced frame
   Picture Raster;
   Picture Rays;
 };
 
-/// Light the stage from where it is seen, so that nothing that is seen lies in shadow, and look
-/// through a long lens. Call when the scene is complete.
-void LightFromTheEye(Stage& stage);
+/// Light the stage from the camera, so that no visible surface is in shadow, with a long focal length. Call it when the
+/// scene is complete.
+void LightFromCamera(Stage& stage);
 
-/// Draw the stage both ways: the rays first, before the mappers have drawn anything.
-Agreement Compare(Stage& stage);
+/// Draw the stage with rays and with the rasterizer. Rays come first, before the mappers have drawn anything.
+Agreement CompareWithRaster(Stage& stage);
 
-/// Compare(), and require that rays see what VTK draws: through the centres of all pixels but one in
-/// a thousand, where the rasterizer and a ray decide differently on an edge that runs through the
-/// centre; and in the mean of 16 rays a pixel, where no edge is near, for all but one in a hundred,
-/// which are those that an edge of little contrast crosses. The tolerances are of 8-bit colours that
-/// were rounded twice on the way, in the capture and in the window.
+/// Expect that rays see what VTK draws. Through the centres of pixels, one pixel in a thousand may differ: there an
+/// edge runs through the centre. In the mean of 16 rays per pixel and away from edges, one in a hundred may differ:
+/// there an edge of little contrast runs. The tolerances allow for 8-bit colours that are rounded twice, in the capture
+/// and in the window.
 void ExpectAgreement(Stage& stage, const std::string& name);
 }

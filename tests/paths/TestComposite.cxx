@@ -61,23 +61,23 @@ vtkSmartPointer<CompositeMapper> AddTree(Stage& stage, bool scalars)
 }
 }
 
-TEST(PathsComposite, blocks)
+TEST(PathsComposite, Blocks)
 {
   Stage stage;
   AddTree(stage, false);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "blocks");
 }
 
-TEST(PathsComposite, colours_of_scalars_and_blocks_without_any)
+TEST(PathsComposite, ScalarColoursAndBlocksWithoutScalars)
 {
   Stage stage;
   AddTree(stage, true);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "blocks-scalars");
 }
 
-TEST(PathsComposite, missing_scalars_in_the_colour_of_nan)
+TEST(PathsComposite, MissingScalarsHaveTheNaNColour)
 {
   Stage stage;
   auto mapper = AddTree(stage, true);
@@ -85,15 +85,15 @@ TEST(PathsComposite, missing_scalars_in_the_colour_of_nan)
   table->SetNanColor(0.1, 0.9, 0.2, 1.0);
   mapper->SetLookupTable(table);
   mapper->ColorMissingArraysWithNanColorOn();
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "blocks-nan");
 }
 
-TEST(PathsComposite, colours_and_visibility_are_inherited)
+TEST(PathsComposite, ColoursAndVisibilityAreInherited)
 {
   Stage stage;
   auto mapper = AddTree(stage, true);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   mapper->SetBlockColor(1, 0.9, 0.1, 0.2);
   mapper->SetBlockColor(3, 0.1, 0.2, 0.9);
   mapper->SetBlockColor(5, 0.1, 0.8, 0.1);
@@ -101,17 +101,17 @@ TEST(PathsComposite, colours_and_visibility_are_inherited)
   ExpectAgreement(stage, "blocks-colours");
 }
 
-TEST(PathsComposite, a_hidden_branch_with_a_visible_leaf)
+TEST(PathsComposite, AHiddenBranchMayHaveAVisibleLeaf)
 {
   Stage stage;
   auto mapper = AddTree(stage, false);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   mapper->SetBlockVisibility(3, false);
   mapper->SetBlockVisibility(5, true);
   ExpectAgreement(stage, "blocks-visibility");
 }
 
-TEST(PathsComposite, the_plain_mapper_and_plain_data)
+TEST(PathsComposite, PlainMappersAndPlainData)
 {
   Stage stage;
   vtkNew<vtkCompositePolyDataMapper> tree;
@@ -120,19 +120,19 @@ TEST(PathsComposite, the_plain_mapper_and_plain_data)
   vtkNew<CompositeMapper> plain;
   plain->SetInputDataObject(Block(0.6, 2.4, false));
   stage.Add(plain);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "blocks-plain-mapper");
 }
 
-TEST(PathsComposite, opacity_lets_rays_pass)
+TEST(PathsComposite, RaysPassTranslucentBlocks)
 {
   Stage stage;
   auto mapper = AddTree(stage, false);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   mapper->SetBlockOpacity(3, 0.5);
-  Agreement found = Compare(stage);
-  // By chance, so in the mean: 16 rays of standard deviation 1/2 in each of thousands of pixels. VTK
-  // blends front and back without order, where a ray meets both: not the same, but near.
+  Agreement found = CompareWithRaster(stage);
+  // Rays pass by chance, so only means are compared: 16 rays of standard deviation 1/2 in each of thousands of pixels.
+  // VTK blends front and back in any order, which is close to what a ray through both gives.
   const Picture& rays = found.Rays;
   const Picture& raster = found.Raster;
   const double a = rays.MeanGrey(0, raster.Height / 2, raster.Width, raster.Height);
@@ -140,7 +140,7 @@ TEST(PathsComposite, opacity_lets_rays_pass)
   EXPECT_NEAR(a, b, 0.1 * b);
 }
 
-TEST(PathsDataSet, seen_in_the_first_frame)
+TEST(PathsDataSet, IsVisibleInTheFirstFrame)
 {
   Stage stage;
   vtkNew<vtkRTAnalyticSource> wavelet;
@@ -154,6 +154,6 @@ TEST(PathsDataSet, seen_in_the_first_frame)
   mapper->SetInputConnection(threshold->GetOutputPort());
   mapper->SetScalarRange(100.0, 260.0);
   stage.Add(mapper);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "data-set-mapper");
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes: tiny things, and normals that are none.
+// Extremes: tiny props, and invalid normals.
 #include "Agreement.h"
 
 #include "vtkFloatArray.h"
@@ -26,7 +26,8 @@ vtkSmartPointer<vtkPolyData> Ball(double radius)
   return source->GetOutput();
 }
 
-// The ball with all its normals of this value; without any where that is 1.
+// Draw the ball with every component of its normals set to a value, or without normals if the value is 1. technique is
+// nullptr for stock VTK and empty for a pass without techniques.
 Picture Draw(double normal, const char* technique, std::string* notes = nullptr)
 {
   Stage stage;
@@ -41,7 +42,7 @@ Picture Draw(double normal, const char* technique, std::string* notes = nullptr)
     ball->GetPointData()->GetNormals()->Fill(normal);
   }
   stage.Add(ball);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   if (technique)
   {
     auto pass = stage.SetPasses().front();
@@ -61,20 +62,20 @@ Picture Draw(double normal, const char* technique, std::string* notes = nullptr)
 }
 }
 
-TEST(Degenerate, TinyBalls)
+TEST(Degenerate, TinyBallsAgree)
 {
   for (const double radius : { 1e-6, 1e-12 })
   {
     Stage stage;
     stage.Window->SetSize(96, 96);
     stage.Add(Ball(radius));
-    LightFromTheEye(stage);
+    LightFromCamera(stage);
     ExpectAgreement(stage, "ball-of-" + std::to_string(-std::log10(radius)));
   }
 }
 
-// Normals that are zero or no numbers are as if there were none; with every technique off they are as VTK draws them.
-TEST(Degenerate, NormalsThatAreNone)
+// Normals that are zero or NaN count as missing. With every technique off the picture is VTK's.
+TEST(Degenerate, InvalidNormalsCountAsMissing)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const char* technique : { "ambient-occlusion", "path-tracing" })

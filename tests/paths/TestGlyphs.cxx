@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays see glyphs where VTK draws them, and clipping planes take away what VTK clips.
+// Rays see glyphs and clipping planes as VTK draws them.
 #include "Agreement.h"
 
 #include "vtkActorCollection.h"
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> Points(int across)
     arrays["shape"]->InsertNextValue(static_cast<float>(i % 3));
     mask->InsertNextValue(i % 4 != 1);
   }
-  // No glyph, and one that only turns round.
+  // Opposite to the glyph: a rotation by 180 degrees, whose axis is not unique.
   arrays["direction"]->SetTuple3(0, -1.0, 0.0, 0.0);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -80,17 +80,17 @@ vtkSmartPointer<vtkGlyph3DMapper> AddGlyphs(Stage& stage, int across = 4, int re
 }
 }
 
-TEST(PathsGlyphs, by_direction_with_colours)
+TEST(PathsGlyphs, ByDirectionWithColours)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
   mapper->SetOrientationArray("direction");
   mapper->ScalarVisibilityOn();
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "glyphs-direction");
 }
 
-TEST(PathsGlyphs, by_rotation_and_components)
+TEST(PathsGlyphs, ByRotationAndComponents)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
@@ -98,11 +98,11 @@ TEST(PathsGlyphs, by_rotation_and_components)
   mapper->SetOrientationArray("rotation");
   mapper->SetScaleModeToScaleByVectorComponents();
   mapper->SetScaleArray("size");
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "glyphs-rotation");
 }
 
-TEST(PathsGlyphs, by_quaternion_and_clamped_magnitude)
+TEST(PathsGlyphs, ByQuaternionAndClampedMagnitude)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
@@ -112,11 +112,11 @@ TEST(PathsGlyphs, by_quaternion_and_clamped_magnitude)
   mapper->SetScaleArray("value");
   mapper->ClampingOn();
   mapper->SetRange(-0.5, 0.6);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "glyphs-quaternion");
 }
 
-TEST(PathsGlyphs, masked_and_of_several_shapes_with_a_scaled_actor)
+TEST(PathsGlyphs, MaskedAndOfSeveralShapesWithAScaledActor)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
@@ -134,11 +134,11 @@ TEST(PathsGlyphs, masked_and_of_several_shapes_with_a_scaled_actor)
   vtkActor* actor = stage.Renderer->GetActors()->GetLastActor();
   actor->SetScale(1.0, 1.4, 1.0);
   actor->RotateZ(20.0);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "glyphs-shapes");
 }
 
-TEST(PathsGlyphs, a_table_of_shapes_and_blocks_of_points)
+TEST(PathsGlyphs, TablesOfShapesAndBlocksOfPoints)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
@@ -175,13 +175,13 @@ TEST(PathsGlyphs, a_table_of_shapes_and_blocks_of_points)
   inner->SetBlock(0, other);
   blocks->SetBlock(1, inner);
   mapper->SetInputDataObject(blocks);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "glyphs-table");
 }
 
 namespace
 {
-/// Counts how often its points are asked for one by one, as gathering glyphs does.
+/// Counts how often single points are read, as gathering glyphs does.
 class CountedPoints : public vtkPolyData
 {
 public:
@@ -198,8 +198,8 @@ public:
 vtkStandardNewMacro(CountedPoints);
 }
 
-// penumbra_bench glyphs takes the time of many more.
-TEST(PathsGlyphs, are_gathered_once)
+// penumbra_bench glyphs measures the time of many more.
+TEST(PathsGlyphs, AreGatheredOnce)
 {
   constexpr int across = 50;
   Stage stage;
@@ -208,7 +208,7 @@ TEST(PathsGlyphs, are_gathered_once)
   points->ShallowCopy(mapper->GetInput());
   mapper->SetInputData(points);
   mapper->SetOrientationArray("direction");
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   stage.Window->SetSize(16, 16);
   auto pass = stage.SetPasses().front();
   vtkGITechnique* paths = pass->GetTechnique("path-tracing");
@@ -250,15 +250,15 @@ void AddTorus(Stage& stage, int planes)
 }
 }
 
-TEST(PathsClipping, one_plane)
+TEST(PathsClipping, ByOnePlane)
 {
   Stage stage;
   AddTorus(stage, 1);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "clipped");
 }
 
-TEST(PathsClipping, planes_of_the_world_with_a_backface_property)
+TEST(PathsClipping, ByPlanesOfTheWorldWithABackfaceProperty)
 {
   Stage stage;
   AddTorus(stage, 2);
@@ -272,11 +272,11 @@ TEST(PathsClipping, planes_of_the_world_with_a_backface_property)
   {
     planes->GetItem(i)->SetOrigin(1000.0, 2000.0, 0.1 * i);
   }
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "clipped-far-away");
 }
 
-TEST(PathsClipping, glyphs)
+TEST(PathsClipping, OfGlyphs)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
@@ -284,14 +284,14 @@ TEST(PathsClipping, glyphs)
   plane->SetOrigin(1.7, 0.0, 0.0);
   plane->SetNormal(1.0, 0.1, 0.0);
   mapper->AddClippingPlane(plane);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "glyphs-clipped");
 }
 
 namespace
 {
-// What rays show in the frame after a change, by what was kept from the frame before.
-void ExpectFollows(Stage& stage, const std::function<void()>& change)
+// Expect that rays show a change in the next frame, although they keep data from frame to frame.
+void ExpectVisible(Stage& stage, const std::function<void()>& change)
 {
   auto pass = stage.SetPasses().front();
   vtkGITechnique* paths = pass->GetTechnique("path-tracing");
@@ -303,37 +303,37 @@ void ExpectFollows(Stage& stage, const std::function<void()>& change)
   const Picture after = Shoot(stage.Window);
   stage.Renderer->SetPass(nullptr);
   const Picture raster = Shoot(stage.Window);
-  EXPECT_LT(Compare(before, after, 2).Within, 0.995) << "the change shows nothing";
+  EXPECT_LT(Compare(before, after, 2).Within, 0.995) << "the change is not visible";
   EXPECT_GE(Compare(after, raster, 3).Within, 0.999);
 }
 }
 
-TEST(PathsChanges, glyphs_moved_and_a_shape_exchanged)
+TEST(PathsChanges, OfGlyphsAreVisibleAtOnce)
 {
   Stage stage;
   auto mapper = AddGlyphs(stage);
   mapper->SetOrientationArray("direction");
-  LightFromTheEye(stage);
-  ExpectFollows(stage, [&] {
+  LightFromCamera(stage);
+  ExpectVisible(stage, [&] {
     auto* points = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0))->GetPoints();
     points->SetPoint(5, 1.3, 1.4, 0.0);
     points->Modified();
   });
-  ExpectFollows(stage, [&] { mapper->SetScaleFactor(0.5); });
-  ExpectFollows(stage, [&] {
+  ExpectVisible(stage, [&] { mapper->SetScaleFactor(0.5); });
+  ExpectVisible(stage, [&] {
     vtkNew<vtkCubeSource> cube;
     mapper->SetSourceConnection(cube->GetOutputPort());
   });
-  ExpectFollows(stage, [&] { mapper->ScalarVisibilityOn(); });
+  ExpectVisible(stage, [&] { mapper->ScalarVisibilityOn(); });
 }
 
-TEST(PathsChanges, a_clipping_plane_moved)
+TEST(PathsChanges, OfClippingPlanesAreVisibleAtOnce)
 {
   Stage stage;
   AddTorus(stage, 1);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   vtkActor* actor = stage.Renderer->GetActors()->GetLastActor();
-  ExpectFollows(
+  ExpectVisible(
     stage, [&] { actor->GetMapper()->GetClippingPlanes()->GetItem(0)->SetOrigin(0.4, 0.0, 0.0); });
-  ExpectFollows(stage, [&] { actor->GetMapper()->RemoveAllClippingPlanes(); });
+  ExpectVisible(stage, [&] { actor->GetMapper()->RemoveAllClippingPlanes(); });
 }

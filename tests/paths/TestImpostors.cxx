@@ -14,7 +14,7 @@ using namespace penumbra_test;
 
 namespace
 {
-// A grid of points with a value, a radius, a direction and a size of a stick each.
+// A grid of points, each with a value, a radius, a direction and the size of a stick.
 vtkSmartPointer<vtkPolyData> Points()
 {
   vtkNew<vtkPoints> points;
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkPolyData> Points()
   for (int i = 0; i < 12; ++i)
   {
     const vtkIdType id = points->InsertNextPoint(i % 4, i / 4, 0.0);
-    vertices->InsertNextCell(1, &id); // data without cells has no bounds to look at
+    vertices->InsertNextCell(1, &id); // data without cells has no bounds for the camera
     values->InsertNextValue(i / 12.0);
     radii->InsertNextValue(0.25f + 0.05f * (i % 4));
     directions->InsertNextTuple3(std::cos(0.5 * i), std::sin(0.5 * i), 0.6);
@@ -92,73 +92,73 @@ void AddMolecule(Stage& stage, void (vtkMoleculeMapper::*settings)())
 }
 }
 
-TEST(PathsImpostors, spheres_of_one_radius)
+TEST(PathsImpostors, SpheresOfOneRadius)
 {
   Stage stage;
   AddSpheres(stage, false, false);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "spheres");
 }
 
-TEST(PathsImpostors, spheres_of_many_sizes_and_colours)
+TEST(PathsImpostors, SpheresOfManySizesAndColours)
 {
   Stage stage;
   AddSpheres(stage, true, true);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "spheres-sizes");
 }
 
-TEST(PathsImpostors, sticks)
+TEST(PathsImpostors, Sticks)
 {
   Stage stage;
   AddSticks(stage);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "sticks");
 }
 
-TEST(PathsImpostors, a_turned_actor_and_a_scaled_one)
+TEST(PathsImpostors, RotatedAndScaledActors)
 {
   Stage stage;
-  vtkActor* turned = AddSpheres(stage, true, true);
-  turned->SetPosition(0.5, -3.5, 0.2);
-  turned->RotateZ(10.0);
-  // VTK scales where impostors are, not how large they are.
+  vtkActor* rotated = AddSpheres(stage, true, true);
+  rotated->SetPosition(0.5, -3.5, 0.2);
+  rotated->RotateZ(10.0);
+  // VTK scales the positions of impostors, not their sizes.
   AddSpheres(stage, true, true)->SetScale(1.3, 1.1, 1.0);
   vtkActor* sticks = AddSticks(stage);
   sticks->RotateX(30.0);
   sticks->SetPosition(0.0, 3.5, 0.0);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "impostors-moved");
 }
 
-TEST(PathsImpostors, clipped_as_a_whole_by_their_points)
+TEST(PathsImpostors, AreClippedByTheirCentres)
 {
   Stage stage;
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(1.6, 0.0, 0.0);
   plane->SetNormal(1.0, 0.1, 0.0);
   AddSpheres(stage, true, true)->GetMapper()->AddClippingPlane(plane);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   ExpectAgreement(stage, "spheres-clipped");
 }
 
-TEST(PathsImpostors, molecule_of_balls_and_sticks)
+TEST(PathsImpostors, MoleculesOfBallsAndSticks)
 {
   Stage stage;
   AddMolecule(stage, &vtkMoleculeMapper::UseBallAndStickSettings);
-  LightFromTheEye(stage);
+  LightFromCamera(stage);
   stage.Renderer->GetActiveCamera()->Zoom(3.0);
   ExpectAgreement(stage, "molecule");
 }
 
-TEST(PathsImpostors, molecule_of_sticks_and_of_spheres)
+TEST(PathsImpostors, MoleculesOfSticksAndOfSpheres)
 {
   for (auto settings : { &vtkMoleculeMapper::UseLiquoriceStickSettings,
          &vtkMoleculeMapper::UseVDWSpheresSettings, &vtkMoleculeMapper::UseFastSettings })
   {
     Stage stage;
     AddMolecule(stage, settings);
-    LightFromTheEye(stage);
+    LightFromCamera(stage);
     stage.Renderer->GetActiveCamera()->Zoom(3.0);
     ExpectAgreement(stage, "molecule-settings");
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays see materials as VTK draws them: the parity cases that a headlight lights, whose surfaces
-// nothing shadows, through the centres of pixels.
+// Rays through the centres of pixels see materials as VTK draws them. The scenes are the parity cases with a headlight,
+// where no visible surface is in shadow.
 #include "../parity/Cases.h"
 #include "Agreement.h"
 
@@ -17,17 +17,17 @@ using namespace penumbra_test;
 
 namespace
 {
-// Where rays mean to draw something else than the raster path does, or leave it to chance.
-const std::map<std::string, const char*> Others = {
-  { "ambient", "what emits lights its neighbours" },
-  { "texture, specular and ambient", "what emits lights its neighbours" },
-  { "physically based, every texture", "what emits lights its neighbours" },
+// Cases in which rays draw something else than the rasterizer on purpose, or by chance, with the reason.
+const std::map<std::string, const char*> Excluded = {
+  { "ambient", "emitters light their neighbours" },
+  { "texture, specular and ambient", "emitters light their neighbours" },
+  { "physically based, every texture", "emitters light their neighbours" },
   { "physically based, two lights", "the lamps cast shadows" },
-  { "physically based, environment", "the surroundings are traced, not filtered beforehand" },
+  { "physically based, environment", "the environment is traced, not filtered" },
   { "physically based, irradiance texture", "as above" },
   { "physically based, textures, environment", "as above" },
   { "physically based, environment, no light", "as above" },
-  { "texture with alpha", "rays pass what is translucent by chance" },
+  { "texture with alpha", "rays pass translucent surfaces by chance" },
   { "texture with alpha, masked", "as above" },
   { "camera rolled, user transform", "VTK lights a sheared scene; rays see it as it is" },
   { "edges as tubes", "edges are lines to rays" },
@@ -39,7 +39,7 @@ ParityCases Comparable()
   for (const ParityCases& group : { SurfaceCases(), MaterialCases(), MapperCases(), ViewCases() })
   {
     std::copy_if(group.begin(), group.end(), std::back_inserter(comparable),
-      [](const ParityCase& row) { return Others.count(row.Name) == 0; });
+      [](const ParityCase& row) { return Excluded.count(row.Name) == 0; });
   }
   return comparable;
 }
@@ -49,7 +49,7 @@ class Materials : public testing::TestWithParam<ParityCase>
 };
 }
 
-TEST_P(Materials, AsDrawn)
+TEST_P(Materials, EqualTheRasterizers)
 {
   Stage stage;
   GetParam().Build(stage);
@@ -64,8 +64,7 @@ TEST_P(Materials, AsDrawn)
   const Picture raster = Shoot(stage.Window);
   const Difference found = Compare(rays, raster, 3);
   std::printf("%-50s %.4f %s\n", GetParam().Name, found.Within, notes.c_str());
-  // All but those that an edge runs through, and highlights of metal, for which the raster path
-  // keeps eight bits of roughness.
+  // The rest are pixels on edges, and highlights of metal, because the G-buffer keeps eight bits of roughness.
   EXPECT_GE(found.Within, 0.992);
   if (testing::Test::HasFailure())
   {
@@ -73,6 +72,15 @@ TEST_P(Materials, AsDrawn)
     Save(rays, GetParam().Id() + "-rays");
     Save(Amplified(raster, rays), GetParam().Id() + "-difference");
   }
+}
+
+TEST(ExcludedMaterials, Exist)
+{
+  const ParityCases all = AllCases();
+  EXPECT_EQ(std::count_if(all.begin(), all.end(),
+              [](const ParityCase& row) { return Excluded.count(row.Name) != 0; }),
+    static_cast<std::ptrdiff_t>(Excluded.size()))
+    << "an excluded case does not exist";
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Materials, testing::ValuesIn(Comparable()),

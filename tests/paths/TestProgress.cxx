@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far tracing has come is told of each eye, and can be gone on from.
+// Progress of path tracing is counted per eye, and can be saved and resumed.
 #include "Agreement.h"
 
 #include "vtkGIPathTracing.h"
 #include "vtkImageData.h"
+#include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 
 using namespace penumbra_test;
@@ -13,9 +14,9 @@ namespace
 {
 constexpr int Side = 48;
 
-struct Traced
+struct TracedBall
 {
-  Traced()
+  TracedBall()
   {
     this->Stage.Window->SetSize(Side, Side);
     vtkNew<vtkSphereSource> ball;
@@ -43,9 +44,9 @@ struct Traced
 };
 }
 
-TEST(Progress, EachEyeHasItsOwn)
+TEST(Progress, IsCountedPerEye)
 {
-  Traced traced;
+  TracedBall traced;
   traced.Paths->SetSamples(6);
   traced.Stage.Window->SetStereoType(VTK_STEREO_SPLITVIEWPORT_HORIZONTAL);
   traced.Stage.Window->StereoRenderOn();
@@ -57,21 +58,50 @@ TEST(Progress, EachEyeHasItsOwn)
   EXPECT_TRUE(traced.Paths->IsFinished(traced.Stage.Renderer));
 }
 
-// The image that holds the progress may be filled anew before the frame that goes on from it.
-TEST(Progress, GoesOnFromWhatItWas)
+// The image with the progress may be overwritten before the frame that resumes from it.
+TEST(Progress, ResumesWithTheSamePicture)
 {
-  Traced whole;
+  TracedBall whole;
   const Picture expected = whole.Frames(5);
 
-  Traced first;
+  TracedBall first;
   first.Frames(2);
   vtkNew<vtkImageData> kept;
   ASSERT_TRUE(first.Paths->GetProgress(first.Pass, first.Stage.Renderer, kept));
-  Traced second;
+  TracedBall second;
   ASSERT_TRUE(second.Paths->SetProgress(second.Stage.Renderer, kept));
   first.Frames(1);
   ASSERT_TRUE(first.Paths->GetProgress(first.Pass, first.Stage.Renderer, kept));
-  const Picture gone = second.Frames(3);
+  const Picture resumed = second.Frames(3);
   EXPECT_EQ(second.Paths->GetSamplesTaken(second.Stage.Renderer), 5);
-  EXPECT_EQ(gone.Pixels, expected.Pixels);
+  EXPECT_EQ(resumed.Pixels, expected.Pixels);
+}
+
+// A texture does not report changed pixels of its image.
+TEST(Progress, StartsFromScratchWhenATexturesImageChanges)
+{
+  constexpr int side = 64;
+  Stage stage;
+  stage.Window->SetSize(side, side);
+  vtkNew<vtkPlaneSource> plane;
+  vtkActor* actor = stage.Add(plane);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  image->GetPointData()->GetScalars()->Fill(200.0);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  actor->SetTexture(texture);
+  auto pass = stage.SetPasses().front();
+  auto* paths = vtkGIPathTracing::SafeDownCast(pass->GetTechnique("path-tracing"));
+  paths->EnabledOn();
+  Shoot(stage.Window);
+  EXPECT_EQ(Shoot(stage.Window).At(side / 2, side / 2)[1], 200);
+  EXPECT_EQ(paths->GetSamplesTaken(stage.Renderer), 2);
+  image->GetPointData()->GetScalars()->Fill(90.0);
+  image->Modified();
+  EXPECT_EQ(Shoot(stage.Window).At(side / 2, side / 2)[1], 90);
+  EXPECT_EQ(paths->GetSamplesTaken(stage.Renderer), 1);
 }

@@ -21,7 +21,7 @@ struct EmbreeWorld::Internals
   RTCDevice Device = nullptr;
   RTCScene Scene = nullptr;
 
-  RTCGeometry Triangles(const RayGeometry& geometry) const
+  RTCGeometry MakeTriangles(const RayGeometry& geometry) const
   {
     RTCGeometry result = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(result, RTC_BUFFER_TYPE_VERTEX,
@@ -34,7 +34,7 @@ struct EmbreeWorld::Internals
     return result;
   }
 
-  void One(const shared::RayQuery& ray, shared::RayAnswer& answer) const
+  void TraceRay(const shared::RayQuery& ray, shared::RayAnswer& answer) const
   {
     RTCRayHit hit{};
     hit.ray = { ray.Origin.x, ray.Origin.y, ray.Origin.z, ray.Origin.w, ray.Direction.x,
@@ -54,7 +54,7 @@ struct EmbreeWorld::Internals
     answer.Distance = hit.ray.tfar;
   }
 
-  void Eight(const shared::RayQuery* rays, shared::RayAnswer* answers) const
+  void TracePacket(const shared::RayQuery* rays, shared::RayAnswer* answers) const
   {
     alignas(32) int valid[8];
     RTCRayHit8 hit{};
@@ -92,7 +92,7 @@ struct EmbreeWorld::Internals
     }
   }
 
-  void Shadow(const shared::RayQuery& ray, shared::RayAnswer& answer) const
+  void TraceShadowRay(const shared::RayQuery& ray, shared::RayAnswer& answer) const
   {
     RTCRay shadow = { ray.Origin.x, ray.Origin.y, ray.Origin.z, ray.Origin.w, ray.Direction.x,
       ray.Direction.y, ray.Direction.z, 0.0f, ray.Direction.w, ~0u, 0, 0 };
@@ -117,7 +117,7 @@ EmbreeWorld::EmbreeWorld(const RayWorld& world)
   {
     RTCScene scene = rtcNewScene(e.Device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry triangles = e.Triangles(geometry);
+    RTCGeometry triangles = e.MakeTriangles(geometry);
     rtcAttachGeometry(scene, triangles);
     rtcReleaseGeometry(triangles);
     rtcCommitScene(scene);
@@ -157,7 +157,7 @@ Seconds EmbreeWorld::Trace(const Rays& rays, Answers& answers, Mode mode) const
   answers.resize(rays.size());
   const Seconds begin = Seconds::Now();
   std::atomic<std::size_t> next{ 0 };
-  auto work = [&] {
+  const auto traceParts = [&] {
     constexpr std::size_t part = 4096;
     for (std::size_t first; (first = next.fetch_add(part)) < rays.size();)
     {
@@ -166,12 +166,12 @@ Seconds EmbreeWorld::Trace(const Rays& rays, Answers& answers, Mode mode) const
       {
         if (mode == Packets && i + 8 <= last)
         {
-          this->Internal->Eight(&rays[i], &answers[i]);
+          this->Internal->TracePacket(&rays[i], &answers[i]);
           i += 8;
           continue;
         }
-        mode == Occluded ? this->Internal->Shadow(rays[i], answers[i])
-                         : this->Internal->One(rays[i], answers[i]);
+        mode == Occluded ? this->Internal->TraceShadowRay(rays[i], answers[i])
+                         : this->Internal->TraceRay(rays[i], answers[i]);
         ++i;
       }
     }
@@ -179,9 +179,9 @@ Seconds EmbreeWorld::Trace(const Rays& rays, Answers& answers, Mode mode) const
   std::vector<std::thread> threads;
   for (unsigned int i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
   {
-    threads.emplace_back(work);
+    threads.emplace_back(traceParts);
   }
-  work();
+  traceParts();
   for (std::thread& thread : threads)
   {
     thread.join();

@@ -12,48 +12,48 @@ namespace penumbra_test
 {
 namespace
 {
-/// A triangle of the world with a ray, in doubles.
-struct Meeting
+/// Intersection of a ray with a triangle of the world, in doubles.
+struct Intersection
 {
   glm::dvec3 Corners[3];
   double Distance = 0.0;     ///< to the plane
-  double Outline = HUGE_VAL; ///< how far the ray passes from the nearest edge
+  double Outline = HUGE_VAL; ///< distance between the ray and the nearest edge
   bool Inside = false;       ///< the ray passes through it
   double Slope = 0.0;        ///< cosine between the ray and the normal
-  double Scale = 0.0;        ///< of the coordinates that floats round
-  double Needle = 0.0;       ///< how far it reaches along the ray, in its heights
+  double Scale = 0.0;        ///< size of the coordinates that floats round
+  double Needle = 0.0;       ///< extent of the triangle along the ray, in its heights
 
-  /// Some units in the last place of a float, of the largest coordinate that takes part.
+  /// A few units in the last place of the largest coordinate as a float.
   double Rounding() const { return 4e-7 * this->Scale; }
 
-  /// Whether rounding moves the distance by more than that share of it: where the ray lies nearly in
-  /// the plane, or on a triangle so thin that rounding moves the hit along it.
+  /// Whether rounding moves the distance by more than the relative tolerance. It does if the ray is nearly parallel to
+  /// the plane, or if the triangle is so thin that rounding moves the hit along it.
   bool IsUncertain(double tolerance) const
   {
-    const double room = tolerance * this->Distance;
-    return this->Slope * room <= 4.0 * this->Rounding() ||
-      room <= 4.0 * this->Rounding() * this->Needle;
+    const double limit = tolerance * this->Distance;
+    return this->Slope * limit <= 4.0 * this->Rounding() ||
+      limit <= 4.0 * this->Rounding() * this->Needle;
   }
 };
 
-/// The distance between a ray's line and a segment.
+/// Distance between the line of a ray and a segment.
 double LineToSegment(
   const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b)
 {
-  // In the plane across the ray, where the line is a point.
-  const auto across = [&](const glm::dvec3& p) {
+  // In the plane perpendicular to the ray, its line is a point.
+  const auto project = [&](const glm::dvec3& p) {
     return (p - origin) - glm::dot(p - origin, direction) * direction;
   };
-  const glm::dvec3 p = across(a);
-  const glm::dvec3 q = across(b);
+  const glm::dvec3 p = project(a);
+  const glm::dvec3 q = project(b);
   const double length = glm::dot(q - p, q - p);
   const double t = length > 0.0 ? glm::clamp(-glm::dot(p, q - p) / length, 0.0, 1.0) : 0.0;
   return glm::length(p + t * (q - p));
 }
 
-Meeting Meet(const RayWorld& world, const shared::RayQuery& ray, const glm::ivec2& hit)
+Intersection Intersect(const RayWorld& world, const shared::RayQuery& ray, const glm::ivec2& hit)
 {
-  Meeting result;
+  Intersection result;
   const RayWorld::Placement& placement = world.Instances[hit.x];
   const RayGeometry& mesh = world.Meshes[placement.Mesh];
   const glm::dvec3 origin(ray.Origin);
@@ -92,7 +92,7 @@ Meeting Meet(const RayWorld& world, const shared::RayQuery& ray, const glm::ivec
   return result;
 }
 
-bool ShareVertex(const Meeting& a, const Meeting& b)
+bool ShareVertex(const Intersection& a, const Intersection& b)
 {
   for (const glm::dvec3& p : a.Corners)
   {
@@ -111,7 +111,7 @@ bool ShareVertex(const Meeting& a, const Meeting& b)
 bool IsDistanceUncertain(const RayWorld& world, const shared::RayQuery& ray,
   const shared::RayAnswer& answer, double tolerance)
 {
-  return answer.Hit.x >= 0 && Meet(world, ray, answer.Hit).IsUncertain(tolerance);
+  return answer.Hit.x >= 0 && Intersect(world, ray, answer.Hit).IsUncertain(tolerance);
 }
 
 Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& reference,
@@ -122,30 +122,30 @@ Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& refer
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
     const shared::RayAnswer& expected = reference[i];
-    const shared::RayAnswer& got = answers[i];
-    const bool hits[2] = { expected.Hit.x >= 0, got.Hit.x >= 0 };
+    const shared::RayAnswer& actual = answers[i];
+    const bool hits[2] = { expected.Hit.x >= 0, actual.Hit.x >= 0 };
     result.Hits += hits[0];
     const bool sameDistance = hits[0] == hits[1] &&
       (!hits[0] ||
-        std::abs(expected.Distance - got.Distance) <= tolerance * std::abs(expected.Distance));
-    if (sameDistance && expected.Hit == got.Hit)
+        std::abs(expected.Distance - actual.Distance) <= tolerance * std::abs(expected.Distance));
+    if (sameDistance && expected.Hit == actual.Hit)
     {
       ++result.Same;
       continue;
     }
-    Meeting meetings[2];
+    Intersection intersections[2];
     bool edge = false;
     bool grazing = false;
     for (int side = 0; side < 2; ++side)
     {
       if (hits[side])
       {
-        meetings[side] = Meet(world, rays[i], side == 0 ? expected.Hit : got.Hit);
-        edge |= meetings[side].Outline <= 4.0 * meetings[side].Rounding();
-        grazing |= meetings[side].IsUncertain(tolerance);
+        intersections[side] = Intersect(world, rays[i], side == 0 ? expected.Hit : actual.Hit);
+        edge |= intersections[side].Outline <= 4.0 * intersections[side].Rounding();
+        grazing |= intersections[side].IsUncertain(tolerance);
       }
     }
-    if (sameDistance && hits[0] && ShareVertex(meetings[0], meetings[1]) && edge)
+    if (sameDistance && hits[0] && ShareVertex(intersections[0], intersections[1]) && edge)
     {
       ++result.Shared;
     }
@@ -156,12 +156,13 @@ Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& refer
     else if (edge)
     {
       ++result.Edge;
-      // The nearer hit decides: it is there or it is not.
-      const bool ours = hits[1] && (!hits[0] || got.Distance < expected.Distance);
-      result.Right += meetings[ours ? 1 : 0].Inside == ours ? 1 : 0;
+      // The nearer hit decides which tracer is right.
+      const bool ours = hits[1] && (!hits[0] || actual.Distance < expected.Distance);
+      result.Right += intersections[ours ? 1 : 0].Inside == ours ? 1 : 0;
     }
-    else if (hits[0] && expected.Hit == got.Hit &&
-      std::abs(got.Distance - meetings[1].Distance) <= tolerance * meetings[1].Distance)
+    else if (hits[0] && expected.Hit == actual.Hit &&
+      std::abs(actual.Distance - intersections[1].Distance) <=
+        tolerance * intersections[1].Distance)
     {
       ++result.Reference;
     }
@@ -176,12 +177,12 @@ Comparison Compare(const RayWorld& world, const Rays& rays, const Answers& refer
         std::ostringstream text;
         text.precision(9);
         text << "ray " << i << ": expected instance " << expected.Hit.x << " primitive "
-             << expected.Hit.y << " at " << expected.Distance << ", got " << got.Hit.x << " "
-             << got.Hit.y << " at " << got.Distance;
+             << expected.Hit.y << " at " << expected.Distance << ", got " << actual.Hit.x << " "
+             << actual.Hit.y << " at " << actual.Distance;
         for (int side = 0; side < 2; ++side)
         {
-          text << "; in doubles at " << meetings[side].Distance << ", outline "
-               << meetings[side].Outline << ", slope " << meetings[side].Slope;
+          text << "; in doubles at " << intersections[side].Distance << ", outline "
+               << intersections[side].Outline << ", slope " << intersections[side].Slope;
         }
         result.First = text.str();
       }

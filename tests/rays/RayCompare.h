@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Two tracers' answers to the same rays, and an explanation of each difference by arithmetic in
-// double precision.
+// Comparison of two tracers on the same rays. Arithmetic in double precision explains each difference.
 #pragma once
 
 #include "RayStage.h"
@@ -11,23 +10,23 @@ namespace penumbra_test
 struct Comparison
 {
   std::size_t Rays = 0;
-  std::size_t Hits = 0;   ///< by the reference
-  std::size_t Same = 0;   ///< same primitive and distance, or both miss
-  std::size_t Shared = 0; ///< the two primitives have a vertex in common and the ray passes there
-  std::size_t Coincident = 0; ///< other primitives at the same distance
-  std::size_t Edge = 0;       ///< one tracer's triangle is touched on its outline only
-  /// A triangle seen edge-on, or a needle: floats do not tell its distance to 1e-4.
-  std::size_t Grazing = 0;
-  std::size_t Right = 0;      ///< of Edge: doubles decide for the tracer under test
-  /// The same primitive, and doubles confirm the tested tracer's distance, not the reference's.
-  std::size_t Reference = 0;
-  std::size_t Unexplained = 0;
-  std::string First; ///< the first unexplained one
+  std::size_t Hits = 0;       ///< hits of the reference
+  std::size_t Same = 0;       ///< the same primitive and distance, or both miss
+  std::size_t Shared = 0;     ///< the primitives share a vertex near which the ray passes
+  std::size_t Coincident = 0; ///< different primitives at the same distance
+  std::size_t Edge = 0;       ///< a tracer's ray passes through the outline of its triangle
+  std::size_t Right = 0;      ///< of Edge: doubles confirm the tested tracer
+  std::size_t Grazing =
+    0; ///< triangles seen edge-on, and needles: floats do not resolve the distance
+  std::size_t Reference =
+    0; ///< the same primitive: doubles confirm the tested tracer's distance, not the reference's
+  std::size_t Unexplained = 0; ///< anything else
+  std::string First;           ///< description of the first unexplained difference
 
   std::string Line(const std::string& name) const;
 };
 
-/// Whether the distance of an answer's hit is not known to that share of it, in floats.
+/// Whether floats do not resolve the distance of a hit to a relative tolerance.
 bool IsDistanceUncertain(const RayWorld& world, const penumbra::shared::RayQuery& ray,
   const penumbra::shared::RayAnswer& answer, double tolerance);
 

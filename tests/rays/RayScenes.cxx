@@ -25,7 +25,7 @@ void AddSphere(RayGeometry& geometry, const glm::dvec3& center, double radius, i
 {
   const auto base = static_cast<unsigned int>(geometry.Points.size());
   const int sectors = 2 * rings;
-  // One point at either pole: a closed surface shares every edge.
+  // One point at each pole, so that the closed surface shares every edge.
   geometry.Points.emplace_back(center + glm::dvec3(0, 0, radius));
   for (int j = 1; j < rings; ++j)
   {
@@ -66,12 +66,12 @@ void RayWorld::Measure()
     const RayGeometry& mesh = this->Meshes[placement.Mesh];
     for (const glm::vec3& point : mesh.Points)
     {
-      const glm::dvec3 there(
+      const glm::dvec3 position(
         placement.MeshToWorld * glm::dvec4(mesh.Origin + glm::dvec3(point), 1.0));
-      if (std::isfinite(there.x + there.y + there.z))
+      if (std::isfinite(position.x + position.y + position.z))
       {
-        lower = glm::min(lower, there);
-        upper = glm::max(upper, there);
+        lower = glm::min(lower, position);
+        upper = glm::max(upper, position);
       }
     }
   }
@@ -141,7 +141,7 @@ RayGeometry Degenerate(int spheres)
       case 1: // a line
         geometry.Triangles.emplace_back(corners.x, corners.y, corners.y);
         break;
-      case 2: // the same again: a tie everywhere
+      case 2: // a duplicate: a tie everywhere
         geometry.Triangles.push_back(corners);
         break;
       case 3:
@@ -157,7 +157,7 @@ RayGeometry Degenerate(int spheres)
         break;
     }
   }
-  // Many in one place, which no split tells apart.
+  // Many at one position, which no split can separate.
   for (int i = 0; i < 1000; ++i)
   {
     geometry.Triangles.push_back(geometry.Triangles[0]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes that rays are tried on, each hard in its own way.
+// Scenes for tests of rays, each difficult in its own way.
 #pragma once
 
 #include "rays/RayGeometry.h"
@@ -29,15 +29,15 @@ struct RayWorld
   void Measure();
 };
 
-/// Spheres of triangles at random places, `rings` of latitude each.
+/// Spheres of triangles at random positions, with a number of rings of latitude each.
 penumbra::RayGeometry SphereField(int spheres, int rings, unsigned int seed = 1);
 /// One closed sphere of triangles of radius 1.
 penumbra::RayGeometry ClosedSphere(int rings);
 /// Triangles a thousand to a million times longer than wide.
 penumbra::RayGeometry Slivers(int count);
-/// Good triangles among ones without area, twice the same, not finite, and with bad indices.
+/// Good triangles among others without area, duplicated, not finite, or with bad indices.
 penumbra::RayGeometry Degenerate(int spheres);
-/// The triangles of polygonal data, points in double precision.
+/// Triangles of polygonal data, with points in double precision.
 penumbra::RayGeometry FromPolyData(vtkPolyData* data);
 /// An isosurface of a smooth function on a grid, from VTK's filters.
 penumbra::RayGeometry Isosurface(int resolution);
@@ -46,8 +46,8 @@ penumbra::RayGeometry Isosurface(int resolution);
 RayWorld Single(const std::string& name, penumbra::RayGeometry geometry);
 /// The sphere field a million units away along each axis, as doubles.
 RayWorld FarAway();
-/// One glyph placed often, turned and stretched.
+/// Many rotated and stretched instances of two glyphs.
 RayWorld Glyphs(int count);
-/// All of them.
+/// A world of each kind.
 std::vector<RayWorld> AllWorlds();
 }

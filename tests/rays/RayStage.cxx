@@ -21,8 +21,8 @@ Seconds Seconds::Now()
 
 Seconds Seconds::Since() const
 {
-  const Seconds now = Now();
-  return { now.Wall - this->Wall, now.Cpu - this->Cpu };
+  const Seconds current = Now();
+  return { current.Wall - this->Wall, current.Cpu - this->Cpu };
 }
 
 RayStage::RayStage()
@@ -105,7 +105,7 @@ void RayStage::Dispatch(std::size_t count)
 
 Answers RayStage::Trace(const Rays& rays, bool any)
 {
-  // In parts that keep within the smallest storage block that OpenGL 4.3 allows on software GL.
+  // Parts fit the smallest storage blocks of software OpenGL 4.3.
   constexpr std::size_t part = 2000000;
   Answers answers(rays.size());
   for (std::size_t begin = 0; begin < rays.size(); begin += part)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A context to trace rays in, and the same rays through Embree on the CPU.
+// Rays traced by shaders in a context, and by Embree on the CPU.
 #pragma once
 
 #include "RayScenes.h"
@@ -18,8 +18,7 @@ namespace penumbra_test
 using Rays = std::vector<penumbra::shared::RayQuery>;
 using Answers = std::vector<penumbra::shared::RayAnswer>;
 
-/// Time spent: by the clock, and by all threads of the process together, which others on the
-/// machine disturb less.
+/// Elapsed time, and processor time of all threads, which other programs on the machine disturb less.
 struct Seconds
 {
   double Wall = 0.0;
@@ -35,17 +34,17 @@ public:
   RayStage();
   ~RayStage();
 
-  /// False where no context can be had here.
+  /// False if there is no context.
   bool IsReady() const { return this->Ready; }
   const char* Description() const;
   bool IsSoftware() const;
 
   /// Replace the scene by a world. Instances and meshes are named by their indices.
   void Show(const RayWorld& world);
-  /// Trace. Hit.x of an answer is the index of the instance in the world.
+  /// Trace rays to the closest hit or to any hit. Hit.x of an answer is the index of the instance in the world.
   Answers Closest(const Rays& rays) { return this->Trace(rays, false); }
   Answers Any(const Rays& rays) { return this->Trace(rays, true); }
-  /// Trace without moving data to or from the context, and say how long it took.
+  /// Time of tracing alone, without transfers to or from the context.
   Seconds Time(const Rays& rays, bool any = false);
 
   penumbra::RayScene Scene;
@@ -63,7 +62,7 @@ private:
   bool Ready = false;
 };
 
-/// Embree over a world, in coordinates relative to the world's centre.
+/// A world in Embree, in coordinates relative to its centre.
 class EmbreeWorld
 {
 public:
@@ -78,7 +77,7 @@ public:
     Packets, ///< rtcIntersect8, marked coherent
     Occluded ///< rtcOccluded1
   };
-  /// Trace on all cores, and say how long it took.
+  /// Trace on all cores. Returns the time.
   Seconds Trace(const Rays& rays, Answers& answers, Mode mode = Single) const;
 
 private:
@@ -86,11 +85,10 @@ private:
   std::unique_ptr<Internals> Internal;
 };
 
-/// Rays of every kind through a world: from inside in all directions, from outside at its
-/// triangles.
+/// Rays of two kinds in turn: from inside a world in random directions, from outside toward its triangles.
 Rays RandomRays(const RayWorld& world, std::size_t count, unsigned int seed);
-/// From random points in all directions, in no order.
+/// Rays from random points in random directions, in no order.
 Rays IncoherentRays(const RayWorld& world, std::size_t count, unsigned int seed);
-/// A camera's, in tiles of 8 by 8 pixels, in Morton order within a tile.
+/// Rays of a camera, in tiles of 8 by 8 pixels, in Morton order within a tile.
 Rays CameraRays(const RayWorld& world, int width, int height);
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays traced by the shaders against the same rays through Embree. PENUMBRA_NIGHTLY=1 asks for the
-// full counts: 10 million random rays, 100 million at edges.
+// Rays traced by the shaders against Embree. PENUMBRA_NIGHTLY=1 asks for the full counts: 10 million random rays, 100
+// million at edges.
+#include "Nightly.h"
 #include "RayCompare.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 
 using namespace penumbra;
@@ -17,12 +17,6 @@ using namespace penumbra_test;
 
 namespace
 {
-bool Nightly()
-{
-  const char* value = std::getenv("PENUMBRA_NIGHTLY");
-  return value && value[0] != '0';
-}
-
 class RayTest : public testing::Test
 {
 protected:
@@ -39,7 +33,7 @@ protected:
 
 TEST_F(RayTest, AgreesWithEmbree)
 {
-  const std::size_t count = Nightly() ? 1700000 : 50000;
+  const std::size_t count = IsNightly() ? 1700000 : 50000;
   for (const RayWorld& world : AllWorlds())
   {
     this->Stage.Show(world);
@@ -49,22 +43,22 @@ TEST_F(RayTest, AgreesWithEmbree)
     const Comparison result = Compare(world, rays, expected, this->Stage.Closest(rays));
     std::cout << result.Line(world.Name) << std::endl;
     EXPECT_EQ(result.Unexplained, 0u) << world.Name << ": " << result.First;
-    EXPECT_GT(result.Hits, count / 4) << world.Name << ": the rays must test something";
-    // Slivers narrower than what a float resolves from their distance are hit or missed by chance,
-    // and a triangle given twice is hit once: neither is common elsewhere.
+    EXPECT_GT(result.Hits, count / 4) << world.Name << ": too few rays hit anything";
+    // Slivers narrower than floats resolve are hit or missed by chance, and either of two duplicates may be hit. Other
+    // scenes have few such triangles.
     const bool hard = world.Name == "thin slivers" || world.Name == "degenerate input";
     EXPECT_GT(result.Same, count / 100 * (hard ? 90 : 99)) << world.Name;
   }
 }
 
-TEST_F(RayTest, AnyHitIsWhetherThereIsAClosest)
+TEST_F(RayTest, AnyHitAgreesWithClosestHit)
 {
   for (const RayWorld& world : AllWorlds())
   {
     this->Stage.Show(world);
-    Rays rays = RandomRays(world, Nightly() ? 1000000 : 20000, 12);
+    Rays rays = RandomRays(world, IsNightly() ? 1000000 : 20000, 12);
     const Answers closest = this->Stage.Closest(rays);
-    // Also with a limit just before and just after what is there.
+    // A third of the rays end just before the hit, a third just after it.
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       if (closest[i].Hit.x >= 0 && i % 3 > 0)
@@ -77,7 +71,7 @@ TEST_F(RayTest, AnyHitIsWhetherThereIsAClosest)
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       const bool expected = closest[i].Hit.x >= 0 && closest[i].Distance < rays[i].Direction.w;
-      // A limit within what rounding does to a needle's distance decides nothing.
+      // A limit within the rounding error of a needle's distance decides nothing.
       const bool differs = expected != (any[i].Hit.x >= 0);
       wrong += differs && !IsDistanceUncertain(world, rays[i], closest[i], 1e-4) ? 1 : 0;
     }
@@ -92,7 +86,7 @@ TEST_F(RayTest, LeaksNothingThroughAClosedMesh)
   const RayGeometry& mesh = world.Meshes[0];
   std::mt19937 random(6);
   std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-  const std::size_t total = Nightly() ? 100000000 : 1000000;
+  const std::size_t total = IsNightly() ? 100000000 : 1000000;
   const std::size_t part = 1000000;
   std::size_t leaks = 0;
   for (std::size_t done = 0; done < total; done += part)
@@ -100,7 +94,7 @@ TEST_F(RayTest, LeaksNothingThroughAClosedMesh)
     Rays rays(part);
     for (shared::RayQuery& ray : rays)
     {
-      // From the inside, at points on edges, at vertices, and along axes.
+      // From inside toward edges and vertices; some from the centre.
       const glm::uvec3 corners = mesh.Triangles[random() % mesh.Triangles.size()];
       const unsigned int first = random() % 3;
       const glm::vec3 a = mesh.Points[corners[first]];
@@ -122,9 +116,9 @@ TEST_F(RayTest, LeaksNothingThroughAClosedMesh)
   EXPECT_EQ(leaks, 0u);
 }
 
-TEST_F(RayTest, RefitAnswersAsARebuildDoes)
+TEST_F(RayTest, RefitGivesTheHitsOfARebuild)
 {
-  // Slivers are in the tree in pieces, which points that move cut elsewhere.
+  // The tree holds slivers in pieces, and moved points change the cuts.
   for (RayWorld world :
     { Single("moving", SphereField(60, 14, 8)), Single("moving slivers", Slivers(3000)) })
   {
@@ -146,7 +140,7 @@ TEST_F(RayTest, RefitAnswersAsARebuildDoes)
   }
 }
 
-TEST_F(RayTest, FollowsChangesOfPartOfTheScene)
+TEST_F(RayTest, FollowsChangesOfPartsOfTheScene)
 {
   RayWorld world = Glyphs(200);
   this->Stage.Show(world);
@@ -165,7 +159,7 @@ TEST_F(RayTest, FollowsChangesOfPartOfTheScene)
   this->Stage.Scene.SetInstance(3, world.Instances[3].Mesh, world.Instances[3].MeshToWorld);
   world.Measure();
   check("an instance moved");
-  world.Meshes[0] = ClosedSphere(30); // larger: it must move in the buffers
+  world.Meshes[0] = ClosedSphere(30); // larger: it moves in the buffers
   this->Stage.Scene.SetMesh(0, world.Meshes[0]);
   check("a mesh replaced by a larger one");
   world.Meshes[0] = ClosedSphere(5);
@@ -178,7 +172,7 @@ TEST_F(RayTest, FollowsChangesOfPartOfTheScene)
   check("another origin");
 }
 
-TEST_F(RayTest, DropsWhatIsNotFinite)
+TEST_F(RayTest, DropsInvalidPrimitivesAndInstances)
 {
   RayWorld world = Single("degenerate", Degenerate(10));
   this->Stage.Show(world);
@@ -199,7 +193,7 @@ TEST_F(RayTest, DropsWhatIsNotFinite)
   EXPECT_GT(hits, 1000u);
 }
 
-TEST_F(RayTest, AnEmptySceneIsMissed)
+TEST_F(RayTest, MissesAnEmptyScene)
 {
   this->Stage.Scene.Update();
   const Rays rays(100, { glm::vec4(0.0f), glm::vec4(1.0f, 0.0f, 0.0f, 10.0f) });
@@ -262,7 +256,7 @@ TEST_F(RayTest, FindsSpheresAndCylinders)
 
 TEST_F(RayTest, HoldsFourMillionTriangles)
 {
-  if (!Nightly())
+  if (!IsNightly())
   {
     GTEST_SKIP() << "set PENUMBRA_NIGHTLY=1: takes 2 GiB of memory";
   }

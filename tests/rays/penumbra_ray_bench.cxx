@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rates of the ray core beside Embree's, on the same cores, scenes and rays, in one run: medians of
-// alternating repetitions. Does not measure: uploads of rays, reading answers back, shading.
+// Rates of the ray core and of Embree on the same cores, scenes and rays, in one run: medians of alternating
+// repetitions. Does not measure uploads of rays, downloads of hits, or shading.
 //
 // usage: penumbra_ray_bench [--repetitions N] [--rays N] [--scene NAME-PART] [--json FILE]
+#include "Cost.h"
 #include "RayStage.h"
 
 #include <nlohmann/json.hpp>
@@ -19,13 +20,7 @@ using namespace penumbra_test;
 
 namespace
 {
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-/// Medians of repeated timings.
+/// Repeated timings.
 struct Series
 {
   std::vector<double> Wall, Cpu;
@@ -82,7 +77,7 @@ nlohmann::json TraceRates(RayStage& stage, const RayWorld& world, const Options&
   struct Kind
   {
     const char* Name;
-    Rays Asked;
+    penumbra_test::Rays Rays;
     EmbreeWorld::Mode Mode;
     bool Any;
   };
@@ -101,12 +96,13 @@ nlohmann::json TraceRates(RayStage& stage, const RayWorld& world, const Options&
     Answers answers;
     for (int i = 0; i < options.Repetitions; ++i)
     {
-      theirs.Add(embree.Trace(kind.Asked, answers, kind.Mode));
-      ours.Add(stage.Time(kind.Asked, kind.Any));
+      theirs.Add(embree.Trace(kind.Rays, answers, kind.Mode));
+      ours.Add(stage.Time(kind.Rays, kind.Any));
     }
-    const double count = 1e-6 * static_cast<double>(kind.Asked.size());
-    const double cpu[2] = { count * cores / Median(ours.Cpu), count * cores / Median(theirs.Cpu) };
-    const double wall[2] = { count / Median(ours.Wall), count / Median(theirs.Wall) };
+    const double count = 1e-6 * static_cast<double>(kind.Rays.size());
+    const double cpu[2] = { count * cores / MedianOf(ours.Cpu),
+      count * cores / MedianOf(theirs.Cpu) };
+    const double wall[2] = { count / MedianOf(ours.Wall), count / MedianOf(theirs.Wall) };
     std::printf("%-24s %-26s %8.2f %8.2f %7.2f %10.2f %8.2f %7.2f\n", world.Name.c_str(), kind.Name,
       cpu[0], cpu[1], cpu[0] / cpu[1], wall[0], wall[1], wall[0] / wall[1]);
     std::fflush(stdout);
@@ -134,12 +130,12 @@ nlohmann::json BuildRate(int spheres, int rings)
   const double count = 1e-6 * static_cast<double>(geometry.Triangles.size());
   std::printf(
     "build %.2f M triangles: %.2f M/s by CPU time, %.2f M/s by the clock; refit %.2f, %.2f\n",
-    count, count * cores / Median(series.Cpu), count / Median(series.Wall),
-    count * cores / Median(refits.Cpu), count / Median(refits.Wall));
+    count, count * cores / MedianOf(series.Cpu), count / MedianOf(series.Wall),
+    count * cores / MedianOf(refits.Cpu), count / MedianOf(refits.Wall));
   std::fflush(stdout);
-  return { { "mtriangles", count }, { "per_second", count * cores / Median(series.Cpu) },
-    { "wall_per_second", count / Median(series.Wall) },
-    { "refit_wall_per_second", count / Median(refits.Wall) } };
+  return { { "mtriangles", count }, { "per_second", count * cores / MedianOf(series.Cpu) },
+    { "wall_per_second", count / MedianOf(series.Wall) },
+    { "refit_wall_per_second", count / MedianOf(refits.Wall) } };
 }
 
 nlohmann::json MoveTime(RayStage& stage, int instances)
@@ -158,10 +154,10 @@ nlohmann::json MoveTime(RayStage& stage, int instances)
     series.Add(begin.Since());
   }
   std::printf("moving one of %d instances: %.2f ms by CPU time, %.2f ms by the clock\n", instances,
-    1e3 * Median(series.Cpu), 1e3 * Median(series.Wall));
+    1e3 * MedianOf(series.Cpu), 1e3 * MedianOf(series.Wall));
   std::fflush(stdout);
-  return { { "instances", instances }, { "cpu_ms", 1e3 * Median(series.Cpu) },
-    { "wall_ms", 1e3 * Median(series.Wall) } };
+  return { { "instances", instances }, { "cpu_ms", 1e3 * MedianOf(series.Cpu) },
+    { "wall_ms", 1e3 * MedianOf(series.Wall) } };
 }
 }
 

@@ -44,20 +44,21 @@ protected:
     return actor;
   }
 
-  /// Which way a surface's triangles are wound: as made, all the other way with their normals, or every second one.
+  /// Winding of a surface's triangles: the original one, all reversed together with their normals, or every second one
+  /// reversed.
   enum class Winding
   {
-    AsMade,
+    Original,
     Reversed,
     Mixed
   };
-  static void Wind(vtkActor* actor, Winding winding)
+  static void SetWinding(vtkActor* actor, Winding winding)
   {
     vtkNew<vtkTriangleFilter> triangles;
     triangles->SetInputConnection(actor->GetMapper()->GetInputConnection(0, 0));
     triangles->Update();
     vtkPolyData* data = triangles->GetOutput();
-    for (vtkIdType i = 0; i < data->GetNumberOfCells() && winding != Winding::AsMade; ++i)
+    for (vtkIdType i = 0; i < data->GetNumberOfCells() && winding != Winding::Original; ++i)
     {
       if (winding == Winding::Reversed || i % 2 == 1)
       {
@@ -74,6 +75,7 @@ protected:
     vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(data);
   }
 
+  /// Bake the scene and light it by the result.
   void Bake(int probes, int samples, bool adaptive = false)
   {
     this->Baker->SetProbes(probes);
@@ -84,6 +86,7 @@ protected:
     ASSERT_TRUE(this->Probes->SetBake(this->Field)) << this->Probes->GetBakeError();
   }
 
+  /// Picture of the path tracer.
   Values Traced(int bounces, int samples)
   {
     auto* tracer = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
@@ -95,22 +98,19 @@ protected:
     return values;
   }
 
-  // Chance makes single probes err, by a share of that; their mean has what is systematic.
-  void ExpectEverywhere(double radiosity, double mean, double single)
+  /// Expect the same radiosity at every pixel. The relative error of the mean shows the bias; that of one pixel
+  /// includes the noise of single probes.
+  void ExpectRadiosity(double radiosity, double meanLimit, double pixelLimit)
   {
     const Values values = this->After(1);
-    double most = 0.0;
-    for (const double value : values)
-    {
-      most = std::max(most, std::abs(value / radiosity - 1.0));
-    }
+    const double largest = LargestError(values, radiosity);
     std::printf(
-      "radiosity %.5f of %.5f, largest error %.2f %%\n", Mean(values), radiosity, 100.0 * most);
-    EXPECT_LT(std::abs(Mean(values) / radiosity - 1.0), mean);
-    EXPECT_LT(most, single);
+      "radiosity %.5f of %.5f, largest error %.2f %%\n", Mean(values), radiosity, 100.0 * largest);
+    EXPECT_LT(std::abs(Mean(values) / radiosity - 1.0), meanLimit);
+    EXPECT_LT(largest, pixelLimit);
   }
 
-  bool Notes(const std::string& words) const
+  bool HasNote(const std::string& words) const
   {
     return std::string(this->Pass->GetNotes()).find(words) != std::string::npos;
   }

@@ -7,6 +7,7 @@
 
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include <vtkImageData.h>
@@ -23,9 +24,9 @@
 
 namespace penumbra_test
 {
-/// A picture of one value, in which 1 is the largest of integers.
+/// An image of one value. Integer types store 1 as their largest value.
 template <typename Value>
-vtkSmartPointer<vtkTexture> EvenTexture(double value, bool srgb = false)
+vtkSmartPointer<vtkTexture> ConstantTexture(double value, bool srgb = false)
 {
   const double one =
     std::is_integral<Value>::value ? static_cast<double>(std::numeric_limits<Value>::max()) : 1.0;
@@ -35,11 +36,7 @@ vtkSmartPointer<vtkTexture> EvenTexture(double value, bool srgb = false)
   auto* values = static_cast<Value*>(image->GetScalarPointer());
   const double stored = std::is_integral<Value>::value ? std::round(value * one) : value;
   std::fill_n(values, 3 * image->GetNumberOfPoints(), static_cast<Value>(stored));
-  auto texture = vtkSmartPointer<vtkTexture>::New();
-  texture->SetInputData(image);
-  texture->SetColorModeToDirectScalars();
-  texture->InterpolateOn();
-  texture->MipmapOn(); // VTK insists
+  auto texture = EnvironmentTexture(image);
   texture->SetUseSRGBColorSpace(srgb);
   return texture;
 }
@@ -52,8 +49,8 @@ public:
     double Metallic;
     double Roughness;
   };
-  /// Of what is displayed in the middle of a ball.
-  struct Shown
+  /// Display values in the middle of a ball.
+  struct Grey
   {
     double Mean = 0.0;
     double Deviation = 0.0;
@@ -64,17 +61,13 @@ public:
     auto* renderer = this->Renderer();
     renderer->SetBackground(0.0, 0.0, 0.0);
     renderer->UseImageBasedLightingOn();
-    // VTK's own tables are large, and slow to make on a processor.
+    // VTK's default tables are large and slow to compute on a CPU.
     renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(16);
     renderer->GetEnvMapIrradiance()->SetIrradianceSize(8);
     renderer->GetEnvMapIrradiance()->SetIrradianceStep(0.1f);
     renderer->GetEnvMapLookupTable()->SetLUTSize(64);
     renderer->GetEnvMapLookupTable()->SetLUTSamples(256);
-    // A light that is too faint to count keeps VTK from drawing flat colours.
-    renderer->AutomaticLightCreationOff();
-    vtkNew<vtkLight> faint;
-    faint->SetIntensity(1e-9);
-    renderer->AddLight(faint);
+    AddFaintLight(renderer);
   }
 
   vtkOpenGLRenderer* Renderer()
@@ -87,20 +80,20 @@ public:
     this->Renderer()->SetEnvironmentTexture(texture, srgb);
   }
 
-  /// Balls side by side, each in a square of the picture.
+  /// Add balls side by side, each in its own square of the picture.
   std::vector<Ball> AddBalls(const std::vector<Ball>& balls, double opacity = 1.0)
   {
     this->Count = static_cast<int>(balls.size());
     this->Scene.Window->SetSize(this->Count * Side, Side);
-    double place = 0.0;
+    double x = 0.0;
     for (const Ball& ball : balls)
     {
       vtkNew<vtkSphereSource> source;
       source->SetThetaResolution(48);
       source->SetPhiResolution(48);
       source->SetRadius(0.45);
-      source->SetCenter(place, 0.0, 0.0);
-      place += 1.0;
+      source->SetCenter(x, 0.0, 0.0);
+      x += 1.0;
       vtkProperty* property = this->Scene.Add(source)->GetProperty();
       property->SetInterpolationToPBR();
       property->SetColor(0.8, 0.8, 0.8);
@@ -109,7 +102,7 @@ public:
       property->SetOpacity(opacity);
       property->SetBackfaceCulling(opacity < 1.0);
     }
-    // From so far that every ball is seen from its front.
+    // The camera is so far away that it sees the front of every ball.
     vtkCamera* camera = this->Renderer()->GetActiveCamera();
     const double middle = 0.5 * (this->Count - 1);
     camera->SetFocalPoint(middle, 0.0, 0.0);
@@ -119,8 +112,8 @@ public:
     return balls;
   }
 
-  /// Draw by a preset, or by VTK alone ("stock").
-  std::vector<Shown> Measure(const std::string& preset, int frames)
+  /// Draw with a preset, or with VTK alone ("stock"), and measure every ball.
+  std::vector<Grey> Measure(const std::string& preset, int frames)
   {
     this->Renderer()->SetPass(nullptr);
     if (preset != "stock")
@@ -137,7 +130,7 @@ public:
     Save(picture,
       std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "-" + preset);
     EXPECT_TRUE(TakeMessages().empty());
-    std::vector<Shown> shown;
+    std::vector<Grey> balls;
     for (int ball = 0; ball < this->Count; ++ball)
     {
       double sum = 0.0;
@@ -150,17 +143,17 @@ public:
         squares += value * value;
       }
       const double mean = sum / (Middle * Middle);
-      shown.push_back(
+      balls.push_back(
         { mean, std::sqrt(std::max(0.0, squares / (Middle * Middle) - mean * mean)) });
     }
-    return shown;
+    return balls;
   }
 
-  static constexpr int Side = 40;   // pixels of a ball's square
-  static constexpr int Middle = 12; // of it that is measured
+  static constexpr int Side = 40;   // width of a ball's square in pixels
+  static constexpr int Middle = 12; // width of its measured middle
   Stage Scene;
   vtkSmartPointer<vtkGIPass> Pass;
-  Picture Last; ///< that was measured
+  Picture Last; ///< the last measured picture
 
 private:
   int Count = 0;

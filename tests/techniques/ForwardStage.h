@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Rooms with things in them that VTK draws itself, measured by what is displayed.
+ * Rooms with translucent surfaces and volumes, which VTK draws itself, measured by display values.
  */
 #pragma once
 
@@ -10,8 +10,6 @@
 #include "vtkGIDDGI.h"
 #include "vtkGIProbeBaker.h"
 #include "vtkGISHProbes.h"
-
-#include <vtkPlaneSource.h>
 
 namespace penumbra_test
 {
@@ -28,29 +26,30 @@ protected:
     this->Probes->SetProbes(64);
   }
 
-  /// Light from these alone; baked anew where baked ones are among them, without what may change.
-  void LightBy(bool live, bool baked, vtkProp* mover = nullptr)
+  /// Light the room with live probes, baked probes, both or neither. Baked probes are baked here, without the prop that
+  /// the test changes.
+  void LightBy(bool live, bool baked, vtkProp* changing = nullptr)
   {
     this->Probes->SetEnabled(live);
     this->Baked->SetEnabled(baked);
     if (baked)
     {
-      const vtkSmartPointer<vtkProp> keep = mover;
-      this->Scene.Renderer->RemoveViewProp(mover);
+      const vtkSmartPointer<vtkProp> keep = changing;
+      this->Scene.Renderer->RemoveViewProp(changing);
       vtkNew<vtkGIProbeBaker> baker;
       baker->SetProbes(216);
       baker->SetSamples(1024);
       vtkNew<vtkImageData> field;
       ASSERT_TRUE(baker->Bake(this->Scene.Renderer, field)) << baker->GetLastError();
       ASSERT_TRUE(this->Baked->SetBake(field)) << this->Baked->GetBakeError();
-      if (mover)
+      if (changing)
       {
-        this->Scene.Renderer->AddViewProp(mover);
+        this->Scene.Renderer->AddViewProp(changing);
       }
     }
   }
 
-  /// A closed room in which everything sends out the same radiance.
+  /// Add a closed room in which every surface has the same radiance.
   vtkActor* AddFurnace()
   {
     vtkActor* room = this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5);
@@ -59,14 +58,13 @@ protected:
     return room;
   }
 
-  /// Upright, facing the eye of LookFrom(0, -y, 0, ...).
+  /// Add an upright square that faces a camera on the negative y axis.
   vtkActor* AddQuad(double side, double albedo, double opacity, double x = 0.0, double y = 0.0)
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-0.5 * side, 0.0, -0.5 * side);
-    plane->SetPoint1(0.5 * side, 0.0, -0.5 * side);
-    plane->SetPoint2(-0.5 * side, 0.0, 0.5 * side);
-    vtkActor* quad = Paint(this->Scene.Add(plane), albedo);
+    const double half = 0.5 * side;
+    vtkActor* quad = Paint(penumbra_test::AddQuad(this->Scene, { -half, 0.0, -half },
+                             { half, 0.0, -half }, { -half, 0.0, half }),
+      albedo);
     quad->SetPosition(x, y, 0.0);
     quad->GetProperty()->SetOpacity(opacity);
     return quad;
@@ -80,8 +78,9 @@ protected:
     actor->GetProperty()->SetBaseIOR(1.0); // no highlight
   }
 
-  /// The mean display value, 0 to 1, of the middle of the window, a fifth of its height wide.
-  double Middle(int frames)
+  /// Mean display value, 0 to 1, of a square in the middle of the window after a number of frames. The square is a
+  /// fifth of the window's height wide.
+  double DisplayValue(int frames)
   {
     for (int i = 1; i < frames; ++i)
     {
@@ -95,9 +94,9 @@ protected:
   }
 
   static constexpr double Furnace = 0.5;
-  // Frames after which DDGI's light has arrived, and after a change of a little thing.
-  static constexpr int Settled = 80;
-  static constexpr int Few = 4;
+  // Frames until DDGI has converged, and until a small change has reached it.
+  static constexpr int FramesToConverge = 80;
+  static constexpr int FramesToAdjust = 4;
   vtkGIDDGI* Probes = nullptr;
   vtkGISHProbes* Baked = nullptr;
 };

@@ -37,8 +37,8 @@ protected:
     ASSERT_TRUE(this->Map->SetBake(this->Surfaces(), Light(channels)));
   }
 
-  // The next frame's radiance at a pixel, 0 to 1 across the picture.
-  double At(double x, double y, bool draw = true)
+  // Radiance at a position from 0 to 1 across the picture, of the next frame or of the last one.
+  double RadianceAt(double x, double y, bool draw = true)
   {
     if (draw)
     {
@@ -51,38 +51,39 @@ protected:
   }
   std::string Notes() { return this->Pass->GetNotes(); }
 
-  // The wall with normals that lean to x, by an angle of this sine.
-  void LeanNormals(double sine)
+  // Tilt the wall's normals toward x by an angle with this sine.
+  void TiltNormals(double sine)
   {
     vtkNew<vtkPlaneSource> source;
     source->SetOrigin(-2.0, -2.0, 0.0);
     source->SetPoint1(2.0, -2.0, 0.0);
     source->SetPoint2(-2.0, 2.0, 0.0);
     source->Update();
-    vtkNew<vtkPolyData> leaning;
-    leaning->DeepCopy(source->GetOutput());
+    vtkNew<vtkPolyData> tilted;
+    tilted->DeepCopy(source->GetOutput());
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
     for (int i = 0; i < 4; ++i)
     {
       normals->InsertNextTuple3(sine, 0.0, std::sqrt(1.0 - sine * sine));
     }
-    leaning->GetPointData()->SetNormals(normals);
-    vtkPolyDataMapper::SafeDownCast(this->Wall->GetMapper())->SetInputData(leaning);
+    tilted->GetPointData()->SetNormals(normals);
+    vtkPolyDataMapper::SafeDownCast(this->Wall->GetMapper())->SetInputData(tilted);
     this->Wall->GetProperty()->SetInterpolationToPhong();
   }
 
-  // The next frame has no baked light and says why.
+  // Expect that the next frame has no baked light and reports why.
   void ExpectStale(const char* why)
   {
-    const double left = this->At(0.2, 0.5);
+    const double left = this->RadianceAt(0.2, 0.5);
     EXPECT_LT(left, 0.01) << why;
     EXPECT_NE(this->Notes().find(why), std::string::npos) << this->Notes();
     EXPECT_NE(this->Map->GetMismatch(this->Scene.Renderer).find(why), std::string::npos);
   }
+  // Expect baked light in the next frame, and no notes.
   void ExpectFits()
   {
-    EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002);
+    EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002);
     EXPECT_EQ(this->Notes(), "");
     EXPECT_EQ(this->Map->GetMismatch(this->Scene.Renderer), "");
   }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A reflecting floor with things on and over it, and what the technique says of its rays.
+// A reflecting floor with objects on and above it, and how the technique's rays end.
 #pragma once
 
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
@@ -21,7 +22,6 @@
 #include <vtkPBRPrefilterTexture.h>
 #include <vtkParametricFunctionSource.h>
 #include <vtkParametricTorus.h>
-#include <vtkPlaneSource.h>
 #include <vtkSphereSource.h>
 
 #include <gtest/gtest.h>
@@ -39,15 +39,11 @@ protected:
     this->Reflections = this->Pass->GetTechnique("screen-space-reflections");
     ASSERT_NE(this->Reflections, nullptr);
     this->Reflections->EnabledOn();
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-4.0, -4.0, 0.0);
-    plane->SetPoint1(4.0, -4.0, 0.0);
-    plane->SetPoint2(-4.0, 4.0, 0.0);
-    this->Floor = this->Scene.Add(plane);
-    this->Mirror(0.0);
+    this->Floor = AddFloor(this->Scene, -4.0, 4.0, -4.0, 4.0);
+    this->UseMetalFloor(0.0);
   }
 
-  void Mirror(double roughness)
+  void UseMetalFloor(double roughness)
   {
     this->Floor->GetProperty()->SetInterpolationToPBR();
     this->Floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
@@ -55,8 +51,8 @@ protected:
     this->Floor->GetProperty()->SetRoughness(roughness);
   }
 
-  // Flat and round, thick and thin, standing and floating.
-  void AddThings()
+  // Add flat and round, thick and thin, standing and floating objects.
+  void AddObjects()
   {
     vtkNew<vtkCubeSource> box;
     box->SetBounds(-1.8, -0.8, -0.5, 0.5, 0.0, 1.1);
@@ -92,7 +88,8 @@ protected:
     this->Scene.Add(wall);
   }
 
-  void Look(double x, double y, double z, bool parallel, bool mirrored)
+  // Place the camera, or its mirror image below the floor.
+  void LookFrom(double x, double y, double z, bool parallel, bool mirrored)
   {
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     const double side = mirrored ? -1.0 : 1.0;
@@ -105,7 +102,7 @@ protected:
     this->Scene.Renderer->ResetCameraClippingRange();
   }
 
-  // The linear picture after some still frames.
+  // Linear colours of all pixels, four floats each, after a number of frames at rest.
   std::vector<float> Radiance(int frames)
   {
     this->Pass->KeepRadianceOn();
@@ -136,13 +133,8 @@ protected:
     {
       values[i] = 0.1f + 0.05f * static_cast<float>(i % 7);
     }
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(image);
-    texture->SetColorModeToDirectScalars();
-    texture->InterpolateOn();
-    texture->MipmapOn(); // VTK insists
     auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Scene.Renderer);
-    renderer->SetEnvironmentTexture(texture);
+    renderer->SetEnvironmentTexture(EnvironmentTexture(image));
     renderer->UseImageBasedLightingOn();
     renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
     renderer->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
@@ -151,7 +143,7 @@ protected:
     renderer->GetEnvMapLookupTable()->SetLUTSize(8);
   }
 
-  // How rays ended: pixel x and y, reason, confidence.
+  // End of each pixel's ray: x and y of the pixel that it hit, reason, confidence.
   std::vector<glm::vec4> Ends()
   {
     vtkNew<vtkImageData> image;

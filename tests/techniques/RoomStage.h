@@ -7,6 +7,7 @@
 
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
@@ -24,6 +25,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace penumbra_test
@@ -33,7 +37,7 @@ using Values = std::vector<double>;
 class RoomStage : public ::testing::Test
 {
 protected:
-  /// The lamp is dark at first. Only the technique of that name is on.
+  /// Set up the window, the pass with one technique enabled, and a lamp of intensity 0.
   void Prepare(const char* technique, int width, int height)
   {
     this->Scene.Window->SetSize(width, height);
@@ -44,12 +48,12 @@ protected:
     ASSERT_NE(this->Pass->GetTechnique(technique), nullptr);
     this->Pass->GetTechnique(technique)->EnabledOn();
     this->Lamp->SetLightTypeToSceneLight();
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(180.0);
+    ShineAllRound(this->Lamp);
     this->Lamp->SetIntensity(0.0);
     this->Scene.Renderer->AddLight(this->Lamp);
   }
 
+  /// Give a prop a white matte material.
   static vtkActor* Paint(vtkActor* actor, double albedo)
   {
     actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
@@ -67,7 +71,15 @@ protected:
     return box;
   }
 
-  /// A view from inside with all walls in sight of a turn.
+  /// Add two closed rooms of 2 x 2 x 2 with a wall of this thickness between them, and put the lamp into the left one.
+  std::array<vtkActor*, 2> AddTwoRooms(double thickness)
+  {
+    this->Lamp->SetPosition(-1.2, 0.3, 0.4);
+    return { this->AddBox(-2.0, -0.5 * thickness, -1.0, 1.0, -1.0, 1.0, 0.7),
+      this->AddBox(0.5 * thickness, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7) };
+  }
+
+  /// Place the camera, with the z axis up.
   void LookFrom(double x, double y, double z, double atX, double atY, double atZ)
   {
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
@@ -78,7 +90,7 @@ protected:
     camera->SetClippingRange(0.01, 20.0);
   }
 
-  /// The mean of every pixel's colours after so many frames.
+  /// Mean of the colour channels of each pixel after a number of frames.
   Values After(int frames)
   {
     for (int i = 0; i < frames; ++i)
@@ -106,6 +118,17 @@ protected:
       sum += value;
     }
     return sum / static_cast<double>(values.size());
+  }
+
+  /// Largest relative error against the same value everywhere.
+  static double LargestError(const Values& values, double expected)
+  {
+    double largest = 0.0;
+    for (const double value : values)
+    {
+      largest = std::max(largest, std::abs(value / expected - 1.0));
+    }
+    return largest;
   }
 
   Stage Scene;

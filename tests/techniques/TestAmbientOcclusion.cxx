@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Ambient occlusion: darkens what is enclosed, leaves open what is open, and touches ambient light
- * only.
+ * Ambient occlusion darkens enclosed places, leaves open ones as they are, and affects ambient light only.
  */
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
@@ -15,7 +15,6 @@
 #include <vtkCellArray.h>
 #include <vtkCubeSource.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
@@ -39,11 +38,7 @@ protected:
     this->Occlusion = this->Pass->GetTechnique("ambient-occlusion");
     ASSERT_NE(this->Occlusion, nullptr);
     this->Occlusion->EnabledOn();
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-3.0, -3.0, 0.0);
-    plane->SetPoint1(3.0, -3.0, 0.0);
-    plane->SetPoint2(-3.0, 3.0, 0.0);
-    this->Floor = this->Scene.Add(plane);
+    this->Floor = AddFloor(this->Scene, -3.0, 3.0, -3.0, 3.0);
     this->Floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
@@ -62,7 +57,7 @@ protected:
   }
 
   // Grey of the floor at a distance from the wall, averaged along it.
-  static double FloorAt(const Picture& p, double x)
+  static double FloorGrey(const Picture& p, double x)
   {
     const int column = static_cast<int>(p.Width / 2 + x * p.Height / 3.0);
     return p.MeanGrey(column, p.Height / 4, column + 1, 3 * p.Height / 4);
@@ -75,18 +70,17 @@ protected:
 };
 }
 
-TEST_F(AmbientOcclusion, leaves_a_lone_plane_open)
+TEST_F(AmbientOcclusion, LeavesALonePlaneOpen)
 {
   const Picture on = Shoot(this->Scene.Window);
   this->Occlusion->EnabledOff();
   const Picture off = Shoot(this->Scene.Window);
-  // Facing the light a surface is as bright from all around as it was from the front.
+  // A surface that faces the headlight is as bright under ambient light as under the headlight.
   EXPECT_EQ(Compare(on, off, 1).Within, 1.0);
 }
 
-// The shape alone, which both methods share: darkest at the wall, rising, open beyond the radius.
-// TestOpenness.cxx holds the horizon method to values.
-TEST_F(AmbientOcclusion, darkens_toward_a_wall_and_ends_at_the_radius)
+// The shape alone: darkest at the wall, brighter with distance, open beyond the radius. TestOpenness.cxx checks values.
+TEST_F(AmbientOcclusion, DarkensTowardAWallAndEndsAtTheRadius)
 {
   this->AddWall(1.0);
   this->Occlusion->SetParameter("ambient-share", 1.0);
@@ -97,18 +91,18 @@ TEST_F(AmbientOcclusion, darkens_toward_a_wall_and_ends_at_the_radius)
   double before = -1.0;
   for (double d : { 0.05, 0.15, 0.3, 0.5, 0.8 })
   {
-    const double openness = FloorAt(picture, d) / 255.0;
+    const double openness = FloorGrey(picture, d) / 255.0;
     std::printf("wall of height 1 at distance %.2f: openness %.3f, of an endless wall %.3f\n", d,
       openness, 1.0 - 0.5 * (1.0 - d / std::sqrt(d * d + 1.0)));
     EXPECT_GT(openness, before);
     before = openness;
   }
-  EXPECT_LT(FloorAt(picture, 0.05), 0.75 * 255.0);
-  EXPECT_GT(FloorAt(picture, 1.3), 0.99 * 255.0);
+  EXPECT_LT(FloorGrey(picture, 0.05), 0.75 * 255.0);
+  EXPECT_GT(FloorGrey(picture, 1.3), 0.99 * 255.0);
 }
 
-// Beside its silhouettes the floor stands before nothing where an earlier view showed it beside the wall.
-TEST_F(AmbientOcclusion, does_not_depend_on_views_before)
+// Around the floor there is only background where an earlier, closer view showed the floor and the wall.
+TEST_F(AmbientOcclusion, DoesNotDependOnEarlierViews)
 {
   this->AddWall(1.0);
   this->Occlusion->SetParameter("ambient-share", 1.0);
@@ -129,7 +123,7 @@ TEST_F(AmbientOcclusion, does_not_depend_on_views_before)
   }
 }
 
-TEST_F(AmbientOcclusion, never_touches_direct_light_or_unlit_props)
+TEST_F(AmbientOcclusion, LeavesDirectLightAndUnlitPropsAlone)
 {
   this->AddWall(1.0);
   vtkNew<vtkCubeSource> cube;
@@ -143,7 +137,7 @@ TEST_F(AmbientOcclusion, never_touches_direct_light_or_unlit_props)
   EXPECT_EQ(Compare(on, off, 0).Within, 1.0) << "no ambient light: nothing to occlude";
 }
 
-TEST_F(AmbientOcclusion, occludes_the_materials_own_ambient_term)
+TEST_F(AmbientOcclusion, OccludesTheMaterialsAmbientTerm)
 {
   this->AddWall(1.0);
   this->Floor->GetProperty()->SetAmbient(0.5);
@@ -152,21 +146,17 @@ TEST_F(AmbientOcclusion, occludes_the_materials_own_ambient_term)
   const Picture on = Shoot(this->Scene.Window);
   this->Occlusion->EnabledOff();
   const Picture off = Shoot(this->Scene.Window);
-  EXPECT_LT(FloorAt(on, 0.05), 0.9 * FloorAt(off, 0.05));
-  EXPECT_GT(FloorAt(on, 0.05), 0.5 * FloorAt(off, 0.05)) << "the direct half stays";
+  EXPECT_LT(FloorGrey(on, 0.05), 0.9 * FloorGrey(off, 0.05));
+  EXPECT_GT(FloorGrey(on, 0.05), 0.5 * FloorGrey(off, 0.05)) << "the direct half stays";
 }
 
-// Ambient light only, a wall, and over the floor beside it a pane that half covers it.
-TEST_F(AmbientOcclusion, passes_over_translucent_surfaces)
+// Ambient light only: a wall, and a pane of opacity one half over the floor beside it.
+TEST_F(AmbientOcclusion, IgnoresTranslucentSurfaces)
 {
   this->AddWall(1.0);
   this->Occlusion->SetParameter("ambient-share", 1.0);
   this->Occlusion->SetParameter("radius", 1.0);
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(0.05, -0.7, 0.1);
-  plane->SetPoint1(0.8, -0.7, 0.1);
-  plane->SetPoint2(0.05, 0.7, 0.1);
-  vtkActor* pane = this->Scene.Add(plane);
+  vtkActor* pane = AddFloor(this->Scene, 0.05, 0.8, -0.7, 0.7, 0.1);
   pane->GetProperty()->SetColor(0.1, 0.3, 0.9);
   pane->GetProperty()->LightingOff();
   const double opacity = 0.5;
@@ -180,7 +170,7 @@ TEST_F(AmbientOcclusion, passes_over_translucent_surfaces)
   const Picture glass = shoot(true, false);
   const Picture occluded = shoot(false, true);
   const Picture both = shoot(true, true);
-  // VTK blends the pane over what is there, occluded or not; it neither occludes nor is occluded.
+  // VTK blends the pane over the floor. The pane neither occludes nor is occluded.
   int darkened = 0;
   int off = 0;
   for (std::size_t i = 0; i < both.Pixels.size(); ++i)
@@ -201,18 +191,18 @@ TEST_F(AmbientOcclusion, passes_over_translucent_surfaces)
   EXPECT_EQ(off, 0);
 }
 
-// What has no extent gives no radius, and is drawn as without occlusion.
-TEST_F(AmbientOcclusion, takes_data_without_extent)
+// Data without extent gives no default radius.
+TEST_F(AmbientOcclusion, LeavesDataWithoutExtentAlone)
 {
   this->Scene.Renderer->RemoveAllViewProps();
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(1.0, 1.0, 0.0);
   vtkNew<vtkCellArray> triangles;
   triangles->InsertNextCell({ 0, 0, 0 });
-  vtkNew<vtkPolyData> nothing;
-  nothing->SetPoints(points);
-  nothing->SetPolys(triangles);
-  this->Scene.Add(nothing);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  this->Scene.Add(data);
   for (const char* method : { "horizon", "hemisphere" })
   {
     this->Occlusion->SetParameterFromText("method", method);

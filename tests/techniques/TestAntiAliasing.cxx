@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Anti-aliasing against a picture of 64 samples a pixel: the first frame is no worse than VTK's
- * FXAA, still frames become better than 8 samples, and changes show at once.
+ * Anti-aliasing against a picture of 64 samples per pixel: the first frame is no worse than VTK's FXAA, frames at rest
+ * get better than 8 samples, and changes show at once.
  */
 #include "Messages.h"
 #include "Picture.h"
@@ -72,7 +72,7 @@ protected:
     }
   }
 
-  // Stock VTK's, of side x side samples on a grid in every pixel.
+  // Stock VTK's picture with a grid of side x side samples per pixel.
   Average Supersampled(int side)
   {
     Average sum;
@@ -88,7 +88,7 @@ protected:
     return sum;
   }
 
-  // Root of the mean squared difference from the reference, in 1/255.
+  // Root mean square difference from the reference, in 1/255.
   double Error(const Average& picture) const
   {
     double sum = 0.0;
@@ -109,21 +109,21 @@ protected:
   Average Reference;
 };
 
-// The places of 8 multisamples that Direct3D 11 prescribes, in sixteenths of a pixel.
+// Positions of the 8 multisamples of Direct3D 11, in sixteenths of a pixel.
 constexpr std::array<std::array<int, 2>, 8> Multisamples = { { { { 1, -3 } }, { { -1, 3 } },
   { { 5, 1 } }, { { -3, -5 } }, { { -5, 5 } }, { { -7, -1 } }, { { 3, 7 } }, { { 7, -7 } } } };
 }
 
-TEST_F(AntiAliasing, first_frame_matches_fxaa_and_still_frames_pass_eight_samples)
+TEST_F(AntiAliasing, FirstFrameMatchesFXAAAndFramesAtRestBeatEightSamples)
 {
   const double none = this->Error(Shoot(this->Scene.Window));
   this->Scene.Renderer->UseFXAAOn();
   const double fxaa = this->Error(Shoot(this->Scene.Window));
   this->Scene.Renderer->UseFXAAOff();
   Average eight;
-  for (const auto& place : Multisamples)
+  for (const auto& position : Multisamples)
   {
-    Accumulate(eight, this->ShootShifted(place[0] / 16.0, place[1] / 16.0));
+    Accumulate(eight, this->ShootShifted(position[0] / 16.0, position[1] / 16.0));
   }
   for (double& value : eight)
   {
@@ -146,7 +146,7 @@ TEST_F(AntiAliasing, first_frame_matches_fxaa_and_still_frames_pass_eight_sample
   EXPECT_LT(still, msaa);
 }
 
-TEST_F(AntiAliasing, a_change_shows_at_once_and_completely)
+TEST_F(AntiAliasing, ChangesShowAtOnceAndCompletely)
 {
   vtkSmartPointer<vtkGIPass> pass = this->Scene.SetPasses().front();
   pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
@@ -163,7 +163,7 @@ TEST_F(AntiAliasing, a_change_shows_at_once_and_completely)
   EXPECT_EQ(Compare(changed, Shoot(this->Scene.Window), 0).Within, 1.0);
 }
 
-TEST_F(AntiAliasing, is_on_by_itself_where_the_window_is_multisampled)
+TEST_F(AntiAliasing, IsOnByDefaultInMultisampledWindows)
 {
   this->Scene.Window->SetMultiSamples(4);
   const double stock = this->Error(Shoot(this->Scene.Window));
@@ -173,6 +173,7 @@ TEST_F(AntiAliasing, is_on_by_itself_where_the_window_is_multisampled)
   {
     error = this->Error(Shoot(this->Scene.Window));
   }
-  std::printf("error in 1/255: stock with 4 samples %.3f, pass after 32 frames %.3f\n", stock, error);
+  std::printf(
+    "error in 1/255: stock with 4 samples %.3f, pass after 32 frames %.3f\n", stock, error);
   EXPECT_LT(error, stock);
 }

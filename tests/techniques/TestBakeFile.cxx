@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files of baked light: pictures from them are those from memory, and what is none ends in one sentence.
+ * Files of baked light: a loaded bake gives the same picture as one in memory, and a bad file is refused with one
+ * sentence.
  */
 #include "LightmapStage.h"
 
@@ -37,7 +38,7 @@ protected:
     std::filesystem::remove_all(this->Folder);
   }
 
-  // What the next frame shows.
+  // Linear colours of all pixels of the next frame, four floats each.
   std::vector<float> Radiance()
   {
     this->Scene.Window->Render();
@@ -60,16 +61,17 @@ protected:
     return { std::istreambuf_iterator<char>(file), {} };
   }
 
-  // A file of these bytes is refused with a sentence that names it and has these words; nothing changes.
+  // Expect that a file of these bytes is refused with a sentence that names it and contains the words, and that nothing
+  // changes.
   void ExpectRefused(const std::string& bytes, const std::string& words)
   {
     const std::string bad = (this->Folder / "bad.vti").string();
     std::ofstream(bad, std::ios::binary) << bytes;
     this->Map->EnabledOff();
     EXPECT_FALSE(this->File->Load(bad.c_str(), this->Pass));
-    const std::string said = this->File->GetLastError();
-    EXPECT_NE(said.find(words), std::string::npos) << said;
-    EXPECT_NE(said.find("'" + bad + "'"), std::string::npos) << said;
+    const std::string error = this->File->GetLastError();
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+    EXPECT_NE(error.find("'" + bad + "'"), std::string::npos) << error;
     EXPECT_FALSE(this->Map->GetEnabled());
     EXPECT_FALSE(this->File->Load(bad.c_str(), this->Map));
     EXPECT_NE(std::string(this->File->GetLastError()).find(bad), std::string::npos);
@@ -81,7 +83,7 @@ protected:
 };
 }
 
-TEST_F(BakeFiles, ShowWhatMemoryShows)
+TEST_F(BakeFiles, GiveTheSamePictureAsMemory)
 {
   for (const int channels : { 3, 6, 12, 24 })
   {
@@ -100,7 +102,7 @@ TEST_F(BakeFiles, ShowWhatMemoryShows)
   }
 }
 
-TEST_F(BakeFiles, WhatIsNoneIsRefused)
+TEST_F(BakeFiles, AreRefusedIfDamagedOrForeign)
 {
   this->Write();
   const std::string whole = this->Bytes();
@@ -112,7 +114,7 @@ TEST_F(BakeFiles, WhatIsNoneIsRefused)
   this->ExpectRefused("no picture at all", "holds no baked light");
   this->ExpectRefused("\x76\x2f\x31\x01 and so on", "penumbra bake convert ");
   this->ExpectRefused("<VTKFile type=\"PolyData\">", "holds no baked light");
-  // Another value, with a checksum of the former.
+  // A changed value under the old checksum.
   vtkNew<vtkImageData> bake;
   ASSERT_TRUE(this->File->Read(this->Path.c_str(), bake));
   bake->GetPointData()->GetScalars()->SetComponent(0, 0, 0.125);
@@ -129,7 +131,7 @@ TEST_F(BakeFiles, WhatIsNoneIsRefused)
   EXPECT_NE(std::string(this->File->GetLastError()).find("does not exist"), std::string::npos);
 }
 
-TEST_F(BakeFiles, AreForOneTechnique)
+TEST_F(BakeFiles, AreRefusedByOtherTechniques)
 {
   this->Write();
   auto* probes = vtkGISHProbes::SafeDownCast(this->Pass->GetTechnique("sh-probes"));
@@ -146,7 +148,7 @@ TEST_F(BakeFiles, AreWrittenWholeOrNotAtAll)
   const std::string before = this->Bytes();
   vtkNew<vtkImageData> bake;
   ASSERT_TRUE(this->Map->JoinBake(this->Surfaces(), Light(6), bake));
-  std::filesystem::create_directories(this->Path + ".half"); // in the way
+  std::filesystem::create_directories(this->Path + ".half"); // blocks the temporary file
   EXPECT_FALSE(this->File->Write(this->Path.c_str(), bake));
   EXPECT_NE(std::string(this->File->GetLastError()).find("cannot be written"), std::string::npos);
   EXPECT_EQ(this->Bytes(), before);

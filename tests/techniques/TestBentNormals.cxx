@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where light comes from past what is near, as ambient occlusion hands it to probes: before a wall the mean direction is
- * known in closed form; probes asked for it tell sides apart, and in a furnace it changes nothing.
+ * Bent normals, which ambient occlusion passes to probes. Before a wall the mean unoccluded direction is known in
+ * closed form. In a room lit from one side they tell the two sides of a low wall apart; in uniform light they change
+ * nothing.
  */
 #include "RoomStage.h"
 
@@ -12,12 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkRenderer.h>
-#include <vtkVector.h>
-#if __has_include(<vtkVectorOperators.h>) // gone from VTK 9.6, which has them in vtkVector.h
-#include <vtkVectorOperators.h>
-#endif
 
 #include <gtest/gtest.h>
 
@@ -30,7 +26,7 @@ using namespace penumbra_test;
 
 namespace
 {
-struct Way
+struct Variant
 {
   const char* Name;
   const char* Resolution;
@@ -38,29 +34,20 @@ struct Way
   double Limit; ///< degrees
 };
 
-std::ostream& operator<<(std::ostream& stream, const Way& way)
+std::ostream& operator<<(std::ostream& stream, const Variant& variant)
 {
-  return stream << way.Name;
+  return stream << variant.Name;
 }
 
-class BentNormals : public ::testing::TestWithParam<Way>
+class BentNormals : public ::testing::TestWithParam<Variant>
 {
 protected:
-  void AddQuad(const vtkVector3d& origin, const vtkVector3d& a, const vtkVector3d& b)
-  {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(const_cast<double*>(origin.GetData()));
-    plane->SetPoint1(const_cast<double*>(a.GetData()));
-    plane->SetPoint2(const_cast<double*>(b.GetData()));
-    this->Scene.Add(plane);
-  }
-
   // A wall of height 1 at y = 0 on a floor, seen from -y.
   void Build()
   {
     this->Scene.Window->SetSize(320, 240);
-    this->AddQuad({ -30, -30, 0 }, { 30, -30, 0 }, { -30, 30, 0 });
-    this->AddQuad({ -30, 0, 0 }, { 30, 0, 0 }, { -30, 0, 1 });
+    AddFloor(this->Scene, -30.0, 30.0, -30.0, 30.0);
+    AddQuad(this->Scene, { -30.0, 0.0, 0.0 }, { 30.0, 0.0, 0.0 }, { -30.0, 0.0, 1.0 });
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetParallelScale(3.0);
@@ -69,32 +56,32 @@ protected:
     camera->SetViewUp(0.0, 0.0, 1.0);
     this->Scene.Renderer->ResetCameraClippingRange();
     this->Pass = this->Scene.SetPasses().front();
-    const Way& way = this->GetParam();
+    const Variant& variant = this->GetParam();
     vtkGITechnique* occlusion = this->Pass->GetTechnique("ambient-occlusion");
     occlusion->EnabledOn();
     occlusion->SetParameter("bent-normals", true);
     occlusion->SetParameter("radius", 20.0);
-    occlusion->SetParameter("thickness", way.Thickness);
+    occlusion->SetParameter("thickness", variant.Thickness);
     occlusion->SetParameter("samples", 64);
-    occlusion->SetParameterFromText("resolution", way.Resolution);
+    occlusion->SetParameterFromText("resolution", variant.Resolution);
     this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
-    // Something must know indirect light.
+    // Bent normals need a source of indirect light.
     vtkGITechnique* probes = this->Pass->GetTechnique("ddgi");
     probes->EnabledOn();
     probes->SetParameter("probes", 27);
     probes->SetParameter("rays", 16);
   }
 
-  // The mean over the frames, as temporal accumulation keeps it.
-  vtkVector3d At(vtkImageData* mean, const vtkVector3d& place)
+  // Bent normal at a point, from the buffer of temporal accumulation.
+  Point BentNormalAt(vtkImageData* mean, const Point& point)
   {
     vtkRenderer* renderer = this->Scene.Renderer;
-    renderer->SetWorldPoint(place[0], place[1], place[2], 1.0);
+    renderer->SetWorldPoint(point[0], point[1], point[2], 1.0);
     renderer->WorldToDisplay();
     const double* display = renderer->GetDisplayPoint();
     const int x = static_cast<int>(display[0]);
     const int y = static_cast<int>(display[1]);
-    vtkVector3d direction(0.0);
+    Point direction{};
     for (int axis = 0; axis < 3; ++axis)
     {
       direction[axis] = 2.0 * mean->GetScalarComponentAsDouble(x, y, 0, axis + 1) - 1.0;
@@ -106,16 +93,16 @@ protected:
   vtkSmartPointer<vtkGIPass> Pass;
 };
 
-// The mean direction of what is open over a floor, weighted by the cosine, where a wall fills the elevations up to an
-// angle: over the lune of the rest, y away from the wall.
-vtkVector2d OpenBefore(double elevation)
+// Cosine-weighted mean of the unoccluded directions over a floor, where a wall covers the elevations up to an angle. x
+// points away from the wall, y up.
+std::array<double, 2> BentNormalBeforeAWall(double elevation)
 {
   const double rest = vtkMath::Pi() - elevation;
   return { 0.5 * std::pow(std::sin(elevation), 2), 0.5 * rest + 0.25 * std::sin(2.0 * elevation) };
 }
 }
 
-TEST_P(BentNormals, PointPastAWall)
+TEST_P(BentNormals, MatchTheClosedFormBeforeAWall)
 {
   this->Build();
   for (int frame = 0; frame < 48; ++frame)
@@ -127,9 +114,9 @@ TEST_P(BentNormals, PointPastAWall)
     this->Scene.Renderer, "temporal-accumulation.visibility.ambient.odd", mean));
   for (double d : { 0.1, 0.25, 0.5, 1.0, 2.0 })
   {
-    const vtkVector2d open = OpenBefore(std::atan(1.0 / d));
+    const std::array<double, 2> open = BentNormalBeforeAWall(std::atan(1.0 / d));
     const double expected = vtkMath::DegreesFromRadians(std::atan2(open[0], open[1]));
-    const vtkVector3d found = this->At(mean, { 0.0, -d, 0.0 });
+    const Point found = this->BentNormalAt(mean, { 0.0, -d, 0.0 });
     const double away = vtkMath::DegreesFromRadians(std::atan2(-found[1], found[2]));
     const double aside = vtkMath::DegreesFromRadians(std::atan2(found[0], found[2]));
     std::printf(
@@ -141,9 +128,9 @@ TEST_P(BentNormals, PointPastAWall)
 }
 
 INSTANTIATE_TEST_SUITE_P(AmbientOcclusion, BentNormals,
-  ::testing::Values(Way{ "Full", "full", 1e30, 1.5 }, Way{ "Half", "half", 1e30, 2.5 },
-    Way{ "Sectors", "full", 30.0, 1.5 }),
-  [](const ::testing::TestParamInfo<Way>& info) { return std::string(info.param.Name); });
+  ::testing::Values(Variant{ "Full", "full", 1e30, 1.5 }, Variant{ "Half", "half", 1e30, 2.5 },
+    Variant{ "Sectors", "full", 30.0, 1.5 }),
+  [](const ::testing::TestParamInfo<Variant>& info) { return std::string(info.param.Name); });
 
 namespace
 {
@@ -161,7 +148,7 @@ protected:
     occlusion->SetParameter("interreflection", 0.0);
   }
 
-  // A room of which one side glows, and a low wall across its floor.
+  // A room with one glowing side and a low wall across its floor.
   void Build(double glowing, double others)
   {
     vtkActor* room = this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5);
@@ -173,7 +160,8 @@ protected:
     this->LookFrom(0.0, -0.05, 0.9, 0.0, 0.0, -1.0);
   }
 
-  // What bent normals multiply the light by close to the wall: on the side of negative x, and on the other.
+  // Ratio of the light with bent normals to the light without, close to the wall: on its side of negative x and on the
+  // other.
   std::array<double, 2> Factors()
   {
     vtkGITechnique* occlusion = this->Pass->GetTechnique("ambient-occlusion");
@@ -201,7 +189,7 @@ protected:
 };
 }
 
-TEST_F(BentNormalsInARoom, LeanToTheLightOrAwayFromIt)
+TEST_F(BentNormalsInARoom, BrightenTheSideThatFacesTheLight)
 {
   this->Build(1.0, 0.0);
   const auto factors = this->Factors();
@@ -211,11 +199,11 @@ TEST_F(BentNormalsInARoom, LeanToTheLightOrAwayFromIt)
   EXPECT_LT(factors[1], 0.95);
 }
 
-TEST_F(BentNormalsInARoom, ChangeNothingWhereLightIsAlikeAllAround)
+TEST_F(BentNormalsInARoom, ChangeNothingInUniformLight)
 {
   this->Build(0.1, 0.1);
   const auto factors = this->Factors();
-  std::printf("in even light: %.4f, %.4f\n", factors[0], factors[1]);
-  EXPECT_NEAR(factors[0], 1.0, 0.02); // as near as probes come to even light
-  EXPECT_NEAR(factors[1], 1.0, 0.02); // as near as probes come to even light
+  std::printf("in uniform light: %.4f, %.4f\n", factors[0], factors[1]);
+  EXPECT_NEAR(factors[0], 1.0, 0.02); // as close as probes come to uniform light
+  EXPECT_NEAR(factors[1], 1.0, 0.02); // as close as probes come to uniform light
 }

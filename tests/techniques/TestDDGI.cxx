@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Probes that are updated every frame: energy, leaks, how fast they follow and how still they stand.
+ * Probes that are updated every frame: energy, leaks, response to changes, and stability.
  */
 #include "RoomStage.h"
 
@@ -41,14 +41,10 @@ TEST_F(DDGI, ClosedEnclosureKeepsItsEnergy)
     room->GetProperty()->SetAmbient(emission);
     const Values values = this->After(384);
     const double expected = emission / (1.0 - albedo);
-    double most = 0.0;
-    for (const double value : values)
-    {
-      most = std::max(most, std::abs(value / expected - 1.0));
-    }
+    const double largest = LargestError(values, expected);
     std::printf("reflectance %.1f: radiosity %.5f of %.5f, largest error %.2f %%\n", albedo,
-      Mean(values), expected, 100.0 * most);
-    EXPECT_LT(most, 0.0045);
+      Mean(values), expected, 100.0 * largest);
+    EXPECT_LT(largest, 0.0045);
     this->Scene.Renderer->RemoveActor(room);
   }
 }
@@ -60,7 +56,7 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
   this->Scene.Window->SetSize(48, 36);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5)->GetProperty()->SetAmbient(0.1);
-  // A third of the probes, and one more, so that an update ends between those of a frame.
+  // One probe more than a third, so that an update ends in the middle of a frame.
   this->Probes->SetRaysPerFrame(73 * this->Probes->GetRays());
   this->After(30);
   EXPECT_EQ(this->Probes->GetUpdatesDone(this->Scene.Renderer), 10);
@@ -73,11 +69,11 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
   {
     ASSERT_NEAR(value, 0.2, 0.02 * 0.2);
   }
-  this->Probes->SetRaysPerFrame(1); // less than a probe takes
+  this->Probes->SetRaysPerFrame(1); // fewer than one probe needs
   EXPECT_EQ(this->Probes->GetRequiredFrames(), 60 * 216);
 }
 
-TEST_F(DDGI, APictureThatStandsAloneKnowsNothingOfThoseBefore)
+TEST_F(DDGI, RestartDiscardsEarlierFrames)
 {
   this->Scene.Window->SetSize(48, 36);
   this->Probes->SetProbes(216);
@@ -87,7 +83,7 @@ TEST_F(DDGI, APictureThatStandsAloneKnowsNothingOfThoseBefore)
   this->Lamp->SetIntensity(0.5);
   vtkActor* block = this->AddBox(-0.8, -0.2, -0.8, -0.2, -1.0, 0.2, 0.9);
   block->GetProperty()->SetColor(1.0, 0.05, 0.05);
-  for (const int budget : { 0, 50 }) // probes a frame, if it follows others
+  for (const int budget : { 0, 50 }) // probes per frame, which the frame after a restart ignores
   {
     this->Probes->SetRaysPerFrame(budget * this->Probes->GetRays());
     block->VisibilityOn();
@@ -100,15 +96,14 @@ TEST_F(DDGI, APictureThatStandsAloneKnowsNothingOfThoseBefore)
     this->Pass->ReleaseGraphicsResources(this->Scene.Window);
     this->Pass->Restart();
     const Values fresh = this->After(1);
-    double most = 0.0;
+    double largest = 0.0;
     for (std::size_t i = 0; i < fresh.size(); ++i)
     {
-      most = std::max(most, std::abs(kept[i] - fresh[i]));
+      largest = std::max(largest, std::abs(kept[i] - fresh[i]));
     }
-    std::printf(
-      "after the block went, %.6f off the picture without it, of %.4f\n", most, Mean(fresh));
+    std::printf("after the block is hidden: largest error %.6f, mean %.4f\n", largest, Mean(fresh));
     EXPECT_GT(Mean(fresh), 0.1);
-    EXPECT_LT(most, 1e-4);
+    EXPECT_LT(largest, 1e-4);
   }
 }
 
@@ -141,19 +136,16 @@ TEST_F(DDGI, APictureThatStandsAloneIgnoresTheBudget)
 TEST_F(DDGI, ARoomNextDoorStaysDark)
 {
   this->Scene.Window->SetSize(48, 36);
-  // Two rooms of 2 x 2 x 2 with a thin wall between them, a lamp in the left one.
   this->Lamp->SetIntensity(1.0);
-  this->Lamp->SetPosition(-1.2, 0.3, 0.4);
   struct Wall
   {
     double Thickness;
-    int Probes; ///< of 180, some stand a 30th of a cell off the wall
+    int Probes; ///< with 180, some are a 30th of a cell from the wall
   };
   for (const auto& [thickness, probes] : { Wall{ 0.1, 512 }, { 0.02, 512 }, { 0.02, 180 } })
   {
     this->Probes->SetProbes(probes);
-    vtkActor* left = this->AddBox(-2.0, -0.5 * thickness, -1.0, 1.0, -1.0, 1.0, 0.7);
-    vtkActor* right = this->AddBox(0.5 * thickness, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+    const auto rooms = this->AddTwoRooms(thickness);
     this->LookFrom(-1.8, -0.8, 0.8, -0.5, 0.5, -0.5);
     const double bright = Mean(this->After(60));
     this->Pass->GetTechnique("ddgi")->EnabledOff();
@@ -163,32 +155,34 @@ TEST_F(DDGI, ARoomNextDoorStaysDark)
     this->Probes->GetGrid(this->Scene.Renderer, counts);
     this->LookFrom(1.8, -0.8, 0.8, 0.5, 0.5, -0.5);
     this->Pass->GetTechnique("shadow-maps")->EnabledOn();
-    // From the first update on: while probes find their places, too.
+    // From the first update on, while probes still move to their positions.
     this->Probes->SetProbes(probes + 1);
     this->After(1);
     this->Probes->SetProbes(probes);
-    double most = 0.0, brightest = 0.0;
+    double largest = 0.0, brightest = 0.0;
     Values dark;
     for (int frame = 0; frame < 60; ++frame)
     {
       dark = this->After(1);
-      most = std::max(most, Mean(dark));
+      largest = std::max(largest, Mean(dark));
       brightest = std::max(brightest, *std::max_element(dark.begin(), dark.end()));
     }
     this->Pass->GetTechnique("shadow-maps")->EnabledOff();
     std::printf("wall of %.2f, cells of %.2f: lit room's indirect light %.4f, dark room %.6f "
                 "(%.3f %%), at any time at most %.6f, any pixel %.6f\n",
       thickness, 4.0 / (counts[0] - 2), bright - direct, Mean(dark),
-      100.0 * Mean(dark) / (bright - direct), most, brightest);
+      100.0 * Mean(dark) / (bright - direct), largest, brightest);
     EXPECT_LT(thickness, 0.5 * 4.0 / (counts[0] - 2));
-    EXPECT_LT(most, 3e-5 * (bright - direct));
+    EXPECT_LT(largest, 3e-5 * (bright - direct));
     EXPECT_LT(brightest, 1.2e-3 * (bright - direct));
-    this->Scene.Renderer->RemoveActor(left);
-    this->Scene.Renderer->RemoveActor(right);
+    for (vtkActor* room : rooms)
+    {
+      this->Scene.Renderer->RemoveActor(room);
+    }
   }
 }
 
-TEST_F(DDGI, LightOnAndLightOffArriveAlikeSoon)
+TEST_F(DDGI, LightSwitchedOnOrOffArrivesEquallySoon)
 {
   this->Probes->SetProbes(216);
   this->Scene.Window->SetSize(48, 36);
@@ -225,7 +219,7 @@ TEST_F(DDGI, LightOnAndLightOffArriveAlikeSoon)
   EXPECT_LE(on + 1, 22);
 }
 
-TEST_F(DDGI, AStillSceneIsStill)
+TEST_F(DDGI, ASceneAtRestDoesNotFlicker)
 {
   this->Probes->SetProbes(343);
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
@@ -244,7 +238,7 @@ TEST_F(DDGI, AStillSceneIsStill)
   {
     frames.push_back(this->After(1));
   }
-  double most = 0.0;
+  double largest = 0.0;
   double sum = 0.0;
   for (std::size_t pixel = 0; pixel < frames.front().size(); ++pixel)
   {
@@ -256,14 +250,14 @@ TEST_F(DDGI, AStillSceneIsStill)
       squares += frame[pixel] * frame[pixel] / 100.0;
     }
     const double deviation = std::sqrt(std::max(squares - mean * mean, 0.0)) / std::max(mean, 1e-6);
-    most = std::max(most, deviation);
+    largest = std::max(largest, deviation);
     sum += deviation;
   }
   std::printf(
-    "frames 151 to 250: deviation of a pixel %.4f %% of its mean on the average, %.4f %% at most\n",
-    100.0 * sum / static_cast<double>(frames.front().size()), 100.0 * most);
+    "frames 151 to 250: deviation of a pixel %.4f %% of its mean on average, %.4f %% at most\n",
+    100.0 * sum / static_cast<double>(frames.front().size()), 100.0 * largest);
   EXPECT_LT(sum / static_cast<double>(frames.front().size()), 0.0003);
-  EXPECT_LT(most, 0.00105);
+  EXPECT_LT(largest, 0.00105);
 }
 
 TEST_F(DDGI, OcclusionIsCountedOnce)
@@ -282,15 +276,15 @@ TEST_F(DDGI, OcclusionIsCountedOnce)
   this->Probes->EnabledOff();
   occlusion->EnabledOff();
   const double direct = Mean(this->After(1));
-  const double taken = 1.0 - (with - direct) / (without - direct);
-  std::printf("of the indirect light, occlusion beside it takes %.2f %%\n", 100.0 * taken);
-  EXPECT_GT(taken, 0.0005); // creases closer than the probes know
-  EXPECT_LT(taken, 0.04);
+  const double removed = 1.0 - (with - direct) / (without - direct);
+  std::printf("ambient occlusion removes %.2f %% of the indirect light\n", 100.0 * removed);
+  EXPECT_GT(removed, 0.0005); // creases finer than the probes resolve
+  EXPECT_LT(removed, 0.04);
 }
 
-// In a closed box of light E and reflectance r every probe holds E / (1 - r), and so a white ball shows it. The light
-// of walls is left out, so that balls differ from them.
-TEST_F(DDGI, BallsShowWhatProbesHoldUnlessSomethingIsBefore)
+// In a closed box of emission E and reflectance r every probe holds E / (1 - r), and a white ball displays it. Indirect
+// light of the walls is off, so that balls differ from them.
+TEST_F(DDGI, BallsShowTheLightOfVisibleProbes)
 {
   constexpr double emission = 0.1;
   constexpr double albedo = 0.5;
@@ -299,9 +293,9 @@ TEST_F(DDGI, BallsShowWhatProbesHoldUnlessSomethingIsBefore)
   this->Scene.Window->SetSize(96, 72);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, albedo)->GetProperty()->SetAmbient(emission);
-  const auto shown = [&](int frames) {
+  const auto countBalls = [&](int frames) {
     const double expected = emission / (1.0 - albedo);
-    double most = 0.0;
+    double largest = 0.0;
     int lit = 0;
     int resting = 0;
     this->Probes->SetShow(false);
@@ -318,18 +312,20 @@ TEST_F(DDGI, BallsShowWhatProbesHoldUnlessSomethingIsBefore)
       if (color[0] > 1.5 * emission && color[2] < 0.9)
       {
         ++lit;
-        most = std::max(most, std::abs((color[0] + color[1] + color[2]) / (3.0 * expected) - 1.0));
+        largest =
+          std::max(largest, std::abs((color[0] + color[1] + color[2]) / (3.0 * expected) - 1.0));
       }
     }
-    std::printf("pixels of balls %d, off E / (1 - r) by at most %.2f %%; of blue rims %d\n", lit,
-      100.0 * most, resting);
-    EXPECT_LT(most, 0.0015);
+    std::printf(
+      "pixels of balls %d, largest error against E / (1 - r) %.2f %%; pixels of blue rims %d\n",
+      lit, 100.0 * largest, resting);
+    EXPECT_LT(largest, 0.0015);
     return std::make_pair(lit, resting);
   };
-  const auto [lit, resting] = shown(100);
+  const auto [lit, resting] = countBalls(100);
   EXPECT_GT(lit, 100);
   EXPECT_GT(resting, 10); // in the middle of the room
-  // A board before all of them, where every other ball was seen.
+  // A board in front hides most balls.
   this->AddBox(0.5, 0.6, -1.0, 1.0, -1.0, 1.0, albedo)->GetProperty()->SetAmbient(emission);
-  EXPECT_LT(shown(30).first, lit / 3);
+  EXPECT_LT(countBalls(30).first, lit / 3);
 }

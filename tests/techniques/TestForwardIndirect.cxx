@@ -23,17 +23,17 @@ double FromDisplay(double value)
 }
 }
 
-TEST_F(ForwardIndirect, TranslucentSurfacesInAFurnace)
+TEST_F(ForwardIndirect, TranslucentSurfacesReceiveTheLightOfAFurnace)
 {
   this->AddFurnace();
   constexpr double albedo = 0.9;
   constexpr double opacity = 0.6;
-  // What the walls send arrives at both sides; little of it is missing for the quad.
+  // The light of the walls reaches both sides of the quad, which itself blocks little of it.
   vtkActor* quad = this->AddQuad(0.3, albedo, opacity);
   for (const bool baked : { false, true })
   {
     this->LightBy(!baked, baked, quad);
-    this->Middle(baked ? 1 : Settled);
+    this->DisplayValue(baked ? 1 : FramesToConverge);
     for (const bool pbr : { false, true })
     {
       if (pbr)
@@ -54,7 +54,7 @@ TEST_F(ForwardIndirect, TranslucentSurfacesInAFurnace)
         for (const double turn : { 0.0, 180.0 })
         {
           quad->SetOrientation(0.0, 0.0, turn);
-          const double shown = this->Middle(baked ? 1 : Few);
+          const double shown = this->DisplayValue(baked ? 1 : FramesToAdjust);
           std::printf("%s, %s, %s, %s side: %.4f of %.4f (%+.2f %%)\n", baked ? "baked" : "DDGI",
             pbr ? "PBR" : "Phong", peeling ? "peeled" : "blended", turn > 0.0 ? "back" : "front",
             shown, expected, 100.0 * (shown / expected - 1.0));
@@ -65,14 +65,14 @@ TEST_F(ForwardIndirect, TranslucentSurfacesInAFurnace)
   }
 }
 
-TEST_F(ForwardIndirect, LampsOfEveryKindAndNumber)
+TEST_F(ForwardIndirect, IndirectLightDoesNotDependOnTheKindOfLamp)
 {
   this->AddFurnace();
   constexpr double albedo = 0.9;
   vtkActor* quad = this->AddQuad(0.3, albedo, 0.999);
   vtkNew<vtkLight> second;
   second->SetIntensity(0.0);
-  this->Middle(Settled);
+  this->DisplayValue(FramesToConverge);
   for (const bool pbr : { false, true })
   {
     if (pbr)
@@ -88,7 +88,7 @@ TEST_F(ForwardIndirect, LampsOfEveryKindAndNumber)
       {
         this->Scene.Renderer->AddLight(second);
       }
-      const double shown = this->Middle(Few);
+      const double shown = this->DisplayValue(FramesToAdjust);
       const double linear = pbr ? FromDisplay(shown) : shown;
       std::printf("%s, %s: %.4f of %.4f\n", pbr ? "PBR" : "Phong", kind, linear, albedo * Furnace);
       EXPECT_NEAR(linear / (albedo * Furnace), 1.0, 0.03);
@@ -96,9 +96,9 @@ TEST_F(ForwardIndirect, LampsOfEveryKindAndNumber)
   }
 }
 
-TEST_F(ForwardIndirect, NearlyOpaqueLooksAsOpaque)
+TEST_F(ForwardIndirect, NearlyOpaqueSurfacesMatchOpaqueOnes)
 {
-  // A room with a lamp, walls of different colours, and a box that stands in it.
+  // A room with a lamp, walls of different colours and a box.
   this->Probes->SetProbes(216);
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
   this->AddBox(-0.98, -0.9, -1.0, 1.0, -1.0, 1.0, 0.7)->GetProperty()->SetColor(1.0, 0.1, 0.1);
@@ -125,9 +125,9 @@ TEST_F(ForwardIndirect, NearlyOpaqueLooksAsOpaque)
       {
         quad->GetProperty()->SetOpacity(translucent ? 0.999 : 1.0);
         (baked ? static_cast<vtkGITechnique*>(this->Baked) : this->Probes)->EnabledOn();
-        const double with = this->Middle(baked ? 1 : Settled);
+        const double with = this->DisplayValue(baked ? 1 : FramesToConverge);
         this->LightBy(false, false);
-        const double without = this->Middle(1);
+        const double without = this->DisplayValue(1);
         indirect[translucent] = pbr ? FromDisplay(with) - FromDisplay(without) : with - without;
       }
       std::printf("%s, %s: indirect light %.4f on the opaque quad, %.4f on the translucent one\n",
@@ -142,24 +142,22 @@ TEST_F(ForwardIndirect, TranslucentSurfacesNextDoorStayDark)
 {
   this->Probes->SetProbes(512);
   this->Lamp->SetIntensity(0.5);
-  this->Lamp->SetPosition(-1.2, 0.3, 0.4);
-  this->AddBox(-2.0, -0.01, -1.0, 1.0, -1.0, 1.0, 0.7);
-  this->AddBox(0.01, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+  this->AddTwoRooms(0.02);
   this->AddQuad(0.4, 0.9, 0.9, -0.8);
   this->AddQuad(0.4, 0.9, 0.9, 0.8);
-  this->AddQuad(0.2, 0.9, 0.9, 0.11); // its edge in reach of the wall's other side
+  this->AddQuad(0.2, 0.9, 0.9, 0.11); // its edge is within reach of the probes behind the wall
   for (const bool baked : { false, true })
   {
     this->LightBy(!baked, baked);
-    // Of the lamp's light, which shines through walls without shadows, nothing here.
+    // The difference leaves out the lamp's own light, which passes through walls without shadow maps.
     const auto indirect = [this](double x, double factor) {
       this->LookFrom(x, -0.9, 0.0, x, 0.0, 0.0);
       this->Probes->SetIntensity(factor);
       this->Baked->SetIntensity(factor);
-      const double with = this->Middle(this->Probes->GetEnabled() ? Settled : 1);
+      const double with = this->DisplayValue(this->Probes->GetEnabled() ? FramesToConverge : 1);
       this->Probes->SetIntensity(0.0);
       this->Baked->SetIntensity(0.0);
-      return (with - this->Middle(1)) / factor;
+      return (with - this->DisplayValue(1)) / factor;
     };
     const double lit = indirect(-0.8, 1.0);
     for (const double x : { 0.8, 0.11 })
@@ -173,7 +171,7 @@ TEST_F(ForwardIndirect, TranslucentSurfacesNextDoorStayDark)
   }
 }
 
-TEST_F(ForwardIndirect, SphereImpostors)
+TEST_F(ForwardIndirect, SphereImpostorsReceiveTheLightOfAFurnace)
 {
   this->AddFurnace();
   constexpr double albedo = 0.9;
@@ -188,24 +186,24 @@ TEST_F(ForwardIndirect, SphereImpostors)
   {
     ball->GetProperty()->SetOpacity(opacity);
     const double expected = opacity * albedo * Furnace + (1.0 - opacity) * Furnace;
-    const double shown = this->Middle(Settled);
+    const double shown = this->DisplayValue(FramesToConverge);
     std::printf("opacity %.1f: %.4f of %.4f\n", opacity, shown, expected);
     EXPECT_NEAR(shown / expected, 1.0, 0.03);
   }
 }
 
-TEST_F(ForwardIndirect, TheFirstThatKnowsCounts)
+TEST_F(ForwardIndirect, LiveProbesTakePrecedenceOverBakedOnes)
 {
   this->AddFurnace();
   vtkActor* quad = this->AddQuad(0.3, 0.9, 0.6);
   this->LightBy(true, true, quad);
   this->Baked->SetIntensity(0.1);
-  const double both = this->Middle(Settled);
+  const double both = this->DisplayValue(FramesToConverge);
   this->Baked->EnabledOff();
-  const double live = this->Middle(1);
+  const double live = this->DisplayValue(1);
   this->Probes->EnabledOff();
   this->Baked->EnabledOn();
-  const double baked = this->Middle(1);
+  const double baked = this->DisplayValue(1);
   std::printf("DDGI %.4f, baked %.4f, both %.4f\n", live, baked, both);
   EXPECT_LT(baked, 0.5 * live);
   EXPECT_NEAR(both, live, 0.004);

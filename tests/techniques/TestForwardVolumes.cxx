@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Indirect light in shaded volumes, and when mappers build their shaders.
+ * Indirect light in shaded volumes, and how often mappers build their shaders.
  */
 #include "ForwardStage.h"
 #include "WhiteVolume.h"
@@ -64,13 +64,16 @@ vtkStandardNewMacro(BuildCounter);
 class ForwardVolumes : public ForwardStage
 {
 protected:
-  vtkSmartPointer<vtkVolume> AddVolume(double radius, bool hard)
+  // A ball with a surface, or a uniform cube.
+  vtkSmartPointer<vtkVolume> AddVolume(double radius, bool ball)
   {
     vtkNew<vtkPiecewiseFunction> opacity;
     opacity->AddPoint(0.1, 0.0);
     opacity->AddPoint(0.12, 1.0);
-    // The corners of the even one differ, for a range.
-    const auto value = [hard](double away) { return hard ? 1.0 - away : away > 1.73 ? 0.0 : 1.0; };
+    // The corners of the cube differ, so that its scalars have a range.
+    const auto value = [ball](double distance) {
+      return ball ? 1.0 - distance : distance > 1.73 ? 0.0 : 1.0;
+    };
     auto volume = WhiteVolume(radius, value, opacity);
     this->Scene.Renderer->AddVolume(volume);
     return volume;
@@ -78,36 +81,36 @@ protected:
 };
 }
 
-TEST_F(ForwardVolumes, ShadedVolumesInAFurnace)
+TEST_F(ForwardVolumes, ShadedVolumesReceiveTheLightOfAFurnace)
 {
   this->AddFurnace();
   for (const bool baked : { false, true })
   {
     this->LightBy(!baked, baked);
-    this->Middle(baked ? 1 : Settled);
-    for (const bool hard : { true, false })
+    this->DisplayValue(baked ? 1 : FramesToConverge);
+    for (const bool ball : { true, false })
     {
-      auto volume = this->AddVolume(0.2, hard);
+      auto volume = this->AddVolume(0.2, ball);
       for (const char* kind : { "positional", "directional", "headlight" })
       {
         this->Lamp->SetPositional(*kind == 'p');
         *kind == 'h' ? this->Lamp->SetLightTypeToHeadlight()
                      : this->Lamp->SetLightTypeToSceneLight();
-        const double shown = this->Middle(baked ? 1 : Few);
-        std::printf("%s, %s, %s: %.4f of %.4f\n", baked ? "baked" : "DDGI",
-          hard ? "a surface" : "even", kind, shown, 0.9 * Furnace);
+        const double shown = this->DisplayValue(baked ? 1 : FramesToAdjust);
+        std::printf("%s, %s, %s: %.4f of %.4f\n", baked ? "baked" : "DDGI", ball ? "ball" : "cube",
+          kind, shown, 0.9 * Furnace);
         EXPECT_NEAR(shown / (0.9 * Furnace), 1.0, 0.0045);
       }
       volume->GetProperty()->ShadeOff();
-      EXPECT_NEAR(this->Middle(1), 1.0, 0.01) << "as VTK draws it";
+      EXPECT_NEAR(this->DisplayValue(1), 1.0, 0.01) << "as VTK draws it";
       this->Scene.Renderer->RemoveVolume(volume);
     }
   }
 }
 
-TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
+TEST_F(ForwardVolumes, ShadedVolumesMatchThePathTracersBall)
 {
-  // Light comes from a glowing wall on the left; a ball of data looks as a solid one does by the path tracer.
+  // A glowing wall on the left lights a volume of a ball, which must look like a solid ball in the path tracer.
   this->Probes->SetProbes(512);
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.3);
   this->AddBox(-0.99, -0.95, -0.9, 0.9, -0.9, 0.9, 0.0)->GetProperty()->SetAmbient(1.0);
@@ -123,7 +126,7 @@ TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
   auto* tracer = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
   tracer->EnabledOn();
   tracer->SetSamples(128);
-  this->Middle(128);
+  this->DisplayValue(128);
   const Picture traced = Read(this->Scene.Window);
   tracer->EnabledOff();
   this->Scene.Renderer->RemoveActor(solid);
@@ -132,7 +135,7 @@ TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
   {
     this->LightBy(!baked, baked);
     auto volume = this->AddVolume(radius / 0.9, true);
-    this->Middle(baked ? 1 : Settled);
+    this->DisplayValue(baked ? 1 : FramesToConverge);
     const Picture cloud = Read(this->Scene.Window);
     this->Scene.Renderer->RemoveVolume(volume);
     Save(cloud, baked ? "volume_baked" : "volume");
@@ -156,9 +159,9 @@ TEST_F(ForwardVolumes, ShadedVolumesAreBrightWhereLightArrives)
   }
 }
 
-// Which probes light a sample is asked where its ray has gone an eighth of a cell, not at each. A shader in the place of
-// the real one shows the samples that ask in white, the others in black; another shows all of them.
-TEST_F(ForwardVolumes, FewSamplesAskTheProbes)
+// A sample looks up its probes only after the ray has advanced an eighth of a cell. A replaced shader draws the samples
+// that look up white and the others black; another one draws all of them white.
+TEST_F(ForwardVolumes, FewSamplesLookUpTheProbes)
 {
   this->AddFurnace();
   auto volume = this->AddVolume(0.35, true);
@@ -171,33 +174,34 @@ TEST_F(ForwardVolumes, FewSamplesAskTheProbes)
     testing::TempDir() + "penumbra_volume_shaders_" + std::to_string(getpid());
   const std::string file = folder + "/forward/volume.glsl";
   std::filesystem::create_directories(folder + "/forward");
-  const std::string begin = "vec3 giScattered(", ask = "giCubeKnown = true;";
+  const std::string begin = "vec3 giScattered(", lookUp = "giCubeKnown = true;";
   const std::string text = penumbra::EmbeddedShaders().at("forward/volume.glsl");
   ASSERT_NE(text.find(begin), std::string::npos);
-  ASSERT_NE(text.find(ask), std::string::npos);
+  ASSERT_NE(text.find(lookUp), std::string::npos);
   const auto shown = [&](const std::string& result, vtkGITechnique* light) {
     std::string changed = text;
-    changed.replace(changed.find(ask), ask.size(), ask + " asked = 1.0;");
-    changed.replace(changed.find(begin), begin.size(), "float asked;\nvec3 giLight(");
+    changed.replace(changed.find(lookUp), lookUp.size(), lookUp + " lookedUp = 1.0;");
+    changed.replace(changed.find(begin), begin.size(), "float lookedUp;\nvec3 giLight(");
     std::ofstream(file)
       << changed
       << "vec3 giScattered(vec4 place, vec4 gradient, mat4 textureToEye, vec3 spacing)\n"
-         "{\n  asked = 0.0;\n  vec3 light = giLight(place, gradient, textureToEye, spacing);\n"
+         "{\n  lookedUp = 0.0;\n  vec3 light = giLight(place, gradient, textureToEye, spacing);\n"
          "  return light * 1e-9 + vec3("
       << result << ");\n}\n";
     this->Pass->SetShaderPath("");
     this->Pass->SetShaderPath(folder.c_str());
     light->EnabledOff();
-    this->Middle(1); // the mapper builds its shader again when the light is back
+    this->DisplayValue(1); // the mapper builds its shader again when the light is back
     light->EnabledOn();
-    return this->Middle(2);
+    return this->DisplayValue(2);
   };
   for (const bool live : { true, false })
   {
     this->LightBy(live, !live, volume);
     vtkGITechnique* light = live ? static_cast<vtkGITechnique*>(this->Probes) : this->Baked;
-    const double share = shown("asked", light) / shown("1.0", light);
-    std::printf("%s: one of %.1f samples asks the probes\n", live ? "DDGI" : "baked", 1.0 / share);
+    const double share = shown("lookedUp", light) / shown("1.0", light);
+    std::printf(
+      "%s: one of %.1f samples looks up the probes\n", live ? "DDGI" : "baked", 1.0 / share);
     EXPECT_LT(share, live ? 1.0 / 12.0 : 1.0 / 6.5);
     EXPECT_GT(share, 0.02);
   }
@@ -205,8 +209,8 @@ TEST_F(ForwardVolumes, FewSamplesAskTheProbes)
   std::filesystem::remove_all(folder);
 }
 
-// What surfaces, opaque, translucent and volumes, get of the share of the lights that comes from everywhere.
-TEST_F(ForwardVolumes, TheShareOfLightFromEverywhereReachesAll)
+// The share of the lights that is ambient, on opaque and translucent surfaces and on volumes.
+TEST_F(ForwardVolumes, TheAmbientShareReachesSurfacesAndVolumes)
 {
   this->LightBy(false, false);
   this->LookFrom(0.0, -0.9, 0.0, 0.0, 0.0, 0.0);
@@ -227,9 +231,9 @@ TEST_F(ForwardVolumes, TheShareOfLightFromEverywhereReachesAll)
       {
         pbr ? SetPBR(quad) : quad->GetProperty()->SetInterpolationToFlat();
         quad->GetProperty()->SetOpacity(1.0);
-        const double opaque = this->Middle(1);
+        const double opaque = this->DisplayValue(1);
         quad->GetProperty()->SetOpacity(0.999);
-        const double translucent = this->Middle(1);
+        const double translucent = this->DisplayValue(1);
         std::printf("share %.1f, %s: opaque %.4f, translucent %.4f\n", share, pbr ? "PBR" : "Phong",
           opaque, translucent);
         EXPECT_GT(opaque, 0.2);
@@ -237,8 +241,8 @@ TEST_F(ForwardVolumes, TheShareOfLightFromEverywhereReachesAll)
       }
       quad->VisibilityOff();
       auto volume = this->AddVolume(0.2, true);
-      this->Lamp->SetPosition(1.0, 0.0, 0.0); // the middle faces it by 0.26 in the mean
-      const double aside = this->Middle(1);
+      this->Lamp->SetPosition(1.0, 0.0, 0.0); // mean cosine of the middle toward it: 0.26
+      const double aside = this->DisplayValue(1);
       this->Lamp->SetPosition(0.0, -1.0, 1.0);
       const double expected = 0.9 * 0.8 * (share + 0.26 * (1.0 - share));
       std::printf("share %.1f: volume beside the lamp %.4f of %.4f\n", share, aside, expected);
@@ -248,8 +252,8 @@ TEST_F(ForwardVolumes, TheShareOfLightFromEverywhereReachesAll)
   }
 }
 
-// VTK keeps the noise that jitters a volume's samples bound to its unit until the window's frame ends.
-TEST_F(ForwardVolumes, JitteredVolumesDrawnTwiceInAFrame)
+// VTK keeps the noise that jitters a volume's samples bound to its texture unit until the window's frame ends.
+TEST_F(ForwardVolumes, JitteredVolumesMayBeDrawnTwiceInAFrame)
 {
   this->AddFurnace();
   this->Lamp->SetPosition(0.0, -0.6, 0.6);
@@ -261,7 +265,7 @@ TEST_F(ForwardVolumes, JitteredVolumesDrawnTwiceInAFrame)
   this->Pass->GetTechnique("shadow-maps")->EnabledOn();
   this->Probes->SetUpdates(1);
   this->LightBy(true, false);
-  this->Middle(Few);
+  this->DisplayValue(FramesToAdjust);
   const Picture once = Read(this->Scene.Window);
   vtkNew<vtkRenderPassCollection> passes;
   passes->AddItem(this->Pass);
@@ -269,7 +273,7 @@ TEST_F(ForwardVolumes, JitteredVolumesDrawnTwiceInAFrame)
   vtkNew<vtkSequencePass> sequence;
   sequence->SetPasses(passes);
   this->Scene.Renderer->SetPass(sequence);
-  this->Middle(1);
+  this->DisplayValue(1);
   const Picture twice = Read(this->Scene.Window);
   this->Scene.Renderer->SetPass(this->Pass);
   Save(once, "jittered_once");
@@ -286,29 +290,29 @@ TEST_F(ForwardVolumes, JitteredVolumesDrawnTwiceInAFrame)
   EXPECT_LE(most, 1);
 }
 
-TEST_F(ForwardVolumes, MappersKeepTheirShaders)
+TEST_F(ForwardVolumes, MappersRebuildShadersOnlyWhenLightIsSwitched)
 {
   this->AddFurnace();
-  vtkNew<BuildCounter> ofSurface;
-  vtkNew<BuildCounter> ofVolume;
-  ofSurface->Watch(this->AddQuad(0.3, 0.9, 0.6));
-  ofVolume->Watch(this->AddVolume(0.2, true));
+  vtkNew<BuildCounter> surfaceShaders;
+  vtkNew<BuildCounter> volumeShaders;
+  surfaceShaders->Watch(this->AddQuad(0.3, 0.9, 0.6));
+  volumeShaders->Watch(this->AddVolume(0.2, true));
   int changes = 0;
   for (const bool live : { false, true, false, true })
   {
     this->LightBy(live, false);
-    const int before = ofSurface->Builds + ofVolume->Builds;
-    this->Middle(2);
-    const int surface = ofSurface->Builds;
-    const int volume = ofVolume->Builds;
+    const int before = surfaceShaders->Builds + volumeShaders->Builds;
+    this->DisplayValue(2);
+    const int surface = surfaceShaders->Builds;
+    const int volume = volumeShaders->Builds;
     changes += surface + volume > before;
     for (int i = 0; i < 5; ++i)
     {
       this->Scene.Renderer->GetActiveCamera()->Azimuth(2.0);
-      this->Middle(1);
+      this->DisplayValue(1);
     }
-    EXPECT_EQ(ofSurface->Builds, surface) << (live ? "with" : "without") << " indirect light";
-    EXPECT_EQ(ofVolume->Builds, volume) << (live ? "with" : "without") << " indirect light";
+    EXPECT_EQ(surfaceShaders->Builds, surface) << (live ? "with" : "without") << " indirect light";
+    EXPECT_EQ(volumeShaders->Builds, volume) << (live ? "with" : "without") << " indirect light";
   }
-  EXPECT_EQ(changes, 4) << "shaders that are built are counted";
+  EXPECT_EQ(changes, 4) << "every switch rebuilds shaders";
 }

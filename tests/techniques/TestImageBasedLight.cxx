@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Image-based light is the same whoever gathers it: VTK, probes or paths.
+ * Image-based light is the same from VTK, from probes and from the path tracer.
  */
 #include "EnvironmentStage.h"
 
@@ -21,29 +21,29 @@ namespace
 {
 constexpr double Radiance = 0.5; // of the furnace
 
-// VTK 9.6.1 and later add to image-based light alone what microfacets send to each other (docs/indirect-light.md): a rough
-// metal of stock VTK keeps all light there, and nothing of it for lamps, probes and paths. The other balls are hardly
-// touched.
-bool ScattersManyTimes(double stockOfRoughMetal)
+// VTK 9.6.1 and later add multiple scattering between microfacets, but only to image-based light
+// (docs/indirect-light.md). There a rough metal loses no light; under lamps, probes and paths it still does. Other
+// materials hardly change.
+bool HasMultipleScattering(double stockRoughMetal)
 {
-  const bool many = stockOfRoughMetal > 120.0;
-  EXPECT_TRUE(!many || VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 1)) << stockOfRoughMetal;
-  return many;
+  const bool multiple = stockRoughMetal > 120.0;
+  EXPECT_TRUE(!multiple || VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 1)) << stockRoughMetal;
+  return multiple;
 }
 }
 
-// Uniform surroundings: each ball is of one colour, and the same in every preset.
-TEST(ImageBasedLight, BallsInAFurnace)
+// In uniform surroundings each ball has one colour, the same with every preset.
+TEST(ImageBasedLight, IsTheSameWithEveryPresetInAFurnace)
 {
   EnvironmentStage stage;
-  stage.SetEnvironment(EvenTexture<float>(Radiance));
+  stage.SetEnvironment(ConstantTexture<float>(Radiance));
   const auto balls =
     stage.AddBalls({ { 0.0, 0.5 }, { 0.0, 0.1 }, { 1.0, 0.0 }, { 1.0, 0.35 }, { 1.0, 1.0 } });
   const auto stock = stage.Measure("stock", 1);
-  // While probes are updated, which is before the capture.
+  // Few frames, so that probes are still updated before the capture.
   const auto high = stage.Measure("high", 3);
   const auto reference = stage.Measure("reference", 64);
-  const bool many = ScattersManyTimes(stock[4].Mean);
+  const bool multiple = HasMultipleScattering(stock[4].Mean);
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     std::printf("metallic %.0f, roughness %.2f: stock %.1f +- %.1f, high %.1f +- %.1f, "
@@ -52,21 +52,21 @@ TEST(ImageBasedLight, BallsInAFurnace)
       high[i].Deviation, reference[i].Mean, reference[i].Deviation);
     EXPECT_GT(stock[i].Mean, 80.0);
     EXPECT_NEAR(high[i].Mean, reference[i].Mean, 3.0);
-    if (!many || balls[i].Metallic == 0.0 || balls[i].Roughness < 1.0)
+    if (!multiple || balls[i].Metallic == 0.0 || balls[i].Roughness < 1.0)
     {
-      EXPECT_NEAR(high[i].Mean, stock[i].Mean, many ? 6.0 : 3.0);
-      EXPECT_NEAR(reference[i].Mean, stock[i].Mean, many ? 6.0 : 3.0);
+      EXPECT_NEAR(high[i].Mean, stock[i].Mean, multiple ? 6.0 : 3.0);
+      EXPECT_NEAR(reference[i].Mean, stock[i].Mean, multiple ? 6.0 : 3.0);
     }
     EXPECT_LE(high[i].Deviation, 4.0);
     EXPECT_LE(reference[i].Deviation, 4.0);
   }
 }
 
-// What stays bound of a frame's own textures must not pass for what VTK holds: they go as the window changes its size.
-TEST(ImageBasedLight, SwitchedOnWhileTheWindowChanges)
+// Textures of a frame that stay bound must not be taken for VTK's own: a resize of the window deletes them.
+TEST(ImageBasedLight, SwitchedOnBeforeAResizeRaisesNoGLError)
 {
   EnvironmentStage stage;
-  stage.SetEnvironment(EvenTexture<float>(Radiance));
+  stage.SetEnvironment(ConstantTexture<float>(Radiance));
   stage.AddBalls({ { 0.0, 0.5 }, { 1.0, 0.1 } });
   stage.Renderer()->UseImageBasedLightingOff();
   for (const char* preset : { "balanced", "high" })
@@ -83,28 +83,28 @@ TEST(ImageBasedLight, SwitchedOnWhileTheWindowChanges)
   }
 }
 
-// Translucent surfaces are drawn by VTK after the passes, with the textures of its image-based light.
-TEST(ImageBasedLight, TranslucentBallsInAFurnace)
+// VTK draws translucent surfaces after the passes, with its own textures of image-based light.
+TEST(ImageBasedLight, IsTheSameOnTranslucentBallsInAFurnace)
 {
   EnvironmentStage stage;
-  stage.SetEnvironment(EvenTexture<float>(Radiance));
+  stage.SetEnvironment(ConstantTexture<float>(Radiance));
   const auto balls = stage.AddBalls({ { 0.0, 0.5 }, { 1.0, 0.0 }, { 1.0, 1.0 } }, 0.999);
   const auto stock = stage.Measure("stock", 1);
   const auto high = stage.Measure("high", 3);
-  const bool many = ScattersManyTimes(stock[2].Mean);
+  const bool multiple = HasMultipleScattering(stock[2].Mean);
   for (std::size_t i = 0; i < balls.size(); ++i)
   {
     std::printf("metallic %.0f, roughness %.2f: stock %.1f, high %.1f +- %.1f\n", balls[i].Metallic,
       balls[i].Roughness, stock[i].Mean, high[i].Mean, high[i].Deviation);
     const bool rough = balls[i].Roughness == 1.0;
-    EXPECT_NEAR(high[i].Mean, rough && many ? 100.0 : stock[i].Mean, 3.0); // 100 by earlier VTKs
+    // Stock VTK gave 100 in earlier versions.
+    EXPECT_NEAR(high[i].Mean, rough && multiple ? 100.0 : stock[i].Mean, 3.0);
     EXPECT_LE(high[i].Deviation, 4.0);
   }
 }
 
-// A picture of eight bits is decoded, or not, as VTK's image-based light does it: apart for what matter reflects and for
-// what highlights do.
-TEST(ImageBasedLight, ColorSpacesOfEnvironments)
+// Images of eight bits are decoded, or not, as VTK does it: separately for diffuse reflection and for highlights.
+TEST(ImageBasedLight, DecodesColorSpacesLikeVTK)
 {
   struct Case
   {
@@ -114,15 +114,15 @@ TEST(ImageBasedLight, ColorSpacesOfEnvironments)
     bool RendererSrgb;
   };
   const std::array<Case, 9> cases = { {
-    { "8 bits", EvenTexture<unsigned char>, false, false },
-    { "8 bits, texture is sRGB", EvenTexture<unsigned char>, true, false },
-    { "8 bits, renderer is told so", EvenTexture<unsigned char>, false, true },
-    { "8 bits, both", EvenTexture<unsigned char>, true, true },
-    { "16 bits", EvenTexture<unsigned short>, false, false },
-    { "16 bits, texture is sRGB", EvenTexture<unsigned short>, true, false },
-    { "16 bits, renderer is told so", EvenTexture<unsigned short>, false, true },
-    { "float", EvenTexture<float>, false, false },
-    { "float, renderer is told so", EvenTexture<float>, false, true },
+    { "8 bits", ConstantTexture<unsigned char>, false, false },
+    { "8 bits, texture is sRGB", ConstantTexture<unsigned char>, true, false },
+    { "8 bits, renderer says sRGB", ConstantTexture<unsigned char>, false, true },
+    { "8 bits, both", ConstantTexture<unsigned char>, true, true },
+    { "16 bits", ConstantTexture<unsigned short>, false, false },
+    { "16 bits, texture is sRGB", ConstantTexture<unsigned short>, true, false },
+    { "16 bits, renderer says sRGB", ConstantTexture<unsigned short>, false, true },
+    { "float", ConstantTexture<float>, false, false },
+    { "float, renderer says sRGB", ConstantTexture<float>, false, true },
   } };
   EnvironmentStage stage;
   stage.AddBalls({ { 0.0, 1.0 }, { 1.0, 0.0 } });
@@ -152,8 +152,8 @@ TEST(ImageBasedLight, ColorSpacesOfEnvironments)
   }
 }
 
-// A skybox is in linear pictures by its radiance, and displayed as VTK displays it.
-TEST(ImageBasedLight, VisibleSkiesHaveTheirRadiance)
+// A skybox has its radiance in linear pictures and VTK's colours on display.
+TEST(ImageBasedLight, KeepsTheRadianceOfVisibleSkies)
 {
   struct Case
   {
@@ -163,10 +163,11 @@ TEST(ImageBasedLight, VisibleSkiesHaveTheirRadiance)
     double Expected;
   };
   const std::array<Case, 4> cases = { {
-    { "float, corrected", EvenTexture<float>(2.5), true, 2.5 },
-    { "float, as it is", EvenTexture<float>(0.25), false, 0.25 },
-    { "8 bits, as they are", EvenTexture<unsigned char>(0.5), false, std::pow(128.0 / 255.0, 2.2) },
-    { "8 bits, sRGB, corrected", EvenTexture<unsigned char>(0.5, true), true, 0.2159 },
+    { "float, corrected", ConstantTexture<float>(2.5), true, 2.5 },
+    { "float, uncorrected", ConstantTexture<float>(0.25), false, 0.25 },
+    { "8 bits, uncorrected", ConstantTexture<unsigned char>(0.5), false,
+      std::pow(128.0 / 255.0, 2.2) },
+    { "8 bits, sRGB, corrected", ConstantTexture<unsigned char>(0.5, true), true, 0.2159 },
   } };
   EnvironmentStage stage;
   stage.AddBalls({ { 1.0, 0.0 } });
@@ -190,7 +191,7 @@ TEST(ImageBasedLight, VisibleSkiesHaveTheirRadiance)
       std::printf("%-24s %-9s %.4f of %.4f\n", row.Name, preset, corner[1], row.Expected);
       for (int channel = 0; channel < 3; ++channel)
       {
-        // OpenGL decodes by a table.
+        // OpenGL decodes with a table.
         EXPECT_NEAR(corner[channel], row.Expected, 0.01 * row.Expected)
           << row.Name << ' ' << preset;
       }
@@ -199,12 +200,12 @@ TEST(ImageBasedLight, VisibleSkiesHaveTheirRadiance)
   }
 }
 
-// A small sun gives most of the light: few of a probe's rays point to it, yet it counts by its size.
-TEST(ImageBasedLight, SunsReachProbes)
+// A small sun gives most of the light. Few rays of a probe hit it, yet it counts with its solid angle.
+TEST(ImageBasedLight, LightsProbesWithASmallSun)
 {
-  vtkSmartPointer<vtkTexture> texture = EvenTexture<float>(0.1);
+  vtkSmartPointer<vtkTexture> texture = ConstantTexture<float>(0.1);
   auto* values = static_cast<float*>(texture->GetInput()->GetScalarPointer(23, 9, 0));
-  std::fill_n(values, 3, 40.0f); // of 512 pixels, one
+  std::fill_n(values, 3, 40.0f); // one of 512 pixels
   EnvironmentStage stage;
   stage.SetEnvironment(texture);
   stage.AddBalls({ { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 1.0 }, { 0.0, 1.0 } });
@@ -215,14 +216,14 @@ TEST(ImageBasedLight, SunsReachProbes)
     std::printf("high %.1f +- %.1f, reference %.1f +- %.1f\n", high[i].Mean, high[i].Deviation,
       reference[i].Mean, reference[i].Deviation);
     EXPECT_GT(reference[i].Mean, 100.0);
-    EXPECT_NEAR(high[i].Mean, high[0].Mean, 2.0) << "what probes see depends on where they are";
-    // Probes smooth what they receive.
+    EXPECT_NEAR(high[i].Mean, high[0].Mean, 2.0) << "the light depends on the position";
+    // Probes smooth the light that they receive.
     EXPECT_NEAR(high[i].Mean, reference[i].Mean, 6.0);
   }
 }
 
-// Cells of equal solid angles keep the mean of the sphere, whatever the sizes.
-TEST(ImageBasedLight, CellsKeepTheMean)
+// Cells of equal solid angle preserve the mean over the sphere, whatever their size.
+TEST(ImageBasedLight, CellsPreserveTheMean)
 {
   constexpr int width = 48;
   constexpr int height = 20;

@@ -4,6 +4,7 @@
  * Light gathered at points, in scenes whose light is known.
  */
 #include "Messages.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGILightGatherer.h"
@@ -16,7 +17,6 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -61,7 +61,7 @@ protected:
     actor->GetProperty()->SetInterpolationToFlat();
     return actor;
   }
-  void Ask(const glm::dvec3& point, const glm::dvec3& normal = glm::dvec3(0.0, 0.0, 1.0))
+  void AddPoint(const glm::dvec3& point, const glm::dvec3& normal = glm::dvec3(0.0, 0.0, 1.0))
   {
     this->Points->InsertNextTuple3(point.x, point.y, point.z);
     this->Normals->InsertNextTuple3(normal.x, normal.y, normal.z);
@@ -69,7 +69,7 @@ protected:
   void Gather(bool normals)
   {
     ASSERT_TRUE(this->Gatherer->Gather(this->Scene.Renderer, this->Points,
-      normals ? this->Normals.Get() : nullptr, this->Light, this->Around))
+      normals ? this->Normals.Get() : nullptr, this->Light, this->Surroundings))
       << this->Gatherer->GetLastError();
   }
   double Value(vtkIdType point, int component)
@@ -83,12 +83,7 @@ protected:
     image->AllocateScalars(VTK_FLOAT, 3);
     auto* pixels = static_cast<float*>(image->GetScalarPointer());
     std::fill(pixels, pixels + 8 * 4 * 3, static_cast<float>(radiance));
-    vtkNew<vtkTexture> texture;
-    texture->SetInputData(image);
-    texture->SetColorModeToDirectScalars();
-    texture->MipmapOn();
-    texture->InterpolateOn();
-    this->Scene.Renderer->SetEnvironmentTexture(texture);
+    this->Scene.Renderer->SetEnvironmentTexture(EnvironmentTexture(image));
     this->Scene.Renderer->UseImageBasedLightingOn();
   }
 
@@ -97,7 +92,7 @@ protected:
   vtkNew<vtkDoubleArray> Points;
   vtkNew<vtkDoubleArray> Normals;
   vtkNew<vtkFloatArray> Light;
-  vtkNew<vtkFloatArray> Around;
+  vtkNew<vtkFloatArray> Surroundings;
 };
 }
 
@@ -106,9 +101,9 @@ TEST_F(LightGatherer, ClosedEnclosureKeepsItsEnergy)
   constexpr double emission = 0.25;
   constexpr double reflectance = 0.8;
   this->AddBox(1.0, reflectance, emission);
-  for (const double place : { -0.9, -0.3, 0.2, 0.7 })
+  for (const double x : { -0.9, -0.3, 0.2, 0.7 })
   {
-    this->Ask({ place, 0.5 * place, -0.4 }, { 0.6, 0.0, 0.8 });
+    this->AddPoint({ x, 0.5 * x, -0.4 }, { 0.6, 0.0, 0.8 });
   }
   this->Gatherer->SetSamples(16384);
   const double expected = emission / (1.0 - reflectance);
@@ -117,8 +112,8 @@ TEST_F(LightGatherer, ClosedEnclosureKeepsItsEnergy)
   for (vtkIdType i = 0; i < 4; ++i)
   {
     errors.push_back(this->Value(i, 0) / (expected * Root4Pi) - 1.0);
-    EXPECT_NEAR(this->Around->GetComponent(i, 0), 1.0, 1e-6); // the box from inside
-    EXPECT_NEAR(this->Around->GetComponent(i, 1), 1.0, 1e-6);
+    EXPECT_NEAR(this->Surroundings->GetComponent(i, 0), 1.0, 1e-6); // the box from inside
+    EXPECT_NEAR(this->Surroundings->GetComponent(i, 1), 1.0, 1e-6);
   }
   this->Gather(true);
   for (vtkIdType i = 0; i < 4; ++i)
@@ -132,32 +127,28 @@ TEST_F(LightGatherer, ClosedEnclosureKeepsItsEnergy)
     mean += error / static_cast<double>(errors.size());
     squares += error * error / static_cast<double>(errors.size());
   }
-  // Chance makes each value err; what they have in common is the bias.
+  // Each value has noise; the mean error is the bias.
   std::printf("closed box: mean error %.3f %%, root mean square %.3f %%\n", 100.0 * mean,
     100.0 * std::sqrt(squares));
   EXPECT_LT(std::abs(mean), 0.0003);
   EXPECT_LT(std::sqrt(squares), 0.01);
 }
 
-// In a ball with a lamp in its middle every place of the wall is lit alike, and lights the others alike.
-TEST_F(LightGatherer, ABallAroundALamp)
+// With a lamp at the centre of a ball, every point of the wall receives the same light, directly and indirectly.
+TEST_F(LightGatherer, ABallAroundALampIsLitEvenly)
 {
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(2.0);
   ball->SetPhiResolution(128);
   ball->SetThetaResolution(256);
   this->Paint(this->Scene.Add(ball), 0.5, 0.0);
-  vtkNew<vtkLight> lamp;
-  lamp->SetLightTypeToSceneLight();
-  lamp->PositionalOn();
-  lamp->SetConeAngle(180.0);
-  lamp->SetPosition(0.0, 0.0, 0.0);
+  vtkLight* lamp = AddLight(this->Scene, 0.0, 0.0, 0.0);
+  ShineAllRound(lamp);
   lamp->SetColor(0.3, 0.6, 0.9);
-  this->Scene.Renderer->AddLight(lamp);
   vtkNew<vtkLight> head; // left out
   head->SetLightTypeToHeadlight();
   this->Scene.Renderer->AddLight(head);
-  this->Ask({ 0.0, 0.0, 1.99 }, { 0.0, 0.0, -1.0 });
+  this->AddPoint({ 0.0, 0.0, 1.99 }, { 0.0, 0.0, -1.0 });
   this->Gatherer->SetSamples(4096);
   this->Gather(true);
   EXPECT_EQ(this->Gatherer->GetNumberOfLampsLeftOut(), 1);
@@ -183,11 +174,11 @@ TEST_F(LightGatherer, ABallAroundALamp)
   }
 }
 
-TEST_F(LightGatherer, AConstantEnvironment)
+TEST_F(LightGatherer, AConstantEnvironmentHasOnlyTheFirstHarmonic)
 {
   this->SetEnvironment(0.7);
   this->AddBox(0.1, 0.0, 0.0)->SetPosition(50.0, 0.0, 0.0);
-  this->Ask({ 0.0, 0.0, 0.0 }, { 0.48, 0.6, 0.64 });
+  this->AddPoint({ 0.0, 0.0, 0.0 }, { 0.48, 0.6, 0.64 });
   this->Gatherer->SetSamples(4096);
   this->Gatherer->DirectionalOn();
   this->Gather(false);
@@ -201,7 +192,7 @@ TEST_F(LightGatherer, AConstantEnvironment)
   std::printf("environment: first harmonic %.6f of %.6f, others at most %.6f\n", this->Value(0, 0),
     0.7 * Root4Pi, most);
   EXPECT_LT(most, 0.005 * 0.7 * Root4Pi);
-  EXPECT_NEAR(this->Around->GetComponent(0, 1), 0.0, 1e-3);
+  EXPECT_NEAR(this->Surroundings->GetComponent(0, 1), 0.0, 1e-3);
   this->Gather(true);
   ASSERT_EQ(this->Light->GetNumberOfComponents(), 15);
   const double expected[5] = { 1.0, 1.0, 0.24, 0.3, 0.32 };
@@ -211,14 +202,11 @@ TEST_F(LightGatherer, AConstantEnvironment)
   }
 }
 
-TEST_F(LightGatherer, AnEmittersFormFactor)
+TEST_F(LightGatherer, AnEmitterLightsByItsFormFactor)
 {
-  vtkNew<vtkPlaneSource> square;
-  square->SetOrigin(-0.5, -0.5, 1.0);
-  square->SetPoint1(0.5, -0.5, 1.0);
-  square->SetPoint2(-0.5, 0.5, 1.0);
-  this->Paint(this->Scene.Add(square), 0.0, 1.0)->GetProperty()->SetAmbientColor(2.0, 2.0, 2.0);
-  this->Ask({ 0.0, 0.0, 0.0 });
+  vtkActor* square = AddFloor(this->Scene, -0.5, 0.5, -0.5, 0.5, 1.0);
+  this->Paint(square, 0.0, 1.0)->GetProperty()->SetAmbientColor(2.0, 2.0, 2.0);
+  this->AddPoint({ 0.0, 0.0, 0.0 });
   this->Gatherer->SetSamples(4096);
   this->Gather(true);
   std::printf("point below a square: %.6f of 0.239456\n", this->Value(0, 0) / 2.0);
@@ -228,8 +216,8 @@ TEST_F(LightGatherer, AnEmittersFormFactor)
 TEST_F(LightGatherer, PartsOfTheSamplesAverageToTheWhole)
 {
   this->AddBox(1.0, 0.5, 0.3);
-  this->Ask({ 0.3, 0.2, -0.1 });
-  this->Ask({ -0.3, 0.6, 0.4 });
+  this->AddPoint({ 0.3, 0.2, -0.1 });
+  this->AddPoint({ -0.3, 0.6, 0.4 });
   this->Gatherer->SetSamples(512);
   this->Gather(false);
   vtkNew<vtkFloatArray> whole;
@@ -261,28 +249,29 @@ TEST_F(LightGatherer, PartsOfTheSamplesAverageToTheWhole)
   EXPECT_NE(this->Value(0, 5), whole->GetTypedComponent(1, 5));
 }
 
-TEST_F(LightGatherer, SaysWhatIsWrong)
+TEST_F(LightGatherer, ReportsBadInput)
 {
   this->AddBox(1.0, 0.5, 0.3);
-  const auto fails = [this](vtkRenderer* renderer, vtkDataArray* normals, const char* reason) {
+  const auto expectError = [this](
+                             vtkRenderer* renderer, vtkDataArray* normals, const char* reason) {
     EXPECT_FALSE(this->Gatherer->Gather(renderer, this->Points, normals, this->Light));
     EXPECT_NE(std::string(this->Gatherer->GetLastError()).find(reason), std::string::npos)
       << this->Gatherer->GetLastError();
   };
-  this->Ask({ 0.0, 0.0, 0.0 });
-  fails(nullptr, nullptr, "render window");
+  this->AddPoint({ 0.0, 0.0, 0.0 });
+  expectError(nullptr, nullptr, "render window");
   vtkNew<vtkDoubleArray> normals;
-  fails(this->Scene.Renderer, normals, "three components");
+  expectError(this->Scene.Renderer, normals, "three components");
   normals->SetNumberOfComponents(3);
-  fails(this->Scene.Renderer, normals, "as many normals");
+  expectError(this->Scene.Renderer, normals, "as many normals");
   this->Points->InsertNextTuple3(std::nan(""), 0.0, 0.0);
-  fails(this->Scene.Renderer, nullptr, "number 1 is not");
+  expectError(this->Scene.Renderer, nullptr, "number 1 is not");
 }
 
-TEST_F(LightGatherer, TellsItsProgressAndStops)
+TEST_F(LightGatherer, ReportsProgressAndCanBeAborted)
 {
   this->AddBox(1.0, 0.5, 0.3);
-  this->Ask({ 0.0, 0.0, 0.0 });
+  this->AddPoint({ 0.0, 0.0, 0.0 });
   vtkNew<vtkCallbackCommand> observer;
   std::vector<double> progress;
   observer->SetClientData(&progress);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Baked light on surfaces: where it shows and where not, and that it never outlives its scene.
+ * Baked light on surfaces: where it appears, and that it goes when its scene changes.
  */
 #include "LightmapStage.h"
 #include "Work.h"
@@ -15,35 +15,36 @@
 
 using namespace penumbra_test;
 
-TEST_F(LightmapTechnique, LightLiesWhereItWasBaked)
+TEST_F(LightmapTechnique, LightAppearsWhereItWasBaked)
 {
   this->Bake();
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5 * 0.6, 0.002);
-  EXPECT_NEAR(this->At(0.8, 0.5, false), 0.5 * 0.2, 0.002);
-  // From behind, that of the back.
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.5 * 0.6, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.8, 0.5, false), 0.5 * 0.2, 0.002);
+  // Seen from behind, the wall has the light of its back.
   this->Scene.Renderer->GetActiveCamera()->SetPosition(0.0, 0.0, -5.0);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5 * 0.4, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.5 * 0.4, 0.002);
   this->Map->SetIntensity(2.0);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.4, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.4, 0.002);
 }
 
-TEST_F(LightmapTechnique, SlantedAndFarViewsLoseNothing)
+TEST_F(LightmapTechnique, SlantedAndFarViewsAreFullyLit)
 {
   this->Bake();
   vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
-  // In a picture of the wall alone every pixel is lit, in whatever projection and from wherever.
-  const double places[][3] = { { 0.3, 4.5, 0.4 }, { 1.9, 1.0, 0.05 }, { 0.0, 0.0, 900.0 } };
-  for (const auto& place : places)
+  // Every pixel of the wall is lit, in either projection and from any position.
+  const double positions[][3] = { { 0.3, 4.5, 0.4 }, { 1.9, 1.0, 0.05 }, { 0.0, 0.0, 900.0 } };
+  for (const auto& position : positions)
   {
     for (const bool parallel : { false, true })
     {
       camera->SetParallelProjection(parallel);
-      camera->SetPosition(place);
+      camera->SetPosition(position);
       camera->SetViewUp(1.0, 0.0, 0.0);
       camera->SetFocalPoint(0.0, 0.0, 0.0);
-      camera->SetViewAngle(place[2] > 100.0 ? 0.2 : 40.0);
+      camera->SetViewAngle(position[2] > 100.0 ? 0.2 : 40.0);
       camera->SetParallelScale(1.5);
-      camera->SetClippingRange(place[2] > 100.0 ? 890.0 : 0.02, place[2] > 100.0 ? 910.0 : 20.0);
+      camera->SetClippingRange(
+        position[2] > 100.0 ? 890.0 : 0.02, position[2] > 100.0 ? 910.0 : 20.0);
       this->Scene.Window->Render();
       vtkNew<vtkImageData> image;
       ASSERT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, image));
@@ -56,32 +57,32 @@ TEST_F(LightmapTechnique, SlantedAndFarViewsLoseNothing)
         dark += surface && !lit ? 1 : 0;
       }
       EXPECT_GT(shown, 100);
-      EXPECT_EQ(dark, 0) << place[2] << (parallel ? ", parallel" : "") << " of " << shown;
+      EXPECT_EQ(dark, 0) << position[2] << (parallel ? ", parallel" : "") << " of " << shown;
     }
   }
 }
 
-TEST_F(LightmapTechnique, WhatStandsBeforeAWallIsNotLitAsTheWall)
+TEST_F(LightmapTechnique, PropsBeforeAWallDoNotGetItsLight)
 {
   this->Bake();
   this->ExpectFits();
   vtkActor* mover = this->AddWall(0.003, 1.0);
   mover->SetPosition(-1.2, 0.0, 0.0);
-  EXPECT_LT(this->At(0.2, 0.5), 0.01) << "right before the wall";
-  EXPECT_EQ(this->Notes(), "") << "what the bake does not know may come";
-  EXPECT_NEAR(this->At(0.8, 0.5, false), 0.1, 0.002);
+  EXPECT_LT(this->RadianceAt(0.2, 0.5), 0.01) << "close to the wall";
+  EXPECT_EQ(this->Notes(), "") << "props unknown to the bake may appear";
+  EXPECT_NEAR(this->RadianceAt(0.8, 0.5, false), 0.1, 0.002);
   mover->SetPosition(1.2, 0.0, 0.0);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002);
-  EXPECT_LT(this->At(0.8, 0.5, false), 0.01);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002);
+  EXPECT_LT(this->RadianceAt(0.8, 0.5, false), 0.01);
 }
 
-// A baked wall through which another is seen, one that the map does not know.
-TEST_F(LightmapTechnique, WhatIsSeenThroughAWallIsNotLitAsTheWall)
+// A second wall, unknown to the map, is visible through the baked one.
+TEST_F(LightmapTechnique, PropsSeenThroughAWallDoNotGetItsLight)
 {
   this->AddWall(-1.0, 20.0);
   const auto expectNoMap = [this](const char* why) {
     this->Bake();
-    EXPECT_LT(this->At(0.2, 0.5), 0.01) << why;
+    EXPECT_LT(this->RadianceAt(0.2, 0.5), 0.01) << why;
     EXPECT_EQ(this->Notes(), "") << why;
   };
   this->Wall->GetProperty()->BackfaceCullingOn();
@@ -95,33 +96,33 @@ TEST_F(LightmapTechnique, WhatIsSeenThroughAWallIsNotLitAsTheWall)
   right->SetNormal(1.0, 0.0, 0.0);
   this->Wall->GetMapper()->AddClippingPlane(right);
   expectNoMap("clipped");
-  EXPECT_NEAR(this->At(0.8, 0.5), 0.1, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.8, 0.5), 0.1, 0.002);
   this->Wall->GetMapper()->RemoveAllClippingPlanes();
   this->Wall->GetProperty()->SetOpacity(0.001);
   expectNoMap("translucent");
 }
 
-// Where nothing has an ambient term its target takes the map's light; one prop that has, and it cannot.
-TEST_F(LightmapTechnique, WhatGlowsByItselfStaysBesideTheMap)
+// The map's light shares the target of the ambient term unless a prop has one.
+TEST_F(LightmapTechnique, EmissionAndTheMapsLightAddUp)
 {
   this->Bake();
   this->ExpectFits();
   vtkActor* beside = this->AddWall(0.1, 0.5);
   beside->GetProperty()->SetAmbient(0.7);
-  EXPECT_NEAR(this->At(0.5, 0.5), 0.7, 0.005);
-  EXPECT_NEAR(this->At(0.2, 0.5, false), 0.3, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.5, 0.5), 0.7, 0.005);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5, false), 0.3, 0.002);
   beside->VisibilityOff();
   this->Wall->GetProperty()->SetAmbient(0.25);
   this->Bake();
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.55, 0.005);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.55, 0.005);
   this->Wall->GetProperty()->SetAmbient(0.0);
   this->Wall->GetProperty()->LightingOff();
   this->Bake();
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5, 0.005) << "drawn as it is";
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.5, 0.005) << "drawn unlit";
 }
 
-// By memory: of two frames that are alike but for a glow, the one without has a target less.
-TEST_F(LightmapTechnique, TheMapSharesATargetWhereNothingGlows)
+// Two frames differ by an ambient term only. The one without it needs one target less.
+TEST_F(LightmapTechnique, TheMapSharesATargetIfNothingHasAnAmbientTerm)
 {
   vtkActor* beside = this->AddWall(0.1, 0.5);
   this->Bake();
@@ -129,7 +130,7 @@ TEST_F(LightmapTechnique, TheMapSharesATargetWhereNothingGlows)
   const auto bytes = [this, beside](double ambient) {
     beside->GetProperty()->SetAmbient(ambient);
     this->Bake();
-    for (int i = 0; i < 40; ++i) // what is not used any more goes
+    for (int i = 0; i < 40; ++i) // until unused textures are released
     {
       this->Scene.Window->Render();
     }
@@ -165,7 +166,7 @@ TEST_F(LightmapTechnique, NoMismatchIsLeftOfABakeThatWasRemoved)
   EXPECT_EQ(this->Map->GetMismatch(this->Scene.Renderer), "");
 }
 
-TEST_F(LightmapTechnique, AnotherColourIsReportedAtOnce)
+TEST_F(LightmapTechnique, AChangedColourIsReportedAtOnce)
 {
   this->Bake();
   this->ExpectFits();
@@ -175,7 +176,7 @@ TEST_F(LightmapTechnique, AnotherColourIsReportedAtOnce)
   this->ExpectFits();
 }
 
-TEST_F(LightmapTechnique, LampsAreReportedAtOnce)
+TEST_F(LightmapTechnique, ChangedLampsAreReportedAtOnce)
 {
   this->Bake();
   this->ExpectFits();
@@ -197,8 +198,7 @@ TEST_F(LightmapTechnique, LampsAreReportedAtOnce)
   this->ExpectFits();
 }
 
-// What changes while the technique is off is seen when it comes on again.
-TEST_F(LightmapTechnique, ChangesUnseenAreFound)
+TEST_F(LightmapTechnique, ChangesMadeWhileDisabledAreReported)
 {
   this->Bake();
   this->ExpectFits();
@@ -216,12 +216,12 @@ TEST_F(LightmapTechnique, MovingTheCameraChangesNothing)
   this->Bake();
   this->ExpectFits();
   this->Scene.Renderer->GetActiveCamera()->Azimuth(5.0);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002);
   EXPECT_EQ(this->Notes(), "");
 }
 
-// DDGI lights the scene in the place of a map that no longer fits: as it does where it is on and there is no map.
-TEST_F(LightmapTechnique, StaleMapsLeaveTheLightToProbes)
+// DDGI lights the scene in place of a map that no longer fits, as it does without a map.
+TEST_F(LightmapTechnique, ProbesReplaceAStaleMap)
 {
   this->Bake();
   vtkGITechnique* probes = this->Pass->GetTechnique("ddgi");
@@ -229,43 +229,43 @@ TEST_F(LightmapTechnique, StaleMapsLeaveTheLightToProbes)
   probes->SetParameter("probes", 64);
   probes->SetParameter("rays", 512);
   probes->SetParameter("updates", updates);
-  const auto atRest = [&] {
+  const auto convergedRadiance = [&] {
     for (int i = 0; i < updates; ++i)
     {
       this->Scene.Window->Render();
     }
-    return this->At(0.2, 0.5);
+    return this->RadianceAt(0.2, 0.5);
   };
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002);
   EXPECT_FALSE(probes->GetTookPart()) << "the map fits";
-  // Nothing but what a glowing wall beside the baked one sends to it.
+  // The only indirect light comes from a glowing wall beside the baked one.
   vtkActor* glowing = this->AddWall(0.0, 4.0);
   glowing->SetPosition(-2.0, 0.0, 2.0);
   glowing->RotateY(90.0);
   glowing->GetProperty()->SetAmbient(1.0);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002) << "what the bake does not know may come";
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002) << "props unknown to the bake may appear";
   this->Lamp->SetIntensity(0.002);
-  const double inPlace = atRest();
+  const double fallback = convergedRadiance();
   EXPECT_TRUE(probes->GetTookPart());
   EXPECT_NE(this->Map->GetMismatch(this->Scene.Renderer), "");
   this->Map->LiveFallbackOff();
-  const double dark = this->At(0.2, 0.5);
+  const double dark = this->RadianceAt(0.2, 0.5);
   EXPECT_FALSE(probes->GetTookPart());
   EXPECT_LT(dark, 0.01);
-  EXPECT_GT(inPlace, 0.05);
+  EXPECT_GT(fallback, 0.05);
   this->Map->EnabledOff();
   probes->EnabledOn();
-  EXPECT_NEAR(atRest(), inPlace, 0.03 * inPlace);
+  EXPECT_NEAR(convergedRadiance(), fallback, 0.03 * fallback);
   this->Map->EnabledOn();
   this->Map->LiveFallbackOn();
   probes->EnabledOff();
   this->Lamp->SetIntensity(0.001);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002) << "it fits again";
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002) << "it fits again";
   EXPECT_FALSE(probes->GetTookPart());
 }
 
-// A static room and a moving actor: each has its own source, the wall the map alone.
-TEST_F(LightmapTechnique, ProbesLightWhatTheMapDoesNotKnow)
+// Baked walls get their light from the map only, other props from the probes.
+TEST_F(LightmapTechnique, ProbesLightPropsUnknownToTheMap)
 {
   this->Lamp->SetIntensity(0.5);
   vtkActor* mover = this->AddWall(0.5, 1.0);
@@ -279,14 +279,14 @@ TEST_F(LightmapTechnique, ProbesLightWhatTheMapDoesNotKnow)
   probes->SetParameter("rays", 512);
   constexpr int updates = 24;
   probes->SetParameter("updates", updates);
-  // With a target of its own for indirect light, and in that of ambient light.
+  // First with a separate target for indirect light, then in the target of the ambient term.
   for (const double ambient : { 0.001, 0.0 })
   {
     beside->GetProperty()->SetAmbient(ambient);
     this->Bake();
     probes->EnabledOff();
-    const double unlit = this->At(0.22, 0.5);
-    const double wall = this->At(0.8, 0.5, false);
+    const double unlit = this->RadianceAt(0.22, 0.5);
+    const double wall = this->RadianceAt(0.8, 0.5, false);
     EXPECT_NEAR(wall, 0.25 + 0.1, 0.002);
     EXPECT_NEAR(unlit, 0.25, 0.002);
     probes->EnabledOn();
@@ -294,40 +294,41 @@ TEST_F(LightmapTechnique, ProbesLightWhatTheMapDoesNotKnow)
     {
       this->Scene.Window->Render();
     }
-    EXPECT_GT(this->At(0.22, 0.5), unlit + 0.005) << ambient;
-    EXPECT_NEAR(this->At(0.8, 0.5, false), wall, 0.001) << ambient;
+    EXPECT_GT(this->RadianceAt(0.22, 0.5), unlit + 0.005) << ambient;
+    EXPECT_NEAR(this->RadianceAt(0.8, 0.5, false), wall, 0.001) << ambient;
   }
 }
 
-// There VTK shows colours as they are; light from elsewhere must be seen nevertheless.
+// Without a lamp VTK draws unlit colours, yet baked light must show.
 TEST_F(LightmapTechnique, NoLampIsNeeded)
 {
   this->Scene.Renderer->RemoveAllLights();
   this->Scene.Renderer->AutomaticLightCreationOff();
   this->Bake();
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5 * 0.6, 0.002);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.5 * 0.6, 0.002);
   EXPECT_EQ(this->Notes(), "");
   EXPECT_EQ(this->Scene.Renderer->GetLights()->GetNumberOfItems(), 0);
   this->Scene.Window->Render();
   EXPECT_GT(this->Pass->GetAccumulatedFrames(this->Scene.Renderer), 1) << "nothing changes";
   this->Map->EnabledOff();
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5, 0.003) << "as VTK draws it";
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.5, 0.003) << "as VTK draws it";
 }
 
-TEST_F(LightmapTechnique, DirectionalMapsFollowBentNormals)
+TEST_F(LightmapTechnique, DirectionalMapsFollowTiltedNormals)
 {
   this->Bake(12);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.3, 0.002) << "as baked where the normal is as baked";
-  const double gain = 2.0 * 0.1 * 0.5; // twice the moment along the turn
-  this->LeanNormals(0.5);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.3, 0.002) << "as baked where the normal is as baked";
+  const double gain = 2.0 * 0.1 * 0.5; // twice the moment along the tilt
+  this->TiltNormals(0.5);
   this->Bake(12);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5 * (0.6 + gain), 0.002);
-  this->LeanNormals(-0.5);
+  EXPECT_NEAR(this->RadianceAt(0.2, 0.5), 0.5 * (0.6 + gain), 0.002);
+  this->TiltNormals(-0.5);
   this->Bake(12);
-  EXPECT_NEAR(this->At(0.2, 0.5), 0.5 * 0.6 * std::pow(1.0 - gain / (1.5 * 0.6), 1.5), 0.002);
+  EXPECT_NEAR(
+    this->RadianceAt(0.2, 0.5), 0.5 * 0.6 * std::pow(1.0 - gain / (1.5 * 0.6), 1.5), 0.002);
 }
 
-TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
+TEST_F(LightmapTechnique, MultisampledWindowsShowTheLight)
 {
   this->Scene.Window->SetMultiSamples(8);
   this->Pass->KeepRadianceOff();
@@ -339,20 +340,21 @@ TEST_F(LightmapTechnique, AMultisampledWindowShowsIt)
 
 namespace
 {
-// Frames as users draw them; penumbra_bench lightmap takes their time.
-class LightmapWork : public LightmapTechnique
+// Counts of work in frames with shadow maps; penumbra_bench lightmap measures their time.
+class LightmapCost : public LightmapTechnique
 {
 protected:
   void SetUp() override
   {
-    this->LightAsUsers();
+    this->UseShadowedLamp();
     this->Pass->GetTechnique("shadow-maps")->SetParameter("resolution", 128);
     this->Scene.Window->SetSize(Side, Side);
     this->Pass->CollectStatisticsOn();
   }
 
-  // One draw that shades each pixel of the map's surface once, and no more than one target of four bytes a pixel.
-  void ExpectAdded(double pixels)
+  // Expect that the map adds one pass, which shades each pixel of its surfaces once, and at most one target of four
+  // bytes per pixel.
+  void ExpectCost(double pixels)
   {
     const FrameWork with = WorkOfFrame(this->Scene, this->Pass);
     EXPECT_EQ(this->Notes(), "");
@@ -371,55 +373,55 @@ protected:
 };
 }
 
-// What stands before the wall hides a part of it, which is not shaded.
-TEST_F(LightmapWork, OfASingleWall)
+// The hidden part of the wall is not shaded.
+TEST_F(LightmapCost, OfASingleWall)
 {
   this->FillWithAWall();
   constexpr double size = 1.8, distance = 4.4;
   this->AddWall(5.0 - distance, size);
   const double across = 2.0 * distance * std::tan(0.5 * vtkMath::RadiansFromDegrees(35.0));
-  this->ExpectAdded(Side * Side * (1.0 - std::pow(size / across, 2.0)));
+  this->ExpectCost(Side * Side * (1.0 - std::pow(size / across, 2.0)));
 }
 
-TEST_F(LightmapWork, OfARoom)
+TEST_F(LightmapCost, OfARoom)
 {
   this->MoveIntoARoom();
-  this->ExpectAdded(Side * Side);
+  this->ExpectCost(Side * Side);
 }
 
-TEST_F(LightmapWork, OfARoomWithWhatGlows)
+TEST_F(LightmapCost, OfARoomWithAnEmitter)
 {
   this->AddWall(1.9, 0.2)->GetProperty()->SetAmbient(1.0);
   this->MoveIntoARoom();
-  this->ExpectAdded(Side * Side);
+  this->ExpectCost(Side * Side);
 }
 
-TEST_F(LightmapTechnique, WhatIsNoMapIsRefused)
+TEST_F(LightmapTechnique, InvalidMapsAreRefused)
 {
   EXPECT_FALSE(this->Map->HasBake());
   this->Scene.Window->Render();
   EXPECT_NE(this->Notes().find("without a bake"), std::string::npos);
   this->Bake();
-  const auto refused = [this](vtkPolyData* surfaces, vtkImageData* light, const char* why) {
+  const auto expectRefused = [this](vtkPolyData* surfaces, vtkImageData* light, const char* why) {
     EXPECT_FALSE(this->Map->SetBake(surfaces, light));
-    const std::string said = this->Map->GetBakeError();
-    EXPECT_NE(said.find(why), std::string::npos) << said;
-    EXPECT_TRUE(TakeMessages().empty()) << "said once";
+    const std::string error = this->Map->GetBakeError();
+    EXPECT_NE(error.find(why), std::string::npos) << error;
+    EXPECT_TRUE(TakeMessages().empty()) << "reported once";
   };
   auto surfaces = this->Surfaces();
-  refused(surfaces, nullptr, "both surfaces and light");
-  refused(surfaces, Light(4), "3 or 12 components");
+  expectRefused(surfaces, nullptr, "both surfaces and light");
+  expectRefused(surfaces, Light(4), "3 or 12 components");
   surfaces->GetFieldData()->RemoveArray("scene");
-  refused(surfaces, Light(), "which scene");
+  expectRefused(surfaces, Light(), "which scene");
   surfaces = this->Surfaces();
   surfaces->GetPointData()->SetTCoords(nullptr);
-  refused(surfaces, Light(), "texture coordinates");
+  expectRefused(surfaces, Light(), "texture coordinates");
   surfaces = this->Surfaces();
   vtkNew<vtkCellArray> cells;
   const vtkIdType beyond[] = { 0, 1, 99 };
   cells->InsertNextCell(3, beyond);
   surfaces->SetPolys(cells);
-  refused(surfaces, Light(), "not triangles of its points");
+  expectRefused(surfaces, Light(), "not triangles of its points");
   this->ExpectFits();
   EXPECT_TRUE(this->Map->SetBake(nullptr, nullptr));
   EXPECT_FALSE(this->Map->HasBake());

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Ambient occlusion where the openness of visible surfaces is known in closed form. Every light is
- * spread over all directions and all surfaces are white, so that a picture shows openness.
+ * Ambient occlusion where the openness of visible surfaces is known in closed form. All light is ambient and all
+ * surfaces are white, so that a picture shows openness.
  */
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
@@ -14,7 +15,6 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -29,12 +29,10 @@ using namespace penumbra_test;
 
 namespace
 {
-using Point = std::array<double, 3>;
-
-constexpr double Limit = 0.06; // of openness, from 0 to 1
+constexpr double Limit = 0.06; // largest error of openness, which is from 0 to 1
 constexpr double Endless = 1e30;
 
-// The parameter stands for resolution: "full" or "half".
+// The parameter is the resolution, "full" or "half".
 class Openness : public ::testing::TestWithParam<const char*>
 {
 protected:
@@ -52,18 +50,15 @@ protected:
     this->Occlusion->SetParameterFromText("resolution", this->GetParam());
   }
 
-  void AddQuad(const Point& origin, const Point& a, const Point& b)
+  void AddWhiteQuad(const Point& origin, const Point& firstCorner, const Point& secondCorner)
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(origin[0], origin[1], origin[2]);
-    plane->SetPoint1(a[0], a[1], a[2]);
-    plane->SetPoint2(b[0], b[1], b[2]);
-    White(this->Scene.Add(plane));
+    PaintWhite(AddQuad(this->Scene, origin, firstCorner, secondCorner));
   }
 
-  static void White(vtkActor* actor) { actor->GetProperty()->SetColor(1.0, 1.0, 1.0); }
+  static void PaintWhite(vtkActor* actor) { actor->GetProperty()->SetColor(1.0, 1.0, 1.0); }
 
-  void Look(const Point& from, const Point& at, double height, bool parallel = true)
+  // Draw the scene from a point. height is that of the picture in world units.
+  void Draw(const Point& from, const Point& at, double height, bool parallel = true)
   {
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     camera->SetParallelProjection(parallel);
@@ -73,15 +68,15 @@ protected:
     camera->SetViewUp(0.0, from[0] == at[0] && from[1] == at[1] ? 1.0 : 0.0,
       from[0] == at[0] && from[1] == at[1] ? 0.0 : 1.0);
     this->Scene.Renderer->ResetCameraClippingRange();
-    this->Shown = Shoot(this->Scene.Window);
+    this->Drawing = Shoot(this->Scene.Window);
     std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
     name = name.substr(0, name.find('/'));
-    Save(
-      this->Shown, "openness-" + name + "-" + std::to_string(++this->Pictures) + "-" + GetParam());
+    Save(this->Drawing,
+      "openness-" + name + "-" + std::to_string(++this->Pictures) + "-" + GetParam());
   }
 
-  // Of the 3 x 3 pixels around a point.
-  double At(const Point& p)
+  // Mean of the 3 x 3 pixels around a point.
+  double OpennessAt(const Point& p)
   {
     vtkRenderer* renderer = this->Scene.Renderer;
     renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
@@ -89,40 +84,41 @@ protected:
     const double* display = renderer->GetDisplayPoint();
     const int x = static_cast<int>(display[0]);
     const int y = static_cast<int>(display[1]);
-    return this->Shown.MeanGrey(x - 1, y - 1, x + 2, y + 2) / 255.0;
+    return this->Drawing.MeanGrey(x - 1, y - 1, x + 2, y + 2) / 255.0;
   }
 
   void Expect(const char* what, const Point& p, double openness)
   {
-    const double measured = this->At(p);
+    const double measured = this->OpennessAt(p);
     std::printf("%-56s %-4s openness %.3f, expected %.3f, off %+.3f\n", what, this->GetParam(),
       measured, openness, measured - openness);
     EXPECT_NEAR(measured, openness, Limit) << what;
   }
 
-  void AddFloor(double size = 30.0)
+  void AddWhiteFloor(double size = 30.0)
   {
-    this->AddQuad({ { -size, -size, 0.0 } }, { { size, -size, 0.0 } }, { { -size, size, 0.0 } });
+    this->AddWhiteQuad(
+      { { -size, -size, 0.0 } }, { { size, -size, 0.0 } }, { { -size, size, 0.0 } });
   }
 
   Stage Scene;
   vtkGITechnique* Occlusion = nullptr;
-  Picture Shown;
+  Picture Drawing;
   int Pictures = 0;
 };
 }
 
-// A sphere of radius 1 resting on a plane hides (x^2 + 1)^(-3/2) from a point at x from its foot.
-TEST_P(Openness, before_a_sphere_on_a_plane)
+// A sphere of radius 1 that rests on a plane occludes (x^2 + 1)^(-3/2) at distance x from its foot.
+TEST_P(Openness, BesideASphereOnAPlane)
 {
-  this->AddFloor();
+  this->AddWhiteFloor();
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1.0);
   sphere->SetCenter(0.0, 0.0, 1.0);
   sphere->SetThetaResolution(180);
   sphere->SetPhiResolution(90);
-  White(this->Scene.Add(sphere));
-  this->Look({ { 0.0, -9.0, 3.0 } }, { { 0.0, -1.0, 0.5 } }, 5.0);
+  PaintWhite(this->Scene.Add(sphere));
+  this->Draw({ { 0.0, -9.0, 3.0 } }, { { 0.0, -1.0, 0.5 } }, 5.0);
   for (double x : { 0.5, 1.0, 2.0 })
   {
     char name[64];
@@ -131,12 +127,12 @@ TEST_P(Openness, before_a_sphere_on_a_plane)
   }
 }
 
-// An endless wall of height h hides half of 1 - d / sqrt(d^2 + h^2) at distance d.
-TEST_P(Openness, before_an_endless_wall)
+// An endless wall of height h occludes half of 1 - d / sqrt(d^2 + h^2) at distance d.
+TEST_P(Openness, BesideAnEndlessWall)
 {
-  this->AddFloor();
-  this->AddQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.0 } });
-  this->Look({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 6.0);
+  this->AddWhiteFloor();
+  this->AddWhiteQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.0 } });
+  this->Draw({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 6.0);
   for (double d : { 0.1, 0.25, 0.5, 1.0, 2.0 })
   {
     char name[64];
@@ -145,14 +141,14 @@ TEST_P(Openness, before_an_endless_wall)
   }
 }
 
-// Up to a radius R, a wall as high hides a segment of the unit disc that the hemisphere is
+// Within a radius R, a wall of at least that height occludes a segment of the unit disc that the hemisphere is
 // projected to: (acos c - c sqrt(1 - c^2)) / pi, c = d / R.
-TEST_P(Openness, within_a_radius_before_a_wall)
+TEST_P(Openness, WithinARadiusBesideAWall)
 {
-  this->AddFloor();
-  this->AddQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.5 } });
+  this->AddWhiteFloor();
+  this->AddWhiteQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.5 } });
   this->Occlusion->SetParameter("radius", 1.0);
-  this->Look({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 5.0);
+  this->Draw({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 5.0);
   for (double d : { 0.1, 0.3, 0.6, 0.9, 1.2 })
   {
     char name[64];
@@ -163,8 +159,8 @@ TEST_P(Openness, within_a_radius_before_a_wall)
   }
 }
 
-// Where two planes meet at an angle, (1 - cos) / 2 is open to either.
-TEST_P(Openness, between_two_planes)
+// Where two planes meet at an angle, each has an openness of (1 - cos) / 2.
+TEST_P(Openness, BetweenTwoPlanes)
 {
   for (double degrees : { 45.0, 90.0, 135.0 })
   {
@@ -172,12 +168,12 @@ TEST_P(Openness, between_two_planes)
     const double x = std::cos(angle);
     const double z = std::sin(angle);
     this->Scene.Renderer->RemoveAllViewProps();
-    this->AddQuad({ { 0.0, -30.0, 0.0 } }, { { 30.0, -30.0, 0.0 } }, { { 0.0, 30.0, 0.0 } });
-    this->AddQuad(
+    this->AddWhiteQuad({ { 0.0, -30.0, 0.0 } }, { { 30.0, -30.0, 0.0 } }, { { 0.0, 30.0, 0.0 } });
+    this->AddWhiteQuad(
       { { 0.0, -30.0, 0.0 } }, { { 30.0 * x, -30.0, 30.0 * z } }, { { 0.0, 30.0, 0.0 } });
-    // From between them.
+    // The camera is between them.
     const double middle = 0.5 * angle;
-    this->Look(
+    this->Draw(
       { { 50.0 * std::cos(middle), 0.0, 50.0 * std::sin(middle) } }, { { 0.0, 0.0, 0.0 } }, 8.0);
     const double openness = 0.5 - 0.5 * std::cos(angle);
     char name[64];
@@ -188,16 +184,16 @@ TEST_P(Openness, between_two_planes)
   }
 }
 
-// Half the directions are open, everywhere in a hemispherical pit.
-TEST_P(Openness, in_a_hemispherical_pit)
+// The openness is one half everywhere in a hemispherical pit.
+TEST_P(Openness, InAHemisphericalPit)
 {
   vtkNew<vtkSphereSource> pit;
   pit->SetRadius(1.0);
   pit->SetThetaResolution(180);
   pit->SetPhiResolution(90);
   pit->SetStartPhi(90.0);
-  White(this->Scene.Add(pit));
-  this->Look({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 2.2);
+  PaintWhite(this->Scene.Add(pit));
+  this->Draw({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 2.2);
   for (double r : { 0.0, 0.3, 0.6, 0.8, 0.9 })
   {
     char name[64];
@@ -206,16 +202,16 @@ TEST_P(Openness, in_a_hemispherical_pit)
   }
 }
 
-// A bar over a floor hides what it fills of the hemisphere, and light passes under it.
-TEST_P(Openness, below_a_thin_bar)
+// A bar over a floor occludes its own part of the hemisphere, and light passes below it.
+TEST_P(Openness, BesideAThinBar)
 {
   const double height = 0.5;
   const double half = 0.04;
-  this->AddFloor();
-  this->AddQuad(
+  this->AddWhiteFloor();
+  this->AddWhiteQuad(
     { { -30.0, -half, height } }, { { 30.0, -half, height } }, { { -30.0, half, height } });
   this->Occlusion->SetParameter("thickness", half);
-  this->Look({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 3.0);
+  this->Draw({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 3.0);
   for (double d : { 0.1, 0.2, 0.5 })
   {
     char name[64];
@@ -225,9 +221,8 @@ TEST_P(Openness, below_a_thin_bar)
   }
 }
 
-// Light reflected within a spherical hollow is the same everywhere: E = openness / (1 - reflectance
-// (1 - openness)).
-TEST_P(Openness, between_reflecting_walls)
+// Light reflected within a hemispherical pit is the same everywhere: E = openness / (1 - reflectance (1 - openness)).
+TEST_P(Openness, InAReflectingPit)
 {
   vtkNew<vtkSphereSource> pit;
   pit->SetRadius(1.0);
@@ -239,7 +234,7 @@ TEST_P(Openness, between_reflecting_walls)
   for (double reflectance : { 0.2, 0.5, 0.9 })
   {
     actor->GetProperty()->SetColor(reflectance, reflectance, reflectance);
-    this->Look({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 2.2);
+    this->Draw({ { 0.0, 0.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 2.2);
     char name[64];
     std::snprintf(name, sizeof(name), "pit that reflects %g: light reflected", reflectance);
     this->Expect(name, { { 0.3, 0.0, -std::sqrt(1.0 - 0.09) } },
@@ -247,11 +242,11 @@ TEST_P(Openness, between_reflecting_walls)
   }
 }
 
-// A wall in windows of any shape, in viewports of odd sizes at odd places.
-TEST_P(Openness, in_any_viewport)
+// A wall in windows of several shapes, in viewports of odd sizes at odd positions.
+TEST_P(Openness, InAnyViewport)
 {
-  this->AddFloor();
-  this->AddQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.0 } });
+  this->AddWhiteFloor();
+  this->AddWhiteQuad({ { -30.0, 0.0, 0.0 } }, { { 30.0, 0.0, 0.0 } }, { { -30.0, 0.0, 1.0 } });
   const std::array<std::array<double, 6>, 5> shapes{ { { { 301, 417, 0.0, 0.0, 1.0, 1.0 } },
     { { 803, 301, 0.0, 0.0, 1.0, 1.0 } }, { { 641, 479, 0.37, 0.21, 1.0, 1.0 } },
     { { 641, 479, 0.0, 0.0, 0.73, 0.61 } }, { { 640, 480, 0.11, 0.13, 0.87, 0.91 } } } };
@@ -259,7 +254,7 @@ TEST_P(Openness, in_any_viewport)
   {
     this->Scene.Window->SetSize(static_cast<int>(shape[0]), static_cast<int>(shape[1]));
     this->Scene.Renderer->SetViewport(shape[2], shape[3], shape[4], shape[5]);
-    this->Look({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 6.0);
+    this->Draw({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.3 } }, 6.0);
     for (double d : { 0.25, 1.0 })
     {
       char name[64];
@@ -270,34 +265,30 @@ TEST_P(Openness, in_any_viewport)
   }
 }
 
-// A sphere on a plane once more, in perspective, and far from the origin.
-TEST_P(Openness, in_perspective_and_far_away)
+// A sphere on a plane in perspective, at the origin and far away from it.
+TEST_P(Openness, InPerspectiveAndFarFromTheOrigin)
 {
-  for (double away : { 0.0, 1e6 })
+  for (double offset : { 0.0, 1e6 })
   {
     this->Scene.Renderer->RemoveAllViewProps();
-    vtkNew<vtkPlaneSource> floor;
-    floor->SetOrigin(-30.0, -30.0, 0.0);
-    floor->SetPoint1(30.0, -30.0, 0.0);
-    floor->SetPoint2(-30.0, 30.0, 0.0);
     vtkNew<vtkSphereSource> sphere;
     sphere->SetRadius(1.0);
     sphere->SetCenter(0.0, 0.0, 1.0);
     sphere->SetThetaResolution(180);
     sphere->SetPhiResolution(90);
-    for (vtkAlgorithm* source :
-      { static_cast<vtkAlgorithm*>(floor), static_cast<vtkAlgorithm*>(sphere) })
+    for (vtkActor* actor :
+      { AddFloor(this->Scene, -30.0, 30.0, -30.0, 30.0), this->Scene.Add(sphere) })
     {
-      vtkActor* actor = this->Scene.Add(source);
-      White(actor);
-      actor->SetPosition(away, away, 0.0);
+      PaintWhite(actor);
+      actor->SetPosition(offset, offset, 0.0);
     }
-    this->Look({ { away, away - 9.0, 3.0 } }, { { away, away - 1.0, 0.5 } }, 5.0, false);
+    this->Draw({ { offset, offset - 9.0, 3.0 } }, { { offset, offset - 1.0, 0.5 } }, 5.0, false);
     for (double x : { 0.5, 1.0, 2.0 })
     {
       char name[64];
-      std::snprintf(name, sizeof(name), "sphere in perspective, %g from the origin, %g", away, x);
-      this->Expect(name, { { away, away - x, 0.0 } }, 1.0 - std::pow(x * x + 1.0, -1.5));
+      std::snprintf(name, sizeof(name),
+        "sphere in perspective, %g from the origin, %g from its foot", offset, x);
+      this->Expect(name, { { offset, offset - x, 0.0 } }, 1.0 - std::pow(x * x + 1.0, -1.5));
     }
   }
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What screen-space reflections add to the picture: the light that the path tracer finds, the
- * surroundings once, and nothing where nothing reflects.
+ * Light of screen-space reflections: close to the path tracer's, with the environment counted once.
  */
 #include "ReflectionStage.h"
 
@@ -17,8 +16,8 @@ namespace
 using ReflectedLight = ReflectionStage;
 }
 
-// Where nothing on the screen is reflected, the surroundings' light is there once, as VTK draws it.
-TEST_F(ReflectedLight, the_environment_counts_once)
+// Where rays hit nothing on the screen, the environment's light counts once, as VTK draws it.
+TEST_F(ReflectedLight, TheEnvironmentCountsOnce)
 {
   this->AddEnvironment();
   vtkNew<vtkSphereSource> ball;
@@ -26,36 +25,36 @@ TEST_F(ReflectedLight, the_environment_counts_once)
   ball->SetRadius(1.0);
   ball->SetThetaResolution(64);
   ball->SetPhiResolution(64);
-  const vtkSmartPointer<vtkActor> kept = this->Floor; // its look is the ball's
+  const vtkSmartPointer<vtkActor> kept = this->Floor; // the ball has its property
   this->Scene.Renderer->RemoveActor(this->Floor);
   vtkActor* lone = this->Scene.Add(ball);
   lone->SetProperty(this->Floor->GetProperty());
-  this->Mirror(0.3);
+  this->UseMetalFloor(0.3);
   vtkNew<vtkLight> weak;
   weak->SetLightTypeToHeadlight();
   weak->SetIntensity(0.01);
   this->Scene.Renderer->AddLight(weak);
   this->Pass->CollectStatisticsOn();
-  this->Look(0, -6, 2.5, false, false);
+  this->LookFrom(0, -6, 2.5, false, false);
   const Picture on = Shoot(this->Scene.Window);
   EXPECT_TRUE(this->Ran());
   this->Reflections->SetParameterFromText("fallback", "none");
   const Picture none = Shoot(this->Scene.Window);
   this->Reflections->EnabledOff();
   const Picture off = Shoot(this->Scene.Window);
-  // Half floats hold the radiance to a part in two thousand.
+  // Half floats hold the radiance to one part in two thousand.
   EXPECT_EQ(Compare(on, off, 1).Within, 1.0);
   const double lit = off.Grey(200, 150);
   std::printf("grey with the environment %.1f, without %.1f\n", lit, none.Grey(200, 150));
   EXPECT_LT(none.Grey(200, 150), 0.7 * lit);
 }
 
-// A view in a part of the window reflects as one in a window of its own.
-TEST_F(ReflectedLight, a_part_of_a_window_reflects_the_same)
+// A viewport shows the same reflections as a window of its size.
+TEST_F(ReflectedLight, ViewportsReflectLikeWholeWindows)
 {
-  this->AddThings();
+  this->AddObjects();
   this->Scene.Window->SetSize(200, 150);
-  this->Look(0, -6, 2.5, false, false);
+  this->LookFrom(0, -6, 2.5, false, false);
   const Picture whole = Shoot(this->Scene.Window);
   this->Scene.Window->SetSize(400, 300);
   this->Scene.Renderer->SetViewport(0.5, 0.5, 1.0, 1.0);
@@ -71,9 +70,9 @@ TEST_F(ReflectedLight, a_part_of_a_window_reflects_the_same)
   EXPECT_LE(differ, 30) << "of 30000 pixels; rounding of window coordinates moves a few";
 }
 
-// The floor's reflection against the path tracer's, one reflection long; the floor is all highlight.
 namespace
 {
+// The floor's reflection against the path tracer's with one bounce. The floor has no diffuse reflection.
 class GlossyFloor : public ReflectionStage
 {
 protected:
@@ -81,7 +80,7 @@ protected:
   {
     ReflectionStage::SetUp();
     this->Scene.Window->SetSize(160, 120);
-    this->AddThings();
+    this->AddObjects();
     vtkNew<vtkLight> lamp;
     lamp->SetPosition(-3.0, -5.0, 6.0);
     lamp->SetFocalPoint(0.0, 0.0, 0.0);
@@ -89,16 +88,17 @@ protected:
     this->Pass->GetTechnique("ray-traced-shadows")->EnabledOn();
     this->Pass->GetTechnique("ray-traced-shadows")->SetParameter("light-angle", 0.0);
     this->Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
-    this->Look(0, -6, 2.5, false, false);
+    this->LookFrom(0, -6, 2.5, false, false);
   }
 
-  void Reference(int samples)
+  // Trace the reference picture and the reason of each pixel.
+  void TraceReference(int samples)
   {
     vtkGITechnique* tracer = this->Pass->GetTechnique("path-tracing");
     tracer->SetParameter("bounces", 1);
     tracer->SetParameter("samples", samples);
     tracer->EnabledOn();
-    this->Truth = this->Radiance(samples);
+    this->Reference = this->Radiance(samples);
     tracer->EnabledOff();
     this->Reflections->SetParameterFromText("debug-view", "reasons");
     this->Radiance(1);
@@ -106,7 +106,7 @@ protected:
     this->Reflections->SetParameterFromText("debug-view", "off");
   }
 
-  // Over the pixels that reflect.
+  // Error over the pixels that reflect.
   double RelMse(const std::vector<float>& picture) const
   {
     RelativeError error;
@@ -118,16 +118,16 @@ protected:
       }
       for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
       {
-        error.Add(picture[c], this->Truth[c]);
+        error.Add(picture[c], this->Reference[c]);
       }
     }
     return error.Mean();
   }
 
-  /// The relMSE of the first frame, of 16 and of 16 with rays, at most.
-  void Compare(const char* floor, int samples, const double (&limits)[3])
+  /// Limits are on the relMSE of the first frame, of 16 frames, and of 16 frames with rays as the fallback.
+  void ExpectErrors(const char* floor, int samples, const double (&limits)[3])
   {
-    this->Reference(samples);
+    this->TraceReference(samples);
     this->Reflections->EnabledOff();
     const double before = this->RelMse(this->Radiance(16));
     this->Reflections->EnabledOn();
@@ -149,37 +149,37 @@ protected:
     EXPECT_LT(rays, still);
   }
 
-  std::vector<float> Truth;
+  std::vector<float> Reference;
   std::vector<glm::vec4> Reasons;
 };
 }
 
-TEST_F(GlossyFloor, of_metal_is_nearer_to_the_path_tracer)
+TEST_F(GlossyFloor, OfMetalApproachesThePathTracer)
 {
-  this->Mirror(0.25);
-  this->Compare("metal, roughness 0.25", 64, { 0.25, 0.075, 0.06 });
+  this->UseMetalFloor(0.25);
+  this->ExpectErrors("metal, roughness 0.25", 64, { 0.25, 0.075, 0.06 });
 }
 
-TEST_F(GlossyFloor, of_rough_metal_is_nearer_to_the_path_tracer)
+TEST_F(GlossyFloor, OfRoughMetalApproachesThePathTracer)
 {
-  this->Mirror(0.5);
-  this->Compare("metal, roughness 0.5", 64, { 0.168, 0.039, 0.027 });
+  this->UseMetalFloor(0.5);
+  this->ExpectErrors("metal, roughness 0.5", 64, { 0.168, 0.039, 0.027 });
 }
 
-TEST_F(GlossyFloor, of_phong_is_nearer_to_the_path_tracer)
+TEST_F(GlossyFloor, OfPhongApproachesThePathTracer)
 {
   this->Floor->GetProperty()->SetInterpolationToPhong();
   this->Floor->GetProperty()->SetDiffuse(0.0);
   this->Floor->GetProperty()->SetSpecular(1.0);
   this->Floor->GetProperty()->SetSpecularPower(6.0);
-  this->Compare("Phong, power 6", 64, { 0.066, 0.0225, 0.012 });
+  this->ExpectErrors("Phong, power 6", 64, { 0.066, 0.0225, 0.012 });
 }
 
-// The noise of one ray a pixel is averaged where the resource "reflection" is accumulated.
-TEST_F(GlossyFloor, is_accumulated_over_frames)
+// Temporal accumulation of the resource "reflection" averages the noise of one ray per pixel.
+TEST_F(GlossyFloor, IsAccumulatedOverFrames)
 {
-  this->Mirror(0.5);
-  this->Reference(64);
+  this->UseMetalFloor(0.5);
+  this->TraceReference(64);
   this->Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "off");
   this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
   const double first = this->RelMse(this->Radiance(1));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Probes baked beforehand: energy, leaks, what moves among them, and when they no longer fit.
+ * Baked probes: energy, leaks, moving props, and mismatches with the scene.
  */
 #include "BakedStage.h"
 
@@ -30,18 +30,15 @@ TEST_F(SHProbes, ClosedEnclosureKeepsItsEnergy)
   constexpr double albedo = 0.8;
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, albedo)->GetProperty()->SetAmbient(emission);
   this->Bake(64, 16384);
-  this->ExpectEverywhere(emission / (1.0 - albedo), 0.0016, 0.03);
+  this->ExpectRadiosity(emission / (1.0 - albedo), 0.0016, 0.03);
 }
 
 TEST_F(SHProbes, ARoomNextDoorStaysDark)
 {
-  // Two rooms of 2 x 2 x 2 with a thin wall between them, a lamp in the left one.
   this->Lamp->SetIntensity(1.0);
-  this->Lamp->SetPosition(-1.2, 0.3, 0.4);
   for (const double thickness : { 0.1, 0.02 })
   {
-    vtkActor* left = this->AddBox(-2.0, -0.5 * thickness, -1.0, 1.0, -1.0, 1.0, 0.7);
-    vtkActor* right = this->AddBox(0.5 * thickness, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+    const auto rooms = this->AddTwoRooms(thickness);
     this->Bake(512, 512);
     this->LookFrom(-1.8, -0.8, 0.8, -0.5, 0.5, -0.5);
     const double bright = Mean(this->After(1));
@@ -52,35 +49,37 @@ TEST_F(SHProbes, ARoomNextDoorStaysDark)
     this->Pass->GetTechnique("shadow-maps")->EnabledOn();
     const Values dark = this->After(1);
     this->Probes->EnabledOff();
-    const Values none = this->After(1); // what shadow maps leave
+    const Values without = this->After(1); // light that shadow maps let through
     this->Probes->EnabledOn();
     this->Pass->GetTechnique("shadow-maps")->EnabledOff();
-    double most = 0.0;
+    double largest = 0.0;
     for (std::size_t i = 0; i < dark.size(); ++i)
     {
-      most = std::max(most, dark[i] - none[i]);
+      largest = std::max(largest, dark[i] - without[i]);
     }
     std::printf("wall of %.2f, cells of %.2f: lit room's indirect light %.4f, dark room %.6f "
                 "(%.3f %%), at most %.6f\n",
-      thickness, this->Field->GetSpacing()[0], bright - direct, Mean(dark) - Mean(none),
-      100.0 * (Mean(dark) - Mean(none)) / (bright - direct), most);
+      thickness, this->Field->GetSpacing()[0], bright - direct, Mean(dark) - Mean(without),
+      100.0 * (Mean(dark) - Mean(without)) / (bright - direct), largest);
     EXPECT_LT(thickness, 0.5 * this->Field->GetSpacing()[0]);
     EXPECT_GT(bright - direct, 0.1 * direct);
-    EXPECT_LT(Mean(dark) - Mean(none), 1e-5 * (bright - direct));
-    EXPECT_LT(most, 0.01 * (bright - direct));
-    this->Scene.Renderer->RemoveActor(left);
-    this->Scene.Renderer->RemoveActor(right);
+    EXPECT_LT(Mean(dark) - Mean(without), 1e-5 * (bright - direct));
+    EXPECT_LT(largest, 0.01 * (bright - direct));
+    for (vtkActor* room : rooms)
+    {
+      this->Scene.Renderer->RemoveActor(room);
+    }
   }
 }
 
-TEST_F(SHProbes, AMovingBallIsLitAsThePathTracerLightsIt)
+TEST_F(SHProbes, AMovingBallMatchesThePathTracer)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7)->GetProperty()->SetColor(1.0, 0.7, 0.5);
   this->AddBox(-0.9, -0.3, -0.9, -0.3, -1.0, 0.1, 0.5);
   this->Lamp->SetPosition(0.4, -0.3, 0.8);
   this->Lamp->SetIntensity(1.0);
   this->Bake(729, 1024);
-  // Seen from above, and nothing else.
+  // The ball, seen from above, fills the picture.
   constexpr double radius = 0.12;
   constexpr int side = 24;
   this->Scene.Window->SetSize(side, side);
@@ -126,15 +125,15 @@ TEST_F(SHProbes, AMovingBallIsLitAsThePathTracerLightsIt)
   }
 }
 
-// A room is a box seen from inside, a block one seen from outside: which side is which says nothing of light.
+// A room is a box seen from inside, a block a box seen from outside: winding says nothing about light.
 TEST_F(SHProbes, WindingMakesNoDifference)
 {
   this->Lamp->SetPosition(0.4, -0.3, 0.8);
   this->Lamp->SetIntensity(0.7);
   this->LookFrom(0.9, 0.8, 0.8, -0.7, -0.6, -0.3);
   std::vector<double> means;
-  const std::array<Winding, 2> windings[] = { { Winding::AsMade, Winding::AsMade },
-    { Winding::Reversed, Winding::AsMade }, { Winding::AsMade, Winding::Reversed },
+  const std::array<Winding, 2> windings[] = { { Winding::Original, Winding::Original },
+    { Winding::Reversed, Winding::Original }, { Winding::Original, Winding::Reversed },
     { Winding::Reversed, Winding::Reversed }, { Winding::Mixed, Winding::Mixed } };
   for (const auto& winding : windings)
   {
@@ -142,14 +141,14 @@ TEST_F(SHProbes, WindingMakesNoDifference)
       this->AddBox(-0.9, -0.2, -0.9, -0.2, -1.0, 0.1, 0.6) };
     for (int i = 0; i < 2; ++i)
     {
-      Wind(parts[i], winding[i]);
+      SetWinding(parts[i], winding[i]);
     }
     this->Bake(512, 1024);
     const double with = Mean(this->After(1));
     this->Probes->EnabledOff();
     means.push_back(with - Mean(this->After(1)));
     this->Probes->EnabledOn();
-    constexpr const char* names[] = { "as made", "reversed", "mixed" };
+    constexpr const char* names[] = { "original", "reversed", "mixed" };
     std::printf("room %s, block %s: indirect light %.4f\n", names[static_cast<int>(winding[0])],
       names[static_cast<int>(winding[1])], means.back());
     for (vtkActor* part : parts)
@@ -164,9 +163,9 @@ TEST_F(SHProbes, WindingMakesNoDifference)
   }
 }
 
-// What is kept of radiance is drawn apart from what the window shows.
-// Light from one side rings: beside it there is too little, cut off at 0, unless it is windowed.
-TEST_F(SHProbes, TheWindowLeavesNoLightBelowZero)
+// Spherical harmonics of light from one side ring: other sides get negative light, cut off at 0, unless they are
+// windowed.
+TEST_F(SHProbes, WindowingPreventsNegativeLight)
 {
   constexpr double glow = 20.0;
   this->AddBox(-0.1, 0.1, -0.1, 0.1, 0.9, 1.0, 0.0)->GetProperty()->SetAmbient(glow);
@@ -174,21 +173,22 @@ TEST_F(SHProbes, TheWindowLeavesNoLightBelowZero)
   this->Bake(64, 16384);
   this->AddBall(0.0, 0.0, 0.0, 0.3);
   this->LookFrom(0.0, -0.99, 0.0, 0.0, 0.0, 0.0);
-  const auto lit = [this](int window) { // down the ball's middle, of 36 rows
+  const auto litRows = [this](int window) { // of 12 rows down the middle of the ball
     this->Probes->SetWindow(window);
     const Values values = this->After(1);
-    int above = 0;
+    int lit = 0;
     for (int row = 12; row < 24; ++row)
     {
-      above += values[48 * row + 24] > 1e-5 ? 1 : 0;
+      lit += values[48 * row + 24] > 1e-5 ? 1 : 0;
     }
-    return above;
+    return lit;
   };
-  EXPECT_LT(lit(0), 6);
-  EXPECT_EQ(lit(1), 12);
+  EXPECT_LT(litRows(0), 6);
+  EXPECT_EQ(litRows(1), 12);
 }
 
-TEST_F(SHProbes, WindowsShowTheLightMultisampledOrNot)
+// Kept radiance is drawn separately from the window's picture.
+TEST_F(SHProbes, WindowsShowTheLightWithAndWithoutMultisampling)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.5);
   this->Lamp->SetPosition(0.3, -0.2, 0.4);
@@ -209,58 +209,58 @@ TEST_F(SHProbes, WindowsShowTheLightMultisampledOrNot)
   }
 }
 
-TEST_F(SHProbes, SayWhenTheyNoLongerFit)
+TEST_F(SHProbes, ReportAMismatchWithTheScene)
 {
   vtkActor* room = this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
   this->Lamp->SetPosition(0.3, -0.2, 0.4);
   this->Lamp->SetIntensity(1.0);
   this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
   this->After(1);
-  EXPECT_TRUE(this->Notes("without a bake"));
+  EXPECT_TRUE(this->HasNote("without a bake"));
   const double direct = Mean(this->After(1));
   this->Bake(64, 128);
   const double lit = Mean(this->After(1));
   EXPECT_GT(lit, 1.2 * direct);
   EXPECT_STREQ(this->Pass->GetNotes(), "");
-  // What the bake does not know may come and move.
+  // Props unknown to the bake may appear and move.
   vtkActor* ball = this->AddBall(-0.8, -0.8, -0.8, 0.1);
   this->After(1);
   ball->SetPosition(-0.7, -0.7, -0.7);
   EXPECT_GT(Mean(this->After(1)), 1.15 * direct);
   EXPECT_STREQ(this->Pass->GetNotes(), "");
   ball->VisibilityOff();
-  // What it knows may not, for one frame. DDGI stands in, unless it is not to.
+  // A change of anything in the bake counts in the same frame. DDGI stands in, unless the fallback is off.
   this->Lamp->SetPosition(0.3, -0.2, 0.5);
   this->After(1);
   EXPECT_TRUE(this->Pass->GetTechnique("ddgi")->GetTookPart());
   this->Lamp->SetPosition(0.3, -0.2, 0.4);
   this->Probes->LiveFallbackOff();
-  const auto stale = [&](const char* words) {
-    const double now = Mean(this->After(1));
-    EXPECT_TRUE(this->Notes(words)) << this->Pass->GetNotes();
-    EXPECT_TRUE(this->Notes("no longer fit"));
+  const auto expectStale = [&](const char* words) {
+    const double shown = Mean(this->After(1));
+    EXPECT_TRUE(this->HasNote(words)) << this->Pass->GetNotes();
+    EXPECT_TRUE(this->HasNote("no longer fit"));
     this->Probes->EnabledOff();
-    EXPECT_DOUBLE_EQ(now, Mean(this->After(1)));
+    EXPECT_DOUBLE_EQ(shown, Mean(this->After(1)));
     this->Probes->EnabledOn();
   };
   this->Lamp->SetPosition(0.3, -0.2, 0.5);
-  stale("light");
+  expectStale("light");
   EXPECT_NE(this->Probes->GetMismatch(this->Scene.Renderer), "");
   this->Lamp->SetPosition(0.3, -0.2, 0.4);
   EXPECT_NEAR(Mean(this->After(1)), lit, 1e-6);
   EXPECT_STREQ(this->Pass->GetNotes(), "");
   room->GetProperty()->SetColor(0.2, 0.9, 0.2);
-  stale("object");
+  expectStale("object");
   room->GetProperty()->SetColor(1.0, 1.0, 1.0);
   room->SetScale(0.99);
-  stale("object");
+  expectStale("object");
 }
 
-TEST_F(SHProbes, RefuseWhatIsNoBake)
+TEST_F(SHProbes, RefuseInvalidBakes)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
   this->Bake(27, 1);
-  const auto refused = [this](vtkImageData* image, const char* reason) {
+  const auto expectRefused = [this](vtkImageData* image, const char* reason) {
     EXPECT_FALSE(this->Probes->SetBake(image));
     EXPECT_NE(std::string(this->Probes->GetBakeError()).find(reason), std::string::npos)
       << this->Probes->GetBakeError();
@@ -268,17 +268,17 @@ TEST_F(SHProbes, RefuseWhatIsNoBake)
   };
   vtkNew<vtkImageData> other;
   other->SetDimensions(3, 3, 3);
-  refused(other, "no field of probes");
-  const auto without = [&](const char* name) {
+  expectRefused(other, "no field of probes");
+  const auto expectRequired = [&](const char* name) {
     vtkNew<vtkImageData> part;
     part->ShallowCopy(this->Field);
     part->GetPointData()->RemoveArray(name);
     part->GetFieldData()->RemoveArray(name);
-    refused(part, name);
+    expectRefused(part, name);
   };
   for (const char* name : { "format", "light", "distance", "offset", "sight", "backs", "samples" })
   {
-    without(name);
+    expectRequired(name);
   }
   vtkNew<vtkImageData> newer;
   newer->ShallowCopy(this->Field);
@@ -286,26 +286,26 @@ TEST_F(SHProbes, RefuseWhatIsNoBake)
   format->SetName("format");
   format->InsertNextValue("penumbra probes 99");
   newer->GetFieldData()->AddArray(format);
-  refused(newer, "probes 99");
+  expectRefused(newer, "probes 99");
   vtkNew<vtkImageData> broken;
   broken->DeepCopy(this->Field);
   broken->SetSpacing(1.0, 0.0, 1.0);
-  refused(broken, "spacing");
-  vtkNew<vtkImageData> owing;
-  owing->DeepCopy(this->Field);
-  vtkIntArray::SafeDownCast(owing->GetFieldData()->GetArray("samples"))->SetValue(0, -5);
-  refused(owing, "samples");
-  EXPECT_FALSE(this->Baker->AddSamples(this->Scene.Renderer, owing, 5));
+  expectRefused(broken, "spacing");
+  vtkNew<vtkImageData> negative;
+  negative->DeepCopy(this->Field);
+  vtkIntArray::SafeDownCast(negative->GetFieldData()->GetArray("samples"))->SetValue(0, -5);
+  expectRefused(negative, "samples");
+  EXPECT_FALSE(this->Baker->AddSamples(this->Scene.Renderer, negative, 5));
   EXPECT_STRNE(this->Baker->GetLastError(), "");
-  vtkNew<vtkImageData> many;
-  many->ShallowCopy(this->Field);
-  many->SetDimensions(911, 910, 2);
-  refused(many, "to 828100 in all");
+  vtkNew<vtkImageData> tooMany;
+  tooMany->ShallowCopy(this->Field);
+  tooMany->SetDimensions(911, 910, 2);
+  expectRefused(tooMany, "to 828100 in all");
   EXPECT_TRUE(this->Probes->SetBake(nullptr));
   EXPECT_FALSE(this->Probes->HasBake());
 }
 
-TEST_F(SHProbes, BallsShowThemUnlessSomethingIsBefore)
+TEST_F(SHProbes, BallsShowVisibleProbes)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0)->GetProperty()->SetAmbient(1.0);
   this->Bake(125, 1024);
@@ -316,21 +316,21 @@ TEST_F(SHProbes, BallsShowThemUnlessSomethingIsBefore)
   wall->VisibilityOff();
   this->AddBox(-9.0, -8.0, -9.0, 9.0, -9.0, 9.0, 0.0); // something to draw
   this->Probes->SetShow(true);
-  double most = 0.0;
-  const auto shown = [&] {
+  double largest = 0.0;
+  const auto countPixels = [&] {
     int count = 0;
     for (const double value : this->After(1))
     {
       count += value > 0.0;
-      most = std::max(most, value);
+      largest = std::max(largest, value);
     }
     return count;
   };
-  const int all = shown();
+  const int all = countPixels();
   wall->VisibilityOn();
-  const int before = shown();
-  std::printf("pixels of balls: %d, before a wall %d, brightest %.3f\n", all, before, most);
-  EXPECT_NEAR(most, 1.0, 0.05); // a white ball in light of 1
+  const int before = countPixels();
+  std::printf("pixels of balls: %d, before a wall %d, brightest %.3f\n", all, before, largest);
+  EXPECT_NEAR(largest, 1.0, 0.05); // a white ball in light of 1
   EXPECT_GT(before, 20);
   EXPECT_GT(all, before + 50);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Screen-space reflections: on a planar mirror they are what a camera behind the mirror sees, wherever
- * the screen shows it; elsewhere every pixel says why not.
+ * Screen-space reflections: a planar mirror shows what a camera behind it sees, wherever the screen has it. Every other
+ * pixel has a reason for its missing reflection.
  */
 #include "ReflectionStage.h"
 
@@ -19,10 +19,10 @@ namespace
 {
 using ScreenSpaceReflections = ReflectionStage;
 
-// Window coordinates (pixels, depth) to the world and back.
-struct Lens
+// Converts between window coordinates (pixels, depth) and the world.
+struct Projection
 {
-  Lens(vtkRenderer* renderer, int width, int height)
+  Projection(vtkRenderer* renderer, int width, int height)
     : Size(width, height)
   {
     vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
@@ -47,35 +47,35 @@ struct Lens
   glm::dmat4 ToWorld;
 };
 
-// What a camera behind the mirror sees at a pixel, and where the eye would see that.
-struct Expected
+// The point that a camera behind the mirror sees at a pixel, and its position in the viewer's picture.
+struct MirroredPoint
 {
-  bool Something = false;
-  bool Shown = false; ///< the eye sees it
+  bool Exists = false;
+  bool OnScreen = false; ///< visible in the viewer's picture
   glm::dvec3 Point{ 0.0 };
   glm::dvec2 Window{ 0.0 };
 };
 
 struct Agreement
 {
-  int Shown = 0;  ///< pixels whose reflection the screen shows
-  int Near = 0;   ///< of those, found within a pixel
-  int Missed = 0; ///< of those, not found
-  int Found = 0;  ///< all that found something
-  int Wrong = 0;  ///< of those, what neither this nor an adjoining pixel reflects
-  int Streak = 0; ///< longest run of wrong pixels that is no more than two pixels wide
+  int Shown = 0;  ///< pixels whose reflected point is on the screen
+  int Near = 0;   ///< of those, hit within a pixel
+  int Missed = 0; ///< of those, not hit
+  int Found = 0;  ///< pixels with any hit
+  int Wrong = 0;  ///< of those, hits that neither the pixel nor its neighbours reflect
+  int Streak = 0; ///< longest run of wrong pixels that is at most two pixels wide
 };
 
 // A pixel is about 0.015 wide in these pictures.
 constexpr double SamePoint = 0.03;
 
-bool Matches(const Expected& expected, const glm::dvec3& met, const glm::dvec2& window)
+bool Matches(const MirroredPoint& expected, const glm::dvec3& hit, const glm::dvec2& window)
 {
-  return expected.Something && glm::length(expected.Window - window) <= 2.0 &&
-    glm::length(expected.Point - met) <= 4.0 * SamePoint;
+  return expected.Exists && glm::length(expected.Window - window) <= 2.0 &&
+    glm::length(expected.Point - hit) <= 4.0 * SamePoint;
 }
 
-// The longest run across pixels that are set, where it is at most two wide the other way.
+// Length of the longest run of set pixels along a direction that is at most two pixels wide across it.
 int ThinRun(const std::vector<char>& set, int width, int height, int dx, int dy)
 {
   const auto at = [&](int x, int y) {
@@ -106,38 +106,36 @@ int ThinRun(const std::vector<char>& set, int width, int height, int dx, int dy)
   }
   return longest;
 }
-}
 
-namespace
-{
 // The mirrored camera's picture has left and right exchanged.
-std::vector<Expected> MirrorImage(
-  const Picture& seen, const Lens& lens, const Picture& behind, const Lens& mirrored)
+std::vector<MirroredPoint> MirrorImage(const Picture& seen, const Projection& projection,
+  const Picture& behind, const Projection& mirrored)
 {
-  std::vector<Expected> image(seen.Depth.size());
+  std::vector<MirroredPoint> image(seen.Depth.size());
   for (int y = 0; y < seen.Height; ++y)
   {
     for (int x = 0; x < seen.Width; ++x)
     {
-      Expected& pixel = image[y * seen.Width + x];
+      MirroredPoint& pixel = image[y * seen.Width + x];
       const int across = seen.Width - 1 - x;
       const float depth = behind.Depth[y * seen.Width + across];
-      pixel.Something = depth < 1.0f;
+      pixel.Exists = depth < 1.0f;
       pixel.Point = mirrored.World({ across + 0.5, y + 0.5, depth });
-      pixel.Window = glm::dvec2(lens.Window(pixel.Point));
+      pixel.Window = glm::dvec2(projection.Window(pixel.Point));
       const glm::ivec2 at(glm::floor(pixel.Window));
-      if (pixel.Something && at.x >= 0 && at.y >= 0 && at.x < seen.Width && at.y < seen.Height)
+      if (pixel.Exists && at.x >= 0 && at.y >= 0 && at.x < seen.Width && at.y < seen.Height)
       {
         const float surface = seen.Depth[at.y * seen.Width + at.x];
-        pixel.Shown = glm::length(lens.World({ pixel.Window, surface }) - pixel.Point) < SamePoint;
+        pixel.OnScreen =
+          glm::length(projection.World({ pixel.Window, surface }) - pixel.Point) < SamePoint;
       }
     }
   }
   return image;
 }
 
-Agreement CompareEnds(const std::vector<glm::vec4>& ends, const Picture& seen, const Lens& lens,
-  const std::vector<Expected>& image, const std::string& name)
+Agreement CompareEnds(const std::vector<glm::vec4>& ends, const Picture& seen,
+  const Projection& projection, const std::vector<MirroredPoint>& image, const std::string& name)
 {
   Agreement result;
   Picture map = seen; // green: right, red: off, blue: missed, yellow: wrong
@@ -149,20 +147,20 @@ Agreement CompareEnds(const std::vector<glm::vec4>& ends, const Picture& seen, c
       const std::size_t i = y * seen.Width + x;
       const bool mirror = static_cast<int>(ends[i].z) != GI_REFLECTION_NONE;
       const bool hit = static_cast<int>(ends[i].z) == GI_REFLECTION_HIT;
-      const bool shown = mirror && image[i].Shown;
+      const bool shown = mirror && image[i].OnScreen;
       const glm::dvec2 window(ends[i]);
       const bool right = hit && shown && glm::length(image[i].Window - window) <= 1.0;
       if (hit)
       {
         const std::size_t at =
           static_cast<std::size_t>(window.y) * seen.Width + static_cast<std::size_t>(window.x);
-        const glm::dvec3 met = lens.World({ window, seen.Depth[at] });
+        const glm::dvec3 point = projection.World({ window, seen.Depth[at] });
         bool known = false;
         for (int n = 0; n < 9; ++n)
         {
           const int px = std::clamp(x + n % 3 - 1, 0, seen.Width - 1);
           const int py = std::clamp(y + n / 3 - 1, 0, seen.Height - 1);
-          known = known || Matches(image[py * seen.Width + px], met, window);
+          known = known || Matches(image[py * seen.Width + px], point, window);
         }
         wrong[i] = !right && !known;
       }
@@ -187,9 +185,9 @@ Agreement CompareEnds(const std::vector<glm::vec4>& ends, const Picture& seen, c
 }
 }
 
-TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
+TEST_F(ScreenSpaceReflections, AMirrorShowsWhatACameraBehindItSees)
 {
-  this->AddThings();
+  this->AddObjects();
   this->Reflections->SetParameterFromText("debug-view", "reasons");
   std::printf(
     "%-28s %8s %9s %8s %8s %8s\n", "view", "shown", "within 1", "missed", "wrong", "streak");
@@ -197,28 +195,28 @@ TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
   {
     double X, Y, Z;
     bool Parallel;
-    double Far, Missed, Wrong; ///< percent at most, of what is shown, shown and found
-    int Streak;                ///< pixels at most
+    double Far, Missed, Wrong; ///< largest percentages: of Shown, of Shown, of Found
+    int Streak;                ///< largest number of pixels
   };
   for (const Eye& eye : { Eye{ 0, -6, 2.5, false, 2.0, 1.6, 3.0, 12 },
          Eye{ 3, -5, 1.2, false, 1.0, 0.75, 3.0, 10 }, Eye{ -2, -4, 4, false, 1.8, 1.5, 2.2, 6 },
          Eye{ 0, -6, 2.5, true, 0.9, 0.9, 1.2, 12 }, Eye{ 3, -5, 1.5, true, 0.75, 0.6, 2.8, 4 } })
   {
     this->Floor->VisibilityOn();
-    this->Look(eye.X, eye.Y, eye.Z, eye.Parallel, false);
+    this->LookFrom(eye.X, eye.Y, eye.Z, eye.Parallel, false);
     const Picture seen = Shoot(this->Scene.Window);
     const std::vector<glm::vec4> ends = this->Ends();
-    const Lens lens(this->Scene.Renderer, seen.Width, seen.Height);
+    const Projection projection(this->Scene.Renderer, seen.Width, seen.Height);
     this->Floor->VisibilityOff();
-    this->Look(eye.X, eye.Y, eye.Z, eye.Parallel, true);
+    this->LookFrom(eye.X, eye.Y, eye.Z, eye.Parallel, true);
     const Picture behind = Shoot(this->Scene.Window);
-    const Lens mirrored(this->Scene.Renderer, seen.Width, seen.Height);
+    const Projection mirrored(this->Scene.Renderer, seen.Width, seen.Height);
 
     char name[64];
     std::snprintf(name, sizeof(name), "%s from (%g, %g, %g)",
       eye.Parallel ? "parallel" : "perspective", eye.X, eye.Y, eye.Z);
     const Agreement found =
-      CompareEnds(ends, seen, lens, MirrorImage(seen, lens, behind, mirrored), name);
+      CompareEnds(ends, seen, projection, MirrorImage(seen, projection, behind, mirrored), name);
     std::printf("%-28s %8d %8.2f%% %7.2f%% %7.2f%% %8d\n", name, found.Shown,
       100.0 * found.Near / found.Shown, 100.0 * found.Missed / found.Shown,
       100.0 * found.Wrong / found.Found, found.Streak);
@@ -230,11 +228,11 @@ TEST_F(ScreenSpaceReflections, a_mirror_shows_what_a_camera_behind_it_sees)
   }
 }
 
-// Every pixel has one reason; those that tell of something missing are right about it.
-TEST_F(ScreenSpaceReflections, every_pixel_says_how_its_ray_ended)
+// Every pixel has exactly one reason.
+TEST_F(ScreenSpaceReflections, EveryPixelHasAReason)
 {
-  this->AddThings();
-  vtkNew<vtkSphereSource> bulb; // faces everywhere, the eye too
+  this->AddObjects();
+  vtkNew<vtkSphereSource> bulb; // faces every direction, also the camera
   bulb->SetCenter(2.2, -1.4, 0.5);
   bulb->SetRadius(0.5);
   bulb->SetThetaResolution(64);
@@ -242,7 +240,7 @@ TEST_F(ScreenSpaceReflections, every_pixel_says_how_its_ray_ended)
   vtkActor* chrome = this->Scene.Add(bulb);
   chrome->SetProperty(this->Floor->GetProperty());
   this->Reflections->SetParameterFromText("debug-view", "reasons");
-  this->Look(0, -6, 2.5, false, false);
+  this->LookFrom(0, -6, 2.5, false, false);
   const auto count = [this] {
     const Picture seen = Shoot(this->Scene.Window);
     std::array<int, GI_REFLECTION_ENDS> counts{};
@@ -288,19 +286,19 @@ TEST_F(ScreenSpaceReflections, every_pixel_says_how_its_ray_ended)
   EXPECT_GT(traced[GI_REFLECTION_RAY], 0);
   this->Reflections->SetParameterFromText("fallback", "environment");
 
-  this->Mirror(0.9);
+  this->UseMetalFloor(0.9);
   EXPECT_EQ(count()[GI_REFLECTION_ROUGH], reflecting);
-  this->Mirror(0.0);
+  this->UseMetalFloor(0.0);
   this->Floor->GetProperty()->SetColor(0.1, 0.1, 0.1);
   this->Floor->GetProperty()->SetEdgeTint(0.1, 0.1, 0.1);
   this->Reflections->SetParameter("minimum-reflectance", 0.2);
   EXPECT_EQ(count()[GI_REFLECTION_WEAK], reflecting);
 }
 
-TEST_F(ScreenSpaceReflections, what_does_not_reflect_costs_nothing)
+TEST_F(ScreenSpaceReflections, SurfacesWithoutReflectionCostNothing)
 {
-  this->AddThings();
-  this->Look(0, -6, 2.5, false, false);
+  this->AddObjects();
+  this->LookFrom(0, -6, 2.5, false, false);
   this->Pass->CollectStatisticsOn();
   Shoot(this->Scene.Window);
   EXPECT_TRUE(this->Ran());

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cascades in pictures: shadows stand still while the camera moves and turns.
+// Cascades in pictures: shadows do not move while the camera moves and turns.
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGIShadowMaps.h"
 
 #include <vtkCubeSource.h>
 #include <vtkMatrix4x4.h>
-#include <vtkPlaneSource.h>
 
 #include <cstdio>
 
@@ -23,7 +23,7 @@ constexpr double Depth = 1000.0; // of the scene, a hundred times its width
 
 void AddPosts(Stage& stage)
 {
-  // Wider with distance, so that pixels tell their shadows from the floor.
+  // Posts get wider with distance, so that their shadows stay visible.
   for (int i = 0; i < 16; ++i)
   {
     const double y = 6.0 * std::pow(1.3, i);
@@ -37,34 +37,26 @@ void AddPosts(Stage& stage)
 
 void AddCorridor(Stage& stage)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-5.0, 0.0, 0.0);
-  plane->SetPoint1(5.0, 0.0, 0.0);
-  plane->SetPoint2(-5.0, Depth, 0.0);
-  stage.Add(plane)->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  AddFloor(stage, -5.0, 5.0, 0.0, Depth)->GetProperty()->SetColor(1.0, 1.0, 1.0);
   AddPosts(stage);
-  vtkNew<vtkLight> sun;
-  sun->SetLightTypeToSceneLight();
-  sun->SetPosition(-3.0, 1.0, 4.0);
-  sun->SetFocalPoint(0.0, 0.0, 0.0);
   stage.Renderer->AutomaticLightCreationOff();
-  stage.Renderer->AddLight(sun);
+  AddLight(stage, -3.0, 1.0, 4.0);
 }
 
-// A picture, and where points of the floor are seen in it.
-struct Sight
+// A picture with the projection that it was drawn with.
+struct View
 {
-  Picture Shown;
+  Picture Image;
   vtkNew<vtkMatrix4x4> WorldToClip;
 
-  explicit Sight(Stage& stage)
-    : Shown(Shoot(stage.Window))
+  explicit View(Stage& stage)
+    : Image(Shoot(stage.Window))
   {
     this->WorldToClip->DeepCopy(
       stage.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
         stage.Renderer->GetTiledAspectRatio(), 0.0, 1.0));
   }
-  // The pixel that shows a point of the floor; false where something hides it.
+  // Find the pixel that shows a point of the floor. Returns false where the point is hidden.
   bool Find(double x, double y, int& column, int& row) const
   {
     const double point[4] = { x, y, 0.0, 1.0 };
@@ -84,15 +76,16 @@ struct Sight
     {
       const int c = column + i % 7 - 3;
       const int r = row + i / 7 - 3;
-      if (std::abs(this->Shown.Depth[r * Width + c] - clip[2] / clip[3]) > 1e-2)
+      if (std::abs(this->Image.Depth[r * Width + c] - clip[2] / clip[3]) > 1e-2)
       {
         return false;
       }
     }
     return true;
   }
-  double Brightness(int column, int row) const { return this->Shown.Grey(column, row); }
-  bool IsEven(int column, int row) const
+  double Brightness(int column, int row) const { return this->Image.Grey(column, row); }
+  // Whether brightness is uniform around a pixel.
+  bool IsUniform(int column, int row) const
   {
     for (int i = 0; i < 49; ++i)
     {
@@ -106,7 +99,7 @@ struct Sight
   }
 };
 
-void Place(Stage& stage, const double (&eye)[3], double turn)
+void PlaceCamera(Stage& stage, const double (&eye)[3], double turn)
 {
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
   camera->SetViewUp(0.0, 0.0, 1.0);
@@ -116,7 +109,7 @@ void Place(Stage& stage, const double (&eye)[3], double turn)
   camera->SetClippingRange(1.0, 1200.0);
 }
 
-TEST(ShadowCascades, ShadowsStandStillUnderAMovingCamera)
+TEST(ShadowCascades, ShadowsDoNotMoveWithTheCamera)
 {
   Stage stage;
   stage.Window->SetSize(Width, Height);
@@ -125,10 +118,10 @@ TEST(ShadowCascades, ShadowsStandStillUnderAMovingCamera)
   auto* shadows = vtkGIShadowMaps::SafeDownCast(pass->GetTechnique("shadow-maps"));
   shadows->EnabledOn();
   const double eye[3] = { 0.0, 0.5, 6.0 };
-  Place(stage, eye, 0.0);
-  const Sight first(stage);
+  PlaceCamera(stage, eye, 0.0);
+  const View first(stage);
   EXPECT_GE(shadows->GetDrawnMaps(), 2);
-  Save(first.Shown, "cascades");
+  Save(first.Image, "cascades");
   int changed[2] = { 0, 0 };
   int compared = 0;
   int atEdges = 0;
@@ -136,11 +129,12 @@ TEST(ShadowCascades, ShadowsStandStillUnderAMovingCamera)
   int dark = 0;
   for (int frame = 1; frame <= 400; ++frame)
   {
-    // Steps of a quarter of the nearest texels, then turns of a third of a pixel.
-    const double way = 0.002 * std::min(frame, 200);
-    const double at[3] = { eye[0] + 0.7 * way, eye[1] + 0.6 * way, eye[2] + 0.4 * way };
-    Place(stage, at, 0.001 * std::max(0, frame - 200));
-    const Sight now(stage);
+    // Steps of a quarter of the nearest texels, then rotations by a third of a pixel.
+    const double distance = 0.002 * std::min(frame, 200);
+    const double at[3] = { eye[0] + 0.7 * distance, eye[1] + 0.6 * distance,
+      eye[2] + 0.4 * distance };
+    PlaceCamera(stage, at, 0.001 * std::max(0, frame - 200));
+    const View current(stage);
     drawn += shadows->GetDrawnMaps();
     for (int i = 0; i < 4000; ++i)
     {
@@ -150,12 +144,12 @@ TEST(ShadowCascades, ShadowsStandStillUnderAMovingCamera)
       int row = 0;
       int c = 0;
       int r = 0;
-      if (!first.Find(x, y, column, row) || !now.Find(x, y, c, r))
+      if (!first.Find(x, y, column, row) || !current.Find(x, y, c, r))
       {
         continue;
       }
-      const bool differs = std::abs(first.Brightness(column, row) - now.Brightness(c, r)) > 8.0;
-      if (!first.IsEven(column, row))
+      const bool differs = std::abs(first.Brightness(column, row) - current.Brightness(c, r)) > 8.0;
+      if (!first.IsUniform(column, row))
       {
         atEdges += differs;
         continue;

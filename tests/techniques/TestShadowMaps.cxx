@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Shadow maps: no acne, no gap, in the right place, for every kind of light, and up to date.
+ * Shadow maps: no acne, no contact gap, the right position, every kind of light, and updates.
  */
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGIShadowMaps.h"
@@ -14,7 +15,6 @@
 #include <vtkCubeSource.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
@@ -45,23 +45,12 @@ protected:
 
   vtkLight* AddLight(double x, double y, double z)
   {
-    vtkNew<vtkLight> light;
-    light->SetLightTypeToSceneLight();
-    light->SetPosition(x, y, z);
-    light->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Scene.Renderer->AddLight(light);
-    return light;
+    return penumbra_test::AddLight(this->Scene, x, y, z);
   }
 
-  vtkActor* AddFloor(double half)
+  void AddWhiteFloor(double half)
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-half, -half, 0.0);
-    plane->SetPoint1(half, -half, 0.0);
-    plane->SetPoint2(-half, half, 0.0);
-    vtkActor* floor = this->Scene.Add(plane);
-    floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    return floor;
+    AddFloor(this->Scene, -half, half, -half, half)->GetProperty()->SetColor(1.0, 1.0, 1.0);
   }
 
   vtkActor* AddBox()
@@ -73,7 +62,7 @@ protected:
     return box;
   }
 
-  // Straight down in parallel projection: x to the right, height world units tall.
+  // Look straight down in parallel projection, x to the right. height is that of the picture in world units.
   void LookDown(double height)
   {
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
@@ -85,12 +74,12 @@ protected:
     this->Scene.Renderer->ResetCameraClippingRange();
   }
 
-  Picture With()
+  Picture WithShadows()
   {
     this->Shadows->EnabledOn();
     return Shoot(this->Scene.Window);
   }
-  Picture Without()
+  Picture WithoutShadows()
   {
     this->Shadows->EnabledOff();
     return Shoot(this->Scene.Window);
@@ -101,8 +90,8 @@ protected:
   vtkGIShadowMaps* Shadows = nullptr;
 };
 
-// Pixels that the shadow pass darkened by more than a rounding.
-int Darkened(const Picture& with, const Picture& without)
+// Number of pixels that shadows darken by more than rounding.
+int CountDarkened(const Picture& with, const Picture& without)
 {
   int count = 0;
   for (int y = 0; y < with.Height; ++y)
@@ -116,9 +105,9 @@ int Darkened(const Picture& with, const Picture& without)
 }
 }
 
-TEST_F(ShadowMaps, flat_receiver_has_no_acne_from_0_to_85_degrees)
+TEST_F(ShadowMaps, FlatReceiversHaveNoAcneFrom0To85Degrees)
 {
-  this->AddFloor(2.0);
+  this->AddWhiteFloor(2.0);
   Stage::LookAround(this->Scene.Renderer);
   vtkLight* light = this->AddLight(0.0, 0.0, 5.0);
   for (const char* kind : { "directional", "cone", "omnidirectional" })
@@ -129,26 +118,26 @@ TEST_F(ShadowMaps, flat_receiver_has_no_acne_from_0_to_85_degrees)
     {
       const double a = angle * Degrees;
       light->SetPosition(5.0 * std::sin(a) * 0.8, 5.0 * std::sin(a) * 0.6, 5.0 * std::cos(a));
-      const int acne = Darkened(this->With(), this->Without());
+      const int acne = CountDarkened(this->WithShadows(), this->WithoutShadows());
       std::printf("%-16s %2d degrees: %d acne pixels\n", kind, angle, acne);
       EXPECT_EQ(acne, 0) << kind << " at " << angle << " degrees";
     }
   }
-  // What counts them sees shadows.
+  // The count does find shadows.
   light->SetPosition(4.0, 0.0, 3.0);
   this->AddBox();
-  EXPECT_GT(Darkened(this->With(), this->Without()), 1000);
+  EXPECT_GT(CountDarkened(this->WithShadows(), this->WithoutShadows()), 1000);
 }
 
-TEST_F(ShadowMaps, box_on_a_plane_at_45_degrees_stands_in_its_shadow)
+TEST_F(ShadowMaps, AShadowAt45DegreesBeginsAtTheBoxAndHasTheRightLength)
 {
-  this->AddFloor(2.0);
+  this->AddWhiteFloor(2.0);
   this->AddBox();
   this->AddLight(-5.0, 0.0, 5.0);
   this->Shadows->SetResolution(256);
-  this->LookDown(2.5); // 144 pixels a unit: a texel covers about three
-  const Picture with = this->With();
-  const Picture without = this->Without();
+  this->LookDown(2.5); // 144 pixels per unit: a texel covers about three pixels
+  const Picture with = this->WithShadows();
+  const Picture without = this->WithoutShadows();
   // Along the middle row the box's top ends at 0.5 and its shadow at 1.5.
   const double unit = with.Height / 2.5;
   const double texel = std::sqrt(2.0) * 4.0 / 256.0; // the floor seen at 45 degrees fills the map
@@ -170,11 +159,11 @@ TEST_F(ShadowMaps, box_on_a_plane_at_45_degrees_stands_in_its_shadow)
   EXPECT_LT(error, 1.5);
 }
 
-// How far from the foot of a box, or of a wall too thin to hold a point moved by the bias, light shines
-// under it: in texels as they lie on the floor.
-TEST_F(ShadowMaps, contact_gap_is_less_than_a_texel)
+// Width of the lit gap between an occluder and its shadow, in texels projected onto the floor. The occluder is a box,
+// or a wall thinner than the bias.
+TEST_F(ShadowMaps, ContactGapsAreAtMostATexel)
 {
-  this->AddFloor(2.0);
+  this->AddWhiteFloor(2.0);
   vtkNew<vtkCubeSource> cube;
   this->Scene.Add(cube);
   vtkLight* light = this->AddLight(-5.0, 0.0, 5.0);
@@ -189,9 +178,9 @@ TEST_F(ShadowMaps, contact_gap_is_less_than_a_texel)
     for (const bool thin : { false, true })
     {
       cube->SetBounds(thin ? -0.001 : -0.5, 0.0, -0.5, 0.5, 0.0, 1.0);
-      const Picture with = this->With();
-      const Picture without = this->Without();
-      // Fitted to the floor as it is seen from the light, and to the box.
+      const Picture with = this->WithShadows();
+      const Picture without = this->WithoutShadows();
+      // The map fits the floor and the box as seen from the light.
       const double height = 4.0 * std::cos(a) + std::sin(a);
       const double texel = std::max(4.0, height) / 256.0 / std::cos(a);
       int x = with.Width / 2 + 1;
@@ -206,7 +195,7 @@ TEST_F(ShadowMaps, contact_gap_is_less_than_a_texel)
   }
 }
 
-TEST_F(ShadowMaps, box_at_45_degrees_has_no_acne_on_any_lit_face)
+TEST_F(ShadowMaps, ABoxAt45DegreesHasNoAcneOnAnyLitFace)
 {
   vtkActor* box = this->AddBox();
   this->AddLight(-5.0, -5.0, 5.0 * std::sqrt(2.0));
@@ -221,15 +210,16 @@ TEST_F(ShadowMaps, box_at_45_degrees_has_no_acne_on_any_lit_face)
       camera->SetPosition(
         3.0 * std::cos(azimuth * Degrees), 3.0 * std::sin(azimuth * Degrees), 2.5);
       this->Scene.Renderer->ResetCameraClippingRange();
-      // A convex box alone cannot shade its lit faces.
-      EXPECT_EQ(Darkened(this->With(), this->Without()), 0) << azimuth << " turned " << turn;
+      // A convex box cannot shadow its own lit faces.
+      EXPECT_EQ(CountDarkened(this->WithShadows(), this->WithoutShadows()), 0)
+        << azimuth << " turned " << turn;
     }
   }
 }
 
-TEST_F(ShadowMaps, every_kind_of_light_casts)
+TEST_F(ShadowMaps, EveryKindOfLightCastsShadows)
 {
-  this->AddFloor(3.0);
+  this->AddWhiteFloor(3.0);
   vtkNew<vtkSphereSource> ball;
   ball->SetCenter(0.0, 0.0, 1.0);
   ball->SetRadius(0.4);
@@ -248,28 +238,28 @@ TEST_F(ShadowMaps, every_kind_of_light_casts)
   {
     light->SetPositional(kind[0] != 'd');
     light->SetConeAngle(kind[0] == 'c' ? 40.0 : kind[0] == 'w' ? 75.0 : 180.0);
-    const Picture picture = this->With();
+    const Picture picture = this->WithShadows();
     EXPECT_LT(at(picture, 1.0, 0.0), 3.0) << kind;
     EXPECT_GT(at(picture, 1.0, 1.0), 60.0) << kind;
     EXPECT_GT(at(picture, -1.0, 0.0), 60.0) << kind;
   }
 }
 
-TEST_F(ShadowMaps, what_is_out_of_view_still_casts)
+TEST_F(ShadowMaps, PropsOutOfViewCastShadows)
 {
-  this->AddFloor(2.0);
+  this->AddWhiteFloor(2.0);
   vtkNew<vtkCubeSource> slab;
   slab->SetBounds(-1.0, 1.0, -1.0, 1.0, 11.0, 11.1); // behind the camera
   this->Scene.Add(slab);
   this->AddLight(0.0, 0.0, 20.0);
   this->LookDown(1.0);
-  const Picture picture = this->With();
+  const Picture picture = this->WithShadows();
   EXPECT_LT(picture.Grey(picture.Width / 2, picture.Height / 2), 3.0);
 }
 
-TEST_F(ShadowMaps, follow_what_moves_and_are_kept_while_nothing_does)
+TEST_F(ShadowMaps, ShadowsFollowChangesAndMapsAreKeptOtherwise)
 {
-  this->AddFloor(3.0);
+  this->AddWhiteFloor(3.0);
   vtkNew<vtkCubeSource> cube;
   cube->SetBounds(-0.5, 0.5, -0.5, 0.5, 0.5, 1.0);
   vtkActor* box = this->Scene.Add(cube);
@@ -277,7 +267,7 @@ TEST_F(ShadowMaps, follow_what_moves_and_are_kept_while_nothing_does)
   light->SetFocalPoint(1.0, 0.0, 0.0);
   this->LookDown(6.0);
   const auto shadowAt = [this](double x) {
-    const Picture p = this->With();
+    const Picture p = this->WithShadows();
     return p.Grey(static_cast<int>(p.Width / 2 + x * p.Height / 6.0), p.Height / 2) < 3.0;
   };
   EXPECT_TRUE(shadowAt(0.6));
@@ -297,9 +287,9 @@ TEST_F(ShadowMaps, follow_what_moves_and_are_kept_while_nothing_does)
   EXPECT_EQ(this->Shadows->GetDrawnMaps(), 1);
 }
 
-TEST_F(ShadowMaps, a_light_that_moves_redraws_its_own_maps)
+TEST_F(ShadowMaps, AMovedLightRedrawsOnlyItsOwnMaps)
 {
-  this->AddFloor(3.0);
+  this->AddWhiteFloor(3.0);
   this->AddBox();
   this->AddLight(1.0, 2.0, 5.0);
   vtkLight* lamp = this->AddLight(0.1, 0.2, 1.5);
@@ -310,7 +300,7 @@ TEST_F(ShadowMaps, a_light_that_moves_redraws_its_own_maps)
   spot->SetConeAngle(20.0);
   this->LookDown(6.0);
   const auto drawn = [this] {
-    this->With();
+    this->WithShadows();
     return this->Shadows->GetDrawnMaps();
   };
   EXPECT_EQ(drawn(), 1 + 6 + 1);
@@ -320,12 +310,12 @@ TEST_F(ShadowMaps, a_light_that_moves_redraws_its_own_maps)
   lamp->SetPosition(0.1, 0.3, 1.5);
   EXPECT_EQ(drawn(), 6);
   lamp->SetIntensity(0.5);
-  EXPECT_EQ(drawn(), 0) << "the maps do not show how bright it is";
+  EXPECT_EQ(drawn(), 0) << "maps do not depend on intensity";
 }
 
-TEST_F(ShadowMaps, share_the_memory_by_importance)
+TEST_F(ShadowMaps, EveryLightKeepsAMapInLittleMemory)
 {
-  this->AddFloor(3.0);
+  this->AddWhiteFloor(3.0);
   this->AddBox();
   this->LookDown(6.0);
   for (int i = 0; i < 8; ++i)
@@ -334,36 +324,36 @@ TEST_F(ShadowMaps, share_the_memory_by_importance)
   }
   this->Shadows->SetResolution(1024);
   this->Shadows->SetMemory(8); // two maps of 1024 texels
-  this->With();
+  this->WithShadows();
   EXPECT_EQ(this->Shadows->GetShadowedLights(), 8);
   EXPECT_STREQ(this->Pass->GetNotes(), "");
   this->Shadows->SetResolution(64);
-  this->Shadows->SetMemory(1); // of 16 KiB each
-  this->With();
+  this->Shadows->SetMemory(1); // maps of 16 KiB each
+  this->WithShadows();
   EXPECT_EQ(this->Shadows->GetShadowedLights(), 8);
   this->Shadows->SetResolution(16384);
-  this->Shadows->SetMemory(1); // nothing near what was asked for
-  this->With();
+  this->Shadows->SetMemory(1); // a small part of the requested size
+  this->WithShadows();
   EXPECT_EQ(this->Shadows->GetShadowedLights(), 8);
 }
 
-TEST_F(ShadowMaps, headlights_cast_none_and_surplus_lights_are_counted)
+TEST_F(ShadowMaps, HeadlightsCastNoShadowsAndSurplusLightsAreCounted)
 {
-  this->AddFloor(2.0);
+  this->AddWhiteFloor(2.0);
   this->AddBox();
   this->LookDown(4.0);
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
   this->Scene.Renderer->AddLight(head);
-  EXPECT_EQ(Darkened(this->With(), this->Without()), 0);
-  this->With();
+  EXPECT_EQ(CountDarkened(this->WithShadows(), this->WithoutShadows()), 0);
+  this->WithShadows();
   EXPECT_EQ(this->Shadows->GetShadowedLights(), 0);
   for (int i = 0; i < 6; ++i)
   {
     this->AddLight(-3.0 + i, 1.0, 5.0)->SetIntensity(0.1 + 0.1 * i);
   }
   this->Shadows->SetMaximumLights(5);
-  this->With();
+  this->WithShadows();
   EXPECT_EQ(this->Shadows->GetShadowedLights(), 5);
   EXPECT_EQ(this->Shadows->GetUnshadowedLights(), 1);
   EXPECT_NE(std::string(this->Pass->GetNotes()).find("1 of 6 lights"), std::string::npos);

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadow maps of lights that have a size: penumbrae as wide as geometry makes them.
+// Shadow maps of lights with a size: penumbrae of the width that geometry demands.
+#include "HalfShadow.h"
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
-#include "vtkGIShadowMaps.h"
+#include "vtkGITechnique.h"
 
 #include <vtkCubeSource.h>
-#include <vtkPlaneSource.h>
 #include <vtkSphereSource.h>
 
 #include <cstdio>
@@ -17,27 +18,16 @@ using namespace penumbra_test;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-constexpr int Side = 200;
 constexpr int Frames = 16;
-
-void AddPlane(Stage& stage, double x0, double x1, double z)
-{
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(x0, -3.0, z);
-  plane->SetPoint1(x1, -3.0, z);
-  plane->SetPoint2(x0, 3.0, z);
-  stage.Add(plane)->GetProperty()->SetColor(1.0, 1.0, 1.0);
-}
 
 struct Configuration
 {
   const char* Name;
-  double Blocker; ///< its height above the floor
-  double Lamp;    ///< its height; 0 for the sun
-  double Size;    ///< the sun's angle in degrees, or a lamp's radius
+  double Blocker; ///< height above the floor
+  double Lamp;    ///< height above the floor; 0 for a sun
+  double Size;    ///< angle of a sun in degrees, radius of a lamp
 
-  // w = w_L (d_R - d_B) / d_B
+  // Width of the penumbra: w = w_L (d_R - d_B) / d_B.
   double Width() const
   {
     return this->Lamp > 0.0 ? 2.0 * this->Size * this->Blocker / (this->Lamp - this->Blocker)
@@ -45,70 +35,34 @@ struct Configuration
   }
 };
 
-// Share of the light along the floor, across the rim of a blocker's shadow; the camera looks down from
-// below the blocker, one unit to a picture's width.
-std::vector<double> Profile(const Configuration& made, bool shadowed)
+// Light along the floor, across the edge of a blocker's shadow.
+std::vector<double> Profile(const Configuration& configuration, bool shadowed)
 {
-  Stage stage;
-  stage.Window->SetSize(Side, Side);
-  AddPlane(stage, -3.0, 3.0, 0.0);
-  AddPlane(stage, -3.0, 0.0, made.Blocker);
-  vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(0.5);
-  camera->SetPosition(0.0, 0.0, 0.5 * made.Blocker);
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetViewUp(0.0, 1.0, 0.0);
-  camera->SetClippingRange(0.1 * made.Blocker, 2.0 * made.Blocker);
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(0.0, 0.0, made.Lamp > 0.0 ? made.Lamp : 10.0);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  light->SetPositional(made.Lamp > 0.0);
+  HalfShadow scene("shadow-maps", configuration.Blocker, 3.0);
+  const bool lamp = configuration.Lamp > 0.0;
+  vtkLight* light = AddLight(scene.Scene, 0.0, 0.0, lamp ? configuration.Lamp : 10.0);
+  light->SetPositional(lamp);
   light->SetConeAngle(180.0);
-  stage.Renderer->AutomaticLightCreationOff();
-  stage.Renderer->AddLight(light);
-  auto pass = stage.SetPasses().front();
-  auto* shadows = vtkGIShadowMaps::SafeDownCast(pass->GetTechnique("shadow-maps"));
-  shadows->SetEnabled(shadowed);
-  shadows->SetLightAngle(made.Size);
-  shadows->SetLightRadius(made.Size);
-  vtkGITechnique* average = pass->GetTechnique("anti-aliasing");
-  average->EnabledOn();
-  average->SetParameterFromText("mode", "accumulate");
-  for (int i = 1; i < (shadowed ? Frames : 1); ++i)
-  {
-    stage.Window->Render();
-  }
-  const Picture picture = Shoot(stage.Window);
-  std::vector<double> profile;
-  for (int x = 0; x < Side; ++x)
-  {
-    profile.push_back(picture.MeanGrey(x, 0, x + 1, Side));
-  }
-  return profile;
+  scene.Shadows->SetEnabled(shadowed);
+  scene.Shadows->SetParameter(lamp ? "light-radius" : "light-angle", configuration.Size);
+  return scene.Profile(shadowed ? Frames : 1);
 }
 
-// Where a rising profile reaches a value, in world units.
-double Reaches(const std::vector<double>& profile, double value)
+// Position where a rising profile reaches a value, in world units.
+double PositionOf(const std::vector<double>& profile, double value)
 {
   for (std::size_t i = 1; i < profile.size(); ++i)
   {
     if (profile[i] >= value && profile[i - 1] < value)
     {
-      return (i - 0.5 + (value - profile[i - 1]) / (profile[i] - profile[i - 1])) / Side;
+      return (i - 0.5 + (value - profile[i - 1]) / (profile[i] - profile[i - 1])) /
+        HalfShadow::Side;
     }
   }
   return -1.0;
 }
 
-// Share of a disc of radius one that lies right of a line at -t.
-double DiscShare(double t)
-{
-  return 0.5 + (t * std::sqrt(1.0 - t * t) + std::asin(t)) / Pi;
-}
-
-TEST(SoftShadowMaps, PenumbraeAreAsWideAsGeometryMakesThem)
+TEST(SoftShadowMaps, WidthsOfPenumbraeMatchGeometry)
 {
   const Configuration all[] = {
     { "sun of 10 degrees, blocker at 1", 1.0, 0.0, 10.0 },
@@ -119,33 +73,34 @@ TEST(SoftShadowMaps, PenumbraeAreAsWideAsGeometryMakesThem)
     { "lamp of radius 0.1 at 4, blocker at 3", 3.0, 4.0, 0.1 },
   };
   std::printf("%-40s %8s %8s %8s\n", "penumbra", "w", "measured", "ratio");
-  for (const auto& made : all)
+  for (const auto& configuration : all)
   {
-    const std::vector<double> bare = Profile(made, false);
-    std::vector<double> open = Profile(made, true);
+    const std::vector<double> bare = Profile(configuration, false);
+    std::vector<double> open = Profile(configuration, true);
     for (std::size_t i = 0; i < open.size(); ++i)
     {
       open[i] /= bare[i];
     }
-    // From five to ninety-five hundredths of the light, which is that part of the whole width.
+    // Part of the whole width in which the light rises from 5 to 95 percent.
     constexpr double part = 0.8055;
     EXPECT_NEAR(DiscShare(part), 0.95, 1e-3);
-    const double measured = (Reaches(open, 0.95) - Reaches(open, 0.05)) / part;
-    std::printf(
-      "%-40s %8.4f %8.4f %8.3f\n", made.Name, made.Width(), measured, measured / made.Width());
-    EXPECT_NEAR(measured / made.Width(), 1.0, 0.15) << made.Name;
-    // Half of the light at the rim.
-    EXPECT_NEAR(Reaches(open, 0.5), 0.5, 0.1 * made.Width() + 1.0 / Side) << made.Name;
+    const double measured = (PositionOf(open, 0.95) - PositionOf(open, 0.05)) / part;
+    std::printf("%-40s %8.4f %8.4f %8.3f\n", configuration.Name, configuration.Width(), measured,
+      measured / configuration.Width());
+    EXPECT_NEAR(measured / configuration.Width(), 1.0, 0.15) << configuration.Name;
+    // The middle of the penumbra lies below the edge.
+    EXPECT_NEAR(PositionOf(open, 0.5), 0.5, 0.1 * configuration.Width() + 1.0 / HalfShadow::Side)
+      << configuration.Name;
   }
   TakeMessages();
 }
 
-// Mean radiance of still frames of a box and a ball on a floor.
+// Mean radiance of frames at rest of a box and a ball on a floor.
 std::vector<double> BoxAndBall(bool lamp, const char* technique, double size, int frames)
 {
   Stage stage;
   stage.Window->SetSize(200, 150);
-  AddPlane(stage, -3.0, 3.0, 0.0);
+  AddFloor(stage, -3.0, 3.0, -3.0, 3.0)->GetProperty()->SetColor(1.0, 1.0, 1.0);
   vtkNew<vtkCubeSource> box;
   box->SetBounds(-1.2, -0.6, -0.4, 0.2, 0.0, 1.4);
   stage.Add(box);
@@ -160,14 +115,11 @@ std::vector<double> BoxAndBall(bool lamp, const char* technique, double size, in
   camera->SetPosition(0.5, -6.0, 5.0);
   camera->SetFocalPoint(0.3, 0.3, 0.2);
   stage.Renderer->ResetCameraClippingRange();
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(-2.0, -1.0, 4.0);
+  vtkLight* light = AddLight(stage, -2.0, -1.0, 4.0);
   light->SetFocalPoint(0.0, 0.0, 0.5);
   light->SetPositional(lamp);
   light->SetConeAngle(180.0);
   stage.Renderer->AutomaticLightCreationOff();
-  stage.Renderer->AddLight(light);
   auto pass = stage.SetPasses().front();
   pass->KeepRadianceOn();
   vtkGITechnique* shadows = pass->GetTechnique(technique);
@@ -203,7 +155,7 @@ double ErrorOf(const std::vector<double>& picture, const std::vector<double>& re
   return error.Mean();
 }
 
-TEST(SoftShadowMaps, AreCloserToRaysThanAPlainFilterThreefold)
+TEST(SoftShadowMaps, ErrAtMostAThirdAsMuchAsAPlainFilter)
 {
   for (const bool lamp : { false, true })
   {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Accumulation over frames: the noise of still and of moving pictures falls, nothing old stays.
+// Accumulation over frames: noise falls in scenes at rest and in motion, and no ghosts remain.
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
@@ -22,17 +23,13 @@ namespace
 {
 using Values = std::vector<double>;
 
-// Things on a floor under a sun of eight degrees, and ambient light.
+// Objects on a floor under a sun of eight degrees and ambient light.
 struct Studio
 {
   explicit Studio(bool accumulates, int samples = 1, int width = 160)
   {
     this->Scene.Window->SetSize(width, width * 2 / 3);
-    vtkNew<vtkPlaneSource> floor;
-    floor->SetOrigin(-6.0, -6.0, 0.0);
-    floor->SetPoint1(6.0, -6.0, 0.0);
-    floor->SetPoint2(-6.0, 6.0, 0.0);
-    this->Scene.Add(floor)->GetProperty()->SetColor(0.8, 0.8, 0.8);
+    AddFloor(this->Scene, -6.0, 6.0, -6.0, 6.0)->GetProperty()->SetColor(0.8, 0.8, 0.8);
     vtkNew<vtkCubeSource> cube;
     this->Box = this->Scene.Add(cube);
     this->Box->SetPosition(0.0, 0.0, 0.5);
@@ -72,6 +69,7 @@ struct Studio
     pass->GetTechnique("anti-aliasing")->EnabledOff();
   }
 
+  // Display values of the pixels of the next frame.
   Values Frame()
   {
     this->Scene.Window->Render();
@@ -105,7 +103,7 @@ struct Studio
     this->Scene.Add(this->Sheet.Get())->GetProperty()->SetColor(0.9, 0.9, 0.9);
   }
 
-  // The sheet at a time: hills that travel, over the floor.
+  // Move the sheet's travelling hills to a time, by new points or in place.
   void Wave(double time, bool inPlace)
   {
     vtkPoints* old = this->Sheet->GetPoints();
@@ -158,20 +156,21 @@ double Error(const Values& a, const Values& b)
   return std::sqrt(sum / a.size());
 }
 
-// How much of what told one picture from another is in a third: noise has no share in it.
-double Share(const Values& with, const Values& without, const Values& now)
+// Share of the difference between two pictures that remains in a third one. Noise has no part in it.
+double RemainingShare(const Values& with, const Values& without, const Values& current)
 {
   double shared = 0.0;
   double whole = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i)
+  for (std::size_t i = 0; i < current.size(); ++i)
   {
     const double pattern = with[i] - without[i];
-    shared += (now[i] - without[i]) * pattern;
+    shared += (current[i] - without[i]) * pattern;
     whole += pattern * pattern;
   }
   return shared / whole;
 }
 
+// Slope of a line through points on logarithmic axes.
 double Slope(const std::vector<std::pair<double, double>>& points)
 {
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
@@ -189,24 +188,24 @@ double Slope(const std::vector<std::pair<double, double>>& points)
 }
 }
 
-TEST(TemporalAccumulation, StillErrorFallsAsTheSquareRoot)
+TEST(TemporalAccumulation, ErrorAtRestFallsWithTheSquareRoot)
 {
-  // The mean of frames with other noise than the ones measured.
+  // The reference is the mean of frames with other noise than the measured ones.
   constexpr int others = 256;
   Studio reference(false);
-  Values truth = reference.Frames(64);
-  std::fill(truth.begin(), truth.end(), 0.0);
+  Values expected = reference.Frames(64);
+  std::fill(expected.begin(), expected.end(), 0.0);
   for (int frame = 0; frame < others; ++frame)
   {
     const Values values = reference.Frame();
-    std::transform(values.begin(), values.end(), truth.begin(), truth.begin(),
+    std::transform(values.begin(), values.end(), expected.begin(), expected.begin(),
       [](double value, double sum) { return sum + value / others; });
   }
   Studio studio(true);
   std::vector<std::pair<double, double>> points;
   for (int frame = 1; frame <= 64; ++frame)
   {
-    const double error = Error(studio.Frame(), truth);
+    const double error = Error(studio.Frame(), expected);
     if ((frame & (frame - 1)) == 0)
     {
       points.emplace_back(frame, error);
@@ -219,7 +218,7 @@ TEST(TemporalAccumulation, StillErrorFallsAsTheSquareRoot)
   EXPECT_LT(points.back().second, 0.24);
 }
 
-TEST(TemporalAccumulation, NothingStaysOfAPropThatLeft)
+TEST(TemporalAccumulation, HiddenPropsLeaveNoGhost)
 {
   Studio still(true, 16);
   const Values with = still.Frames(16);
@@ -232,8 +231,8 @@ TEST(TemporalAccumulation, NothingStaysOfAPropThatLeft)
   double ghost = 1.0;
   for (int frame = 1; frame <= 8; ++frame)
   {
-    ghost = Share(with, without, studio.Frame());
-    std::printf("frame %d after a ball left: %.2f %% of it stays\n", frame, 100.0 * ghost);
+    ghost = RemainingShare(with, without, studio.Frame());
+    std::printf("frame %d after a ball is hidden: %.2f %% of it remains\n", frame, 100.0 * ghost);
   }
   EXPECT_LT(std::abs(ghost), 0.008);
 }
@@ -265,7 +264,7 @@ TEST(TemporalAccumulation, ATechniqueSwitchedOnAgainStartsFromScratch)
   }
 }
 
-TEST(TemporalAccumulation, ALightThatMovesLeavesNoShadowBehind)
+TEST(TemporalAccumulation, AMovedLightLeavesNoShadowBehind)
 {
   Studio still(true, 16);
   const Values with = still.Frames(16);
@@ -275,12 +274,13 @@ TEST(TemporalAccumulation, ALightThatMovesLeavesNoShadowBehind)
   Studio studio(true);
   studio.Frames(24);
   studio.Sun->SetPosition(-5.0, -4.0, 6.0);
-  const double ghost = Share(with, without, studio.Frame());
-  std::printf("first frame after the light moved: %.2f %% of the old light stays\n", 100.0 * ghost);
+  const double ghost = RemainingShare(with, without, studio.Frame());
+  std::printf(
+    "first frame after the light moved: %.2f %% of the old light remains\n", 100.0 * ghost);
   EXPECT_LT(std::abs(ghost), 0.0065);
 }
 
-// A prop that moves carries what was found of it along.
+// History follows moving props.
 TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
 {
   const auto orbit = [](Studio& s) { s.Scene.Renderer->GetActiveCamera()->Azimuth(2.0); };
@@ -288,8 +288,7 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
     s.Ball->AddPosition(-0.08, -0.08, 0.0);
     s.Box->RotateZ(3.0);
   };
-  // A sheet that waves over all of the scene: its points are new ones with every step, or the same
-  // array written anew.
+  // A waving sheet covers the scene. Each step gives it new points or writes to the same array.
   int step = 0;
   const auto wave = [&step](Studio& s, bool inPlace) {
     if (!s.Sheet)
@@ -298,12 +297,12 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
     }
     s.Wave(0.1 * step, inPlace);
   };
-  const auto renewed = [&wave](Studio& s) { wave(s, false); };
+  const auto replaced = [&wave](Studio& s) { wave(s, false); };
   const auto rewritten = [&wave](Studio& s) { wave(s, true); };
   using Move = std::function<void(Studio&)>;
   for (const auto& [name, move] :
     { std::pair<const char*, Move>("camera", orbit), std::pair<const char*, Move>("props", props),
-      std::pair<const char*, Move>("points", renewed),
+      std::pair<const char*, Move>("points", replaced),
       std::pair<const char*, Move>("points in place", rewritten) })
   {
     // Large enough for penumbrae of several pixels.
@@ -318,7 +317,7 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
       }
       accumulated.Scene.Window->Render();
     }
-    // What many frames of the same few samples come to.
+    // Mean of many frames with the same sample count.
     constexpr int others = 96;
     const Values first = raw.Frame();
     Values expected(first.size(), 0.0);
@@ -337,70 +336,71 @@ TEST(TemporalAccumulation, NoiseFallsWhilePropsAndCameraMove)
 
 namespace
 {
-// What is seen of points on the floor, by their places in the picture; -1 where outside.
+// Values of a frame at fixed points of the floor, interpolated between pixels; -1 outside the picture.
 Values Track(Studio& studio, const Values& frame, int width)
 {
   vtkRenderer* renderer = studio.Scene.Renderer;
-  Values seen;
+  Values values;
   for (double y = -2.5; y <= 2.5; y += 0.05)
   {
     for (double x = -3.0; x <= 3.0; x += 0.05)
     {
       renderer->SetWorldPoint(x, y, 0.0, 1.0);
       renderer->WorldToDisplay();
-      const double* place = renderer->GetDisplayPoint();
-      const double u = place[0] - 0.5;
-      const double v = place[1] - 0.5;
+      const double* position = renderer->GetDisplayPoint();
+      const double u = position[0] - 0.5;
+      const double v = position[1] - 0.5;
       const int i = static_cast<int>(std::floor(u));
       const int j = static_cast<int>(std::floor(v));
       if (i < 0 || j < 0 || i + 1 >= width || j + 1 >= width * 2 / 3)
       {
-        seen.push_back(-1.0);
+        values.push_back(-1.0);
         continue;
       }
       const double* corner = &frame[static_cast<std::size_t>(j) * width + i];
       const double low = corner[0] + (u - i) * (corner[1] - corner[0]);
       const double high = corner[width] + (u - i) * (corner[width + 1] - corner[width]);
-      seen.push_back(low + (v - j) * (high - low));
+      values.push_back(low + (v - j) * (high - low));
     }
   }
-  return seen;
+  return values;
 }
 }
 
-// Between two frames of an orbit, what is seen of a point changes hardly more than it truly does.
+// Between frames of an orbit the value of a point changes hardly more than in converged pictures.
 TEST(TemporalAccumulation, AnOrbitDoesNotFlicker)
 {
   constexpr int width = 300;
   constexpr int frames = 12;
-  constexpr double edge = 8.0; // of 255: what came out of or went behind something
-  Studio truth(false, 16, width);
+  constexpr double edge = 8.0; // of 255: larger changes are disocclusions or occlusions
+  Studio converged(false, 16, width);
   Studio raw(false, 1, width);
   Studio accumulated(true, 1, width);
-  const std::array<Studio*, 3> studios = { { &truth, &raw, &accumulated } };
+  const std::array<Studio*, 3> studios = { { &converged, &raw, &accumulated } };
   std::array<double, 3> flicker{};
   std::array<Values, 3> before;
   int count = 0;
   for (int frame = 0; frame < frames; ++frame)
   {
-    std::array<Values, 3> now;
+    std::array<Values, 3> current;
     for (int i = 0; i < 3; ++i)
     {
       studios[i]->Scene.Renderer->GetActiveCamera()->Azimuth(1.0);
-      now[i] = Track(*studios[i], studios[i]->Frame(), width);
+      current[i] = Track(*studios[i], studios[i]->Frame(), width);
     }
-    for (std::size_t p = 0; frame > 4 && p < now[0].size(); ++p)
+    for (std::size_t p = 0; frame > 4 && p < current[0].size(); ++p)
     {
-      if (now[0][p] >= 0.0 && before[0][p] >= 0.0 && std::abs(now[0][p] - before[0][p]) < edge)
+      if (current[0][p] >= 0.0 && before[0][p] >= 0.0 &&
+        std::abs(current[0][p] - before[0][p]) < edge)
       {
         ++count;
         for (int i = 0; i < 3; ++i)
         {
-          flicker[i] += (now[i][p] - before[i][p]) * (now[i][p] - before[i][p]);
+          flicker[i] += (current[i][p] - before[i][p]) * (current[i][p] - before[i][p]);
         }
       }
     }
-    before = now;
+    before = current;
   }
   for (double& value : flicker)
   {
@@ -408,7 +408,7 @@ TEST(TemporalAccumulation, AnOrbitDoesNotFlicker)
   }
   std::printf("flicker in an orbit: converged %.3f, one frame %.3f, accumulated %.3f / 255\n",
     flicker[0], flicker[1], flicker[2]);
-  // The visibility is held in eight bits, twice: a rounding in each frame.
+  // Two frames, each with two visibilities in eight bits: every rounding has a variance of 1 / 12.
   const double rounding = std::sqrt(2.0 * 2.0 / 12.0);
   EXPECT_GT(count, 10000);
   EXPECT_GT(flicker[1], 2.0 * flicker[2]);

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Shadow maps and what is not opaque: casters that cover in part, translucent surfaces and volumes that
- * receive.
+ * Shadow maps of props that are not opaque: casters with partial coverage, and translucent surfaces and volumes as
+ * receivers.
  */
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
@@ -18,7 +19,6 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -35,8 +35,8 @@ using namespace penumbra_test;
 
 namespace
 {
-/// Seen from above in parallel projection, x to the right; lit from the left, at 45 degrees: what stands
-/// at height h casts its shadow h to the right.
+/// The camera looks down in parallel projection, x to the right. Light comes from the left at 45 degrees: a caster at
+/// height h has its shadow h to the right.
 class TranslucentShadows : public ::testing::Test
 {
 protected:
@@ -59,11 +59,7 @@ protected:
 
   vtkActor* AddSheet(double left, double right, double height, double opacity)
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(left, -1.0, height);
-    plane->SetPoint1(right, -1.0, height);
-    plane->SetPoint2(left, 1.0, height);
-    vtkActor* sheet = this->Scene.Add(plane);
+    vtkActor* sheet = penumbra_test::AddFloor(this->Scene, left, right, -1.0, 1.0, height);
     sheet->GetProperty()->SetColor(1.0, 1.0, 1.0);
     sheet->GetProperty()->SetOpacity(opacity);
     return sheet;
@@ -75,12 +71,13 @@ protected:
     return floor;
   }
 
-  Picture Take(bool shadows)
+  Picture Draw(bool shadows)
   {
     this->Pass->GetTechnique("shadow-maps")->SetEnabled(shadows);
     this->Scene.Renderer->ResetCameraClippingRange();
     return Shoot(this->Scene.Window);
   }
+  // Column of the picture at a world x.
   static int Column(double x) { return static_cast<int>(std::lround(200 + 50.0 * x)); }
 
   Stage Scene;
@@ -88,14 +85,14 @@ protected:
   vtkSmartPointer<vtkGIPass> Pass;
 };
 
-struct Region
+struct RatioStatistics
 {
   double Mean = 0.0;
   double Deviation = 0.0;
 };
 
-// Of the ratio of two pictures, between two columns.
-Region Ratio(const Picture& a, const Picture& b, int left, int right)
+// Ratio of two pictures between two columns.
+RatioStatistics Ratio(const Picture& a, const Picture& b, int left, int right)
 {
   double sum = 0.0;
   double squares = 0.0;
@@ -114,7 +111,7 @@ Region Ratio(const Picture& a, const Picture& b, int left, int right)
   return { mean, std::sqrt(std::max(squares / count - mean * mean, 0.0)) };
 }
 
-double MostDifference(const Picture& a, const Picture& b, int left, int right)
+double LargestDifference(const Picture& a, const Picture& b, int left, int right)
 {
   double most = 0.0;
   for (int y = 70; y < 130; ++y)
@@ -128,23 +125,23 @@ double MostDifference(const Picture& a, const Picture& b, int left, int right)
 }
 }
 
-TEST_F(TranslucentShadows, LetThroughWhatIsNotCovered)
+TEST_F(TranslucentShadows, CastersTransmitTheUncoveredShare)
 {
   this->AddFloor();
   vtkActor* sheet = this->AddSheet(-3.0, -1.0, 3.0, 1.0);
   for (const double opacity : { 0.1, 0.25, 0.3, 0.5, 0.7, 0.9, 1.0 })
   {
     sheet->GetProperty()->SetOpacity(opacity);
-    const Region through = Ratio(this->Take(true), this->Take(false), Column(0.2), Column(1.8));
-    std::printf(
-      "opacity %.2f: light %.3f, deviation %.3f\n", opacity, through.Mean, through.Deviation);
-    EXPECT_NEAR(through.Mean, 1.0 - opacity, 0.015);
-    // A coin tossed for each of the texels under the filter would deviate by 0.2 of the mean.
-    EXPECT_LT(through.Deviation, 0.1);
+    const RatioStatistics light =
+      Ratio(this->Draw(true), this->Draw(false), Column(0.2), Column(1.8));
+    std::printf("opacity %.2f: light %.3f, deviation %.3f\n", opacity, light.Mean, light.Deviation);
+    EXPECT_NEAR(light.Mean, 1.0 - opacity, 0.015);
+    // Texels set by independent chance would make the filter deviate by 0.2 of the mean.
+    EXPECT_LT(light.Deviation, 0.1);
   }
 }
 
-TEST_F(TranslucentShadows, LayersLetThroughTheirProduct)
+TEST_F(TranslucentShadows, LayersTransmitTheProductOfTheirShares)
 {
   this->AddFloor();
   constexpr double opacity = 0.4;
@@ -153,13 +150,14 @@ TEST_F(TranslucentShadows, LayersLetThroughTheirProduct)
     const double height = 1.5 + 0.5 * layers;
     this->AddSheet(-height, 2.0 - height, height, opacity);
     const double expected = std::pow(1.0 - opacity, layers);
-    const Region through = Ratio(this->Take(true), this->Take(false), Column(0.2), Column(1.8));
-    std::printf("%d layers: light %.3f of %.3f\n", layers, through.Mean, expected);
-    EXPECT_NEAR(through.Mean, expected, 0.03);
+    const RatioStatistics light =
+      Ratio(this->Draw(true), this->Draw(false), Column(0.2), Column(1.8));
+    std::printf("%d layers: light %.3f of %.3f\n", layers, light.Mean, expected);
+    EXPECT_NEAR(light.Mean, expected, 0.03);
   }
 }
 
-TEST_F(TranslucentShadows, HolesOfATextureAreHolesOfTheShadow)
+TEST_F(TranslucentShadows, TransparentTexelsAreHolesInTheShadow)
 {
   this->AddFloor();
   vtkActor* sheet = this->AddSheet(-3.0, -1.0, 3.0, 1.0);
@@ -179,13 +177,13 @@ TEST_F(TranslucentShadows, HolesOfATextureAreHolesOfTheShadow)
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   sheet->SetTexture(texture);
-  const Picture with = this->Take(true);
-  const Picture without = this->Take(false);
+  const Picture with = this->Draw(true);
+  const Picture without = this->Draw(false);
   EXPECT_LT(Ratio(with, without, Column(0.2), Column(0.8)).Mean, 0.001);
   EXPECT_GT(Ratio(with, without, Column(1.2), Column(1.8)).Mean, 0.999);
 }
 
-TEST_F(TranslucentShadows, TranslucentSurfacesReceive)
+TEST_F(TranslucentShadows, TranslucentSurfacesReceiveShadows)
 {
   for (const bool positional : { false, true })
   {
@@ -197,20 +195,20 @@ TEST_F(TranslucentShadows, TranslucentSurfacesReceive)
       vtkActor* caster = this->AddSheet(-3.0, -1.0, 3.0, 1.0);
       this->Light->SetPositional(positional);
       this->Light->SetConeAngle(120.0);
-      // Far off, so that the shadow of either kind falls there.
+      // Far away, so that lamp and sun cast the same shadow.
       this->Light->SetPosition(-300.0, 0.0, 300.0);
-      const Picture with = this->Take(true);
-      const Picture without = this->Take(false);
+      const Picture with = this->Draw(true);
+      const Picture without = this->Draw(false);
       this->Light->SetIntensity(0.0);
-      const Picture dark = this->Take(false);
+      const Picture dark = this->Draw(false);
       this->Light->SetIntensity(1.0);
-      const double inside = MostDifference(with, dark, Column(0.2), Column(1.8));
-      const double outside = MostDifference(with, without, Column(2.3), Column(3.5));
+      const double inside = LargestDifference(with, dark, Column(0.2), Column(1.8));
+      const double outside = LargestDifference(with, without, Column(2.3), Column(3.5));
       std::printf("%s, %s: in shadow %.1f from dark, outside %.1f from lit\n",
         positional ? "lamp" : "sun", interpolation == VTK_PBR ? "PBR" : "Phong", inside, outside);
       EXPECT_LE(inside, 1.0);
       EXPECT_LE(outside, 1.0);
-      EXPECT_GT(MostDifference(with, without, Column(0.2), Column(1.8)), 20.0);
+      EXPECT_GT(LargestDifference(with, without, Column(0.2), Column(1.8)), 20.0);
       this->Scene.Renderer->RemoveActor(sheet);
       this->Scene.Renderer->RemoveActor(caster);
     }
@@ -223,11 +221,12 @@ TEST_F(TranslucentShadows, TranslucentSurfacesDoNotShadowThemselves)
   for (const double height : { 10.0, 2.0, 1.0 })
   {
     this->Light->SetPosition(-10.0, 0.0, height);
-    EXPECT_LE(MostDifference(this->Take(true), this->Take(false), Column(-3.5), Column(3.5)), 1.0);
+    EXPECT_LE(
+      LargestDifference(this->Draw(true), this->Draw(false), Column(-3.5), Column(3.5)), 1.0);
   }
 }
 
-TEST_F(TranslucentShadows, VolumesReceive)
+TEST_F(TranslucentShadows, VolumesReceiveShadows)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(33, 17, 17);
@@ -257,7 +256,7 @@ TEST_F(TranslucentShadows, VolumesReceive)
   volume->GetProperty()->SetAmbient(0.1);
   this->Scene.Renderer->AddVolume(volume);
   this->AddSheet(-3.0, -1.0, 3.0, 1.0);
-  vtkNew<vtkLight> fill; // of the other kind, and none that the sheet hides
+  vtkNew<vtkLight> fill; // of the other type, and not occluded by the sheet
   fill->SetLightTypeToSceneLight();
   fill->SetPosition(300.0, 0.0, 300.0);
   fill->SetFocalPoint(0.0, 0.0, 0.0);
@@ -273,20 +272,20 @@ TEST_F(TranslucentShadows, VolumesReceive)
     {
       this->Light->SetPositional(positional);
       fill->SetPositional(!positional);
-      const Picture with = this->Take(true);
-      const Picture without = this->Take(false);
+      const Picture with = this->Draw(true);
+      const Picture without = this->Draw(false);
       this->Light->SetIntensity(0.0);
-      const Picture dark = this->Take(false);
+      const Picture dark = this->Draw(false);
       this->Light->SetIntensity(1.0);
-      // The volume begins about 0.3 below zero: its shadow is that much farther right.
-      const double inside = MostDifference(with, dark, Column(0.8), Column(1.8));
-      const double outside = MostDifference(with, without, Column(3.0), Column(3.5));
+      // The volume's surface is about 0.3 below zero, which moves the shadow that far to the right.
+      const double inside = LargestDifference(with, dark, Column(0.8), Column(1.8));
+      const double outside = LargestDifference(with, without, Column(3.0), Column(3.5));
       std::printf(
         "%s, pictures reduced %.0f times: in shadow %.1f from dark, outside %.1f from lit\n",
         positional ? "lamp" : "sun", reduction, inside, outside);
       EXPECT_LE(inside, 2.0);
       EXPECT_LE(outside, 2.0);
-      EXPECT_GT(MostDifference(with, without, Column(0.8), Column(1.8)), 20.0);
+      EXPECT_GT(LargestDifference(with, without, Column(0.8), Column(1.8)), 20.0);
     }
   }
 }

@@ -5,7 +5,7 @@
  */
 #pragma once
 
-#include "Stage.h"
+#include "SceneParts.h"
 
 #include "vtkGILightmap.h"
 
@@ -40,13 +40,13 @@ struct LightmapScene
     this->Map->EnabledOn();
     this->Lamp->SetLightTypeToSceneLight();
     this->Lamp->SetPosition(0.0, 0.0, 5.0);
-    this->Lamp->SetIntensity(0.001); // what is seen is the map's light
+    this->Lamp->SetIntensity(0.001); // nearly all light comes from the map
     this->Scene.Renderer->AddLight(this->Lamp);
-    vtkNew<vtkLight> dark; // without any light VTK draws colours as they are
+    vtkNew<vtkLight> dark; // without any light VTK draws unlit colours
     dark->SetLightTypeToSceneLight();
     dark->SetIntensity(0.0);
     this->Scene.Renderer->AddLight(dark);
-    // A wall of 4 x 4 in z = 0, seen from the front, in a colour that reflects half.
+    // A wall of 4 x 4 at z = 0, seen from the front, with a reflectance of one half.
     this->Wall = this->AddWall(0.0, 4.0);
     vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
     camera->SetPosition(0.0, 0.0, 5.0);
@@ -55,14 +55,11 @@ struct LightmapScene
     camera->SetClippingRange(0.5, 50.0);
   }
 
-  // In the plane z, facing the eye.
+  /// Add a square wall in a plane of constant z that faces the camera.
   vtkActor* AddWall(double z, double size)
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-0.5 * size, -0.5 * size, z);
-    plane->SetPoint1(0.5 * size, -0.5 * size, z);
-    plane->SetPoint2(-0.5 * size, 0.5 * size, z);
-    vtkActor* wall = this->Scene.Add(plane);
+    const double half = 0.5 * size;
+    vtkActor* wall = AddFloor(this->Scene, -half, half, -half, half, z);
     wall->GetProperty()->SetColor(1.0, 1.0, 1.0);
     wall->GetProperty()->SetDiffuse(0.5);
     wall->GetProperty()->SetAmbient(0.0);
@@ -70,13 +67,13 @@ struct LightmapScene
     return wall;
   }
 
-  // The wall's map: left half and right half; from behind there is another wall of texels.
+  /// Surfaces of the bake: the wall's front has the lower row of texels, its back the upper row.
   vtkSmartPointer<vtkPolyData> Surfaces()
   {
     auto data = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
-    vtkNew<vtkFloatArray> places;
-    places->SetNumberOfComponents(2);
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(2);
     vtkNew<vtkFloatArray> normals;
     normals->SetNumberOfComponents(3);
     for (const double z : { 1.0, -1.0 })
@@ -84,7 +81,7 @@ struct LightmapScene
       for (int i = 0; i < 4; ++i)
       {
         points->InsertNextPoint(i % 2 ? 2.0 : -2.0, i / 2 ? 2.0 : -2.0, 0.0);
-        places->InsertNextTuple2(i % 2 ? 1.0 : 0.0, z > 0.0 ? 0.25 : 0.75);
+        coordinates->InsertNextTuple2(i % 2 ? 1.0 : 0.0, z > 0.0 ? 0.25 : 0.75);
         normals->InsertNextTuple3(0.0, 0.0, z);
       }
     }
@@ -96,14 +93,14 @@ struct LightmapScene
     }
     data->SetPoints(points);
     data->SetPolys(cells);
-    data->GetPointData()->SetTCoords(places);
+    data->GetPointData()->SetTCoords(coordinates);
     data->GetPointData()->SetNormals(normals);
-    this->Describe(data);
+    this->StoreScene(data);
     return data;
   }
 
-  // A bake of the scene as it is.
-  void Describe(vtkPolyData* surfaces)
+  /// Mark surfaces as baked from the scene in its present state.
+  void StoreScene(vtkPolyData* surfaces)
   {
     vtkNew<vtkStringArray> scene;
     scene->SetName("scene");
@@ -111,11 +108,11 @@ struct LightmapScene
     surfaces->GetFieldData()->AddArray(scene);
   }
 
-  // The front's left half 0.6, its right half 0.2, the back 0.4, moments along x; of the lamps, where there are twice as
-  // many components as without, the front 0.5, the back 0.3.
+  /// Light of the map: 0.6 on the left half of the front, 0.2 on the right half, 0.4 on the back. Directional maps have
+  /// moments along x. With twice as many components the map also has light of lamps: 0.5 on the front, 0.3 on the back.
   static vtkSmartPointer<vtkImageData> Light(int channels = 3)
   {
-    const int each = channels % 12 == 0 ? 12 : 3;
+    const int perLight = channels % 12 == 0 ? 12 : 3;
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(8, 2, 1);
     image->AllocateScalars(VTK_FLOAT, channels);
@@ -125,8 +122,8 @@ struct LightmapScene
       {
         for (int c = 0; c < channels; ++c)
         {
-          const bool lamps = c >= each && channels == 2 * each;
-          const int layer = (lamps ? c - each : c) / 3;
+          const bool lamps = c >= perLight && channels == 2 * perLight;
+          const int layer = (lamps ? c - perLight : c) / 3;
           const double front = lamps ? 0.5 : x < 4 ? 0.6 : 0.2;
           const double value = y == 0 ? front : lamps ? 0.3 : 0.4;
           const double moment = layer == 1 ? 0.1 : 0.0; // along x
@@ -138,15 +135,14 @@ struct LightmapScene
     return image;
   }
 
-  /// A lamp within the scene, with shadow maps, as frames whose cost counts have it.
-  void LightAsUsers()
+  /// Put the lamp into the scene and give it shadow maps, as in the frames whose cost is measured.
+  void UseShadowedLamp()
   {
     this->Pass->GetTechnique("shadow-maps")->EnabledOn();
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(180.0);
+    ShineAllRound(this->Lamp);
   }
 
-  /// One matte wall fills the picture, and a little one stands before it: the least that a frame can be.
+  /// Fill the picture with one matte wall and put a small one before it: the cheapest frame there is.
   void FillWithAWall()
   {
     this->AddWall(0.5, 1.0);
@@ -155,7 +151,7 @@ struct LightmapScene
     this->Map->SetBake(this->Surfaces(), Light());
   }
 
-  /// Six walls of a physically based look around the eye, all in the map.
+  /// Surround the camera with six walls of a physically based material, all of them in the map.
   void MoveIntoARoom()
   {
     this->Scene.Renderer->RemoveActor(this->Wall);
@@ -184,7 +180,7 @@ struct LightmapScene
     this->Lamp->SetPosition(0.0, 0.0, 1.5);
     this->Scene.Renderer->GetActiveCamera()->SetPosition(-1.5, -1.5, -1.0);
     vtkPolyData* surfaces = all->GetOutput();
-    this->Describe(surfaces);
+    this->StoreScene(surfaces);
     this->Map->SetBake(surfaces, Light());
   }
 

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Parts of scenes that several tests use.
+ */
+#pragma once
+
+#include "Stage.h"
+
+#include <vtkActor.h>
+#include <vtkImageData.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkProperty.h>
+#include <vtkTexture.h>
+
+#include <array>
+
+namespace penumbra_test
+{
+using Point = std::array<double, 3>;
+
+/// Add a parallelogram with a corner at `origin` and the two corners next to it.
+inline vtkActor* AddQuad(
+  Stage& stage, const Point& origin, const Point& firstCorner, const Point& secondCorner)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(origin[0], origin[1], origin[2]);
+  plane->SetPoint1(firstCorner[0], firstCorner[1], firstCorner[2]);
+  plane->SetPoint2(secondCorner[0], secondCorner[1], secondCorner[2]);
+  return stage.Add(plane);
+}
+
+/// Add a horizontal rectangle that faces up.
+inline vtkActor* AddFloor(
+  Stage& stage, double left, double right, double front, double back, double height = 0.0)
+{
+  return AddQuad(stage, { left, front, height }, { right, front, height }, { left, back, height });
+}
+
+/// Add a directional light of the scene at a position. It shines toward the origin.
+inline vtkLight* AddLight(Stage& stage, double x, double y, double z)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  stage.Renderer->AddLight(light);
+  return light;
+}
+
+/// Make a light positional, without a cone.
+inline void ShineAllRound(vtkLight* light)
+{
+  light->PositionalOn();
+  light->SetConeAngle(180.0);
+}
+
+/// Add a light too faint to count, in place of VTK's headlight: without any light VTK draws unlit colours.
+inline void AddFaintLight(vtkRenderer* renderer)
+{
+  renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> faint;
+  faint->SetIntensity(1e-9);
+  renderer->AddLight(faint);
+}
+
+/// A texture for an environment, with the settings that VTK requires.
+inline vtkSmartPointer<vtkTexture> EnvironmentTexture(vtkImageData* image)
+{
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  return texture;
+}
+}
