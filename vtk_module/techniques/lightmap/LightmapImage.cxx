@@ -64,8 +64,7 @@ void AddLight(vtkImageData* light, vtkPointData* to)
   const bool directional = components == 12 || components == 24;
   if (components != 3 && components != 6 && !directional)
   {
-    throw std::invalid_argument(
-      "its light is no picture of 3 or 12 components, or of twice as many");
+    throw std::invalid_argument("its light is not a picture with 3, 6, 12 or 24 components");
   }
   int first = 0;
   for (const Layer& layer : Layers)
