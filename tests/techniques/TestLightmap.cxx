@@ -4,7 +4,7 @@
  * Baked light on surfaces: where it shows and where not, and that it never outlives its scene.
  */
 #include "LightmapStage.h"
-#include "Work.h"
+#include "FrameCounts.h"
 
 #include <vtkPlane.h>
 
@@ -344,10 +344,10 @@ protected:
   // One draw that shades each pixel of the map's surface once, and no more than one target of four bytes a pixel.
   void ExpectAdded(double pixels)
   {
-    const FrameWork with = WorkOfFrame(this->Scene, this->Pass);
+    const FrameCounts with = CountFrame(this->Scene, this->Pass);
     EXPECT_EQ(this->Notes(), "");
     this->Map->EnabledOff();
-    FrameWork without = WorkOfFrame(this->Scene, this->Pass);
+    FrameCounts without = CountFrame(this->Scene, this->Pass);
     const long samples = with.Samples - without.Samples;
     std::printf("the map adds %ld bytes and %ld shaded pixels, of %.0f\n",
       with.Bytes - without.Bytes, samples, pixels);
