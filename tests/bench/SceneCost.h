@@ -8,12 +8,14 @@
 
 namespace bench
 {
-/// A lightmap over direct light with shadow maps, at 1280 x 720, by processor time. True where it keeps its limits.
+/// Measure the cost of a lightmap over direct light with shadow maps, at 1280 x 720, in processor time. Returns whether it
+/// keeps its limits.
 bool ReportLightmapCost(int turns);
 
-/// Indirect light in a volume that every ray goes through to its end, by processor time. True where it keeps its limits.
+/// Measure the cost of indirect light in a volume that no ray leaves early, in processor time. Returns whether it keeps
+/// its limits.
 bool ReportVolumeCost(int turns);
 
-/// Frames of 302,500 glyphs, by the clock: the rasterizer's first, the path tracer's first, and two after it.
+/// Measure frames of 302,500 glyphs in seconds of real time: the rasterizer's first, and the path tracer's first three.
 bool ReportGlyphCost();
 }
