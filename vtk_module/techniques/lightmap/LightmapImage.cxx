@@ -64,7 +64,8 @@ void AddLight(vtkImageData* light, vtkPointData* to)
   const bool directional = components == 12 || components == 24;
   if (components != 3 && components != 6 && !directional)
   {
-    throw std::invalid_argument("its light is not a picture with 3, 6, 12 or 24 components");
+    throw std::invalid_argument(
+      "its light is not a picture with 3 or 12 components, or twice as many");
   }
   int first = 0;
   for (const Layer& layer : Layers)
