@@ -20,7 +20,8 @@ class vtkRenderer;
 
 namespace bench
 {
-/// A way of drawing. Prepare configures a new renderer. Touch is called before each frame, to modify what must be redrawn.
+/// A way of drawing. Prepare configures a new renderer. Touch is called before each frame, to modify what must be
+/// redrawn.
 struct Variant
 {
   std::string Name;
@@ -28,11 +29,12 @@ struct Variant
   std::function<void(vtkActor*)> Touch;
 };
 
-/// Stock VTK and the pass, each alone, with ambient occlusion of 32 samples, and with a shadow map of 1024 x 1024 that is
-/// redrawn in each frame.
+/// Stock VTK and the pass, each alone, with ambient occlusion of 32 samples, and with a shadow map of 1024 x 1024 that
+/// is redrawn in each frame.
 std::vector<Variant> Variants();
 
-/// The presets; each technique by itself, as "+name"; and the preset balanced without each of its techniques, as "-name".
+/// The presets; each technique by itself, as "+name"; and the preset balanced without each of its techniques, as
+/// "-name".
 std::vector<Variant> TechniqueVariants();
 
 /// Cost of each technique: by itself, and in the preset balanced.

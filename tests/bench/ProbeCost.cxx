@@ -36,8 +36,8 @@ namespace bench
 namespace
 {
 constexpr int Probes = 1024, Rays = 128; // the defaults
-// Minimum of updates and of seconds before the measurement, for shaders to compile, probes' distances to settle and GPUs
-// to raise their clock rates.
+// Minimum of updates and of seconds before the measurement, for shaders to compile, probes' distances to settle and
+// GPUs to raise their clock rates.
 constexpr int WarmUpdates = 10;
 constexpr double WarmSeconds = 0.5;
 // Factor that the cost per ray may grow by, because of noise.

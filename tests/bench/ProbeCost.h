@@ -21,8 +21,8 @@ struct ProbeCostOptions
 /// Triangles of the smallest ball.
 constexpr double LeastTriangles = 1e4;
 
-/// Print tables of medians. Returns whether the default update keeps the limit, the cost per ray does not grow with their
-/// number, and the cost grows no faster than the logarithm of the triangles. Throws std::runtime_error if the plot cannot
-/// be written.
+/// Print tables of medians. Returns whether the default update keeps the limit, the cost per ray does not grow with
+/// their number, and the cost grows no faster than the logarithm of the triangles. Throws std::runtime_error if the
+/// plot cannot be written.
 bool ReportProbeCost(const ProbeCostOptions& options);
 }

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Cost of baked and live light in frames of small scenes, and of the first frame of many glyphs. Frames with and without
- * the light alternate.
+ * Cost of baked and live light in frames of small scenes, and of the first frame of many glyphs. Frames with and
+ * without the light alternate.
  */
 #pragma once
 
 namespace bench
 {
-/// Measure the cost of a lightmap over direct light with shadow maps, at 1280 x 720, in processor time. Returns whether it
-/// keeps its limits.
+/// Measure the cost of a lightmap over direct light with shadow maps, at 1280 x 720, in processor time. Returns whether
+/// it keeps its limits.
 bool ReportLightmapCost(int turns);
 
 /// Measure the cost of indirect light in a volume that no ray leaves early, in processor time. Returns whether it keeps

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Compares frame times of the pass with those of stock VTK on the same scene. Frames are drawn in random order, so that
- * changes of the machine's speed affect all alike. Not measured: reading data, extracting the surface, compiling shaders
- * in the first frames, and reading back. Subcommands measure other costs.
+ * changes of the machine's speed affect all alike. Not measured: reading data, extracting the surface, compiling
+ * shaders in the first frames, and reading back. Subcommands measure other costs.
  */
 #include "FrameScenes.h"
 #include "ProbeCost.h"

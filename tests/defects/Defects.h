@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Defects of VTK's own shadow and ambient occlusion passes. Each test shows the defect with stock VTK, unless this version
-// of VTK has fixed it, and then that Penumbra does not have it.
+// Defects of VTK's own shadow and ambient occlusion passes. Each test shows the defect with stock VTK, unless this
+// version of VTK has fixed it, and then that Penumbra does not have it.
 #pragma once
 
 #include "Messages.h"

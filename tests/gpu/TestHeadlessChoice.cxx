@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// vtkHeadlessRenderWindow with other windows, backends, threads and contexts, when it replaces VTK's own window, and its
-// errors if no context can be created.
+// vtkHeadlessRenderWindow with other windows, backends, threads and contexts, when it replaces VTK's own window, and
+// its errors if no context can be created.
 
 #include "HeadlessTesting.h"
 

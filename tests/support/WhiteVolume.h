@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A matte white, shaded volume of 33 x 33 x 33 points around the origin. Sample distance and opacity scale with its size.
+ * A matte white, shaded volume of 33 x 33 x 33 points around the origin. Sample distance and opacity scale with its
+ * size.
  */
 #pragma once
 

@@ -143,7 +143,8 @@ std::vector<std::string> Flags(const std::string& text)
   return flags;
 }
 
-// Whether a permutation is tested: all of up to six flags; of more flags, those with at most two set or at most one unset.
+// Whether a permutation is tested: all of up to six flags; of more flags, those with at most two set or at most one
+// unset.
 bool IsTested(unsigned int bits, std::size_t flags)
 {
   const std::size_t set = std::bitset<32>(bits).count();

@@ -58,13 +58,13 @@ std::vector<Case> FormFactorCases();
 std::vector<Case> StrategyCases();
 std::vector<Case> ConvergenceCases();
 
-/// Mean of a picture whose pixels all have the same expected value. Their sequences are independent, so their spread gives
-/// the standard error.
+/// Mean of a picture whose pixels all have the same expected value. Their sequences are independent, so their spread
+/// gives the standard error.
 Outcome MeanOfEqual(const Film& film, double unit = 1.0);
-/// Mean over the visible surfaces, whose pixels differ. The standard error is that of random samples, an upper bound because
-/// the samples are spread more evenly.
+/// Mean over the visible surfaces, whose pixels differ. The standard error is that of random samples, an upper bound
+/// because the samples are spread more evenly.
 Outcome MeanOfSurface(const Film& film, double unit = 1.0);
-/// Mean of a picture, with the mean of another one of the same size as the expected value. The standard error is that of
-/// the difference per pixel.
+/// Mean of a picture, with the mean of another one of the same size as the expected value. The standard error is that
+/// of the difference per pixel.
 Outcome MeanComparedTo(const Film& film, const Film& other);
 }

@@ -47,14 +47,14 @@ Outcome Fit(const std::vector<double>& x, const std::vector<double>& y)
   return outcome;
 }
 
-/// Slope of the errors of 4 to samples / 16 paths per pixel against a reference of `samples` paths. The reference contains
-/// these paths, which makes the slope of random samples steeper by 0.006.
+/// Slope of the errors of 4 to samples / 16 paths per pixel against a reference of `samples` paths. The reference
+/// contains these paths, which makes the slope of random samples steeper by 0.006.
 Outcome ErrorSlope(Studio& studio, int samples, const std::string& shaders)
 {
   constexpr int pixels = 48;
   BuildCornellBox(studio, pixels);
-  // The lamp is out of view. The pixels on its edge, a thousand times as bright as the error of the others, would measure
-  // anti-aliasing instead of light transport.
+  // The lamp is out of view. The pixels on its edge, a thousand times as bright as the error of the others, would
+  // measure anti-aliasing instead of light transport.
   studio.Look({ { 0.0, -3.9, 0.0 } }, { { 0.0, 0.0, -0.3 } }, 25.0);
   studio.SetShaders(shaders);
   const Film reference = studio.Trace(samples);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Form factors: radiance of a white receiver over that of its emitter. Expected values: Howell, Mengüç, Daun, Siegel 2020,
-// "Thermal Radiation Heat Transfer", appendix C.
+// Form factors: radiance of a white receiver over that of its emitter. Expected values: Howell, Mengüç, Daun, Siegel
+// 2020, "Thermal Radiation Heat Transfer", appendix C.
 #include "Case.h"
 #include "Shapes.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Share of uniform light that VTK's surface models reflect in one direction: integrals over the hemisphere by the midpoint
-// rule, implemented independently of the shaders.
+// Share of uniform light that VTK's surface models reflect in one direction: integrals over the hemisphere by the
+// midpoint rule, implemented independently of the shaders.
 #pragma once
 
 namespace validate

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Share of uniform light that each surface model reflects: a flat surface in surroundings of radiance 1, seen at an angle,
-// against the same model integrated on the CPU.
+// Share of uniform light that each surface model reflects: a flat surface in surroundings of radiance 1, seen at an
+// angle, against the same model integrated on the CPU.
 #include "Case.h"
 #include "Reflectance.h"
 #include "Shapes.h"
@@ -22,8 +22,8 @@ Outcome Albedo(Studio& studio, int samples, const Material& material, double deg
   studio.Add(Floor(-1.0, 1.0, -1.0, 1.0, 0.0), material);
   studio.SetBounces(1);
   const double angle = degrees * Pi / 180.0;
-  // VTK computes view directions from the camera's position even in a parallel projection, so the camera is far away and
-  // the picture small.
+  // VTK computes view directions from the camera's position even in a parallel projection, so the camera is far away
+  // and the picture small.
   const Vec3 eye = { { 0.0, -20.0 * std::sin(angle), 20.0 * std::cos(angle) } };
   studio.LookParallel(eye, { { 0.0, 0.0, 0.0 } }, { { 0.0, 1.0, 1.0 } }, 0.005, 1.0);
   return MeanOfEqual(studio.Trace(samples));

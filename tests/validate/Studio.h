@@ -73,8 +73,8 @@ public:
   /// Set uniform light from all directions by an environment texture, with a background of the same value.
   void SetEnvironmentTexture(double radiance);
 
-  /// Set a parallel projection, as a square picture of the given half width. Surfaces nearer to the eye than `nearest` are
-  /// not visible, but cast shadows and emit light.
+  /// Set a parallel projection, as a square picture of the given half width. Surfaces nearer to the eye than `nearest`
+  /// are not visible, but cast shadows and emit light.
   void LookParallel(
     const Vec3& eye, const Vec3& target, const Vec3& up, double half, double nearest);
   void Look(const Vec3& eye, const Vec3& target, double angle);

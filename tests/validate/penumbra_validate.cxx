@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Path traces scenes with known light, and prints expected and measured values. Exits with 1 if a case fails. With --quick,
- * fewer cases and samples, for the tests.
+ * Path traces scenes with known light, and prints expected and measured values. Exits with 1 if a case fails. With
+ * --quick, fewer cases and samples, for the tests.
  */
 #include "Report.h"
 
