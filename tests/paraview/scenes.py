@@ -45,7 +45,11 @@ def aim(view):
 
 
 def make_view(**properties):
-    view = simple.CreateView("RenderView")
+    return prepare_view(simple.CreateView("RenderView"), **properties)
+
+
+def prepare_view(view, **properties):
+    """Set the size and background of a view, and other properties."""
     view.ViewSize = SIZE
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0

@@ -269,6 +269,13 @@ class Switching(Base):
         self.assertEqual(self.number("lit_equal", text), 1.0)
         self.assertEqual(self.number("plain_equal", text), 1.0)
 
+    def test_a_view_older_than_the_plugin(self):
+        text = self.run_script("pvpython", "older_view.py")
+        self.assertIn("has properties: False", text)
+        self.assertGreater(self.number("changed", text), 0.1)
+        self.assertEqual(self.number("as_a_new_view", text), 1.0)
+        self.assertEqual(self.number("off_again", text), 1.0)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv)
