@@ -1,5 +1,5 @@
-# OpenImageIO's own package, made usable where only libopenimageio-dev is installed: Debian's names
-# the headers of OpenCV, which nothing here needs and CMake would refuse to go without.
+# Finds OpenImageIO by its own package. Debian's package lists the header folder of OpenCV, which is not needed here, and
+# CMake reports an error if it does not exist. Missing folders are therefore removed.
 find_package(OpenImageIO ${OpenImageIO_FIND_VERSION} CONFIG QUIET)
 foreach(_target IN ITEMS OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util)
   if(TARGET ${_target})

@@ -1,5 +1,5 @@
-# The CMake package: find_package(Penumbra) gives Penumbra::RenderingGI, and VTK with it. The module
-# installs its own library, headers and targets; this adds what finds them.
+# The CMake package: find_package(Penumbra) provides Penumbra::RenderingGI and VTK. The module installs its own library,
+# headers and targets; this adds the files by which CMake finds them.
 include(CMakePackageConfigHelpers)
 set(_package "${CMAKE_INSTALL_LIBDIR}/cmake/penumbra")
 configure_package_config_file(

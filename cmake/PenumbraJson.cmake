@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-# The system's JSON library, also for those who include VTK's headers.
+# The system's JSON library, also for sources that include VTK's headers.
 #
-# VTK 9.3 may bring the library itself. One of its headers then makes the name "nlohmann" a macro, and the forward
-# declarations of both have the same include guard, so that whatever comes second does not compile. Where that is so,
-# VTK's headers, which only name the type, take the system's.
+# VTK 9.3 may include its own copy of the library. One of its headers then defines the name "nlohmann" as a macro, and the
+# forward declarations of both copies have the same include guard, so that whichever comes second does not compile. In that
+# case VTK's headers, which only name the type, get the system's copy.
 find_package(nlohmann_json REQUIRED)
 if(NOT DEFINED PENUMBRA_JSON_BESIDE_VTK)
   include(CheckCXXSourceCompiles)

@@ -1,14 +1,14 @@
-# Everything a user may choose, in one place.
+# All options for users.
 set(PENUMBRA_VTK "auto" CACHE STRING
   "Which VTK to build against: auto (ParaView's if installed, else plain VTK), paraview, vtk")
 set_property(CACHE PENUMBRA_VTK PROPERTY STRINGS auto paraview vtk)
 option(PENUMBRA_BUILD_TOOL "Build the penumbra command" ON)
-option(PENUMBRA_BUILD_PARAVIEW_PLUGIN "Build ParaView's plugin where ParaView's development files are found" ON)
+option(PENUMBRA_BUILD_PARAVIEW_PLUGIN "Build the ParaView plugin if ParaView's development files are found" ON)
 option(PENUMBRA_BUILD_EXAMPLES "Build the examples" ON)
 option(PENUMBRA_BUILD_TESTS "Build the tests and benchmarks" ON)
 option(PENUMBRA_WRAP_PYTHON "Wrap the module for Python" ON)
 set(PENUMBRA_TEST_TIMEOUT 7200 CACHE STRING
-  "Seconds after which a test is taken for stuck: on a busy machine, with sanitizers, none that works takes as long")
+  "Seconds after which a test counts as stuck; long enough for a busy machine with sanitizers")
 mark_as_advanced(PENUMBRA_TEST_TIMEOUT)
 option(PENUMBRA_SANITIZE "Build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 
@@ -24,10 +24,10 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 
-# What is built here and nothing else: VTK stays as installed, and no target or package passes the flags on.
+# Only this build is instrumented. VTK stays as installed, and neither targets nor the package export the flags.
 if(PENUMBRA_SANITIZE)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    message(FATAL_ERROR "PENUMBRA_SANITIZE needs GCC or Clang, and the compiler is ${CMAKE_CXX_COMPILER_ID}.")
+    message(FATAL_ERROR "PENUMBRA_SANITIZE needs GCC or Clang, but the compiler is ${CMAKE_CXX_COMPILER_ID}.")
   endif()
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -O1 -g1)
   add_link_options(-fsanitize=address,undefined)

@@ -1,4 +1,4 @@
-# Wraps the module for Python as package "penumbra": build/python is ready to be put on PYTHONPATH.
+# Wraps the module for Python as the package "penumbra" in build/python, which can be added to PYTHONPATH.
 set(PENUMBRA_PYTHON_DIR "${CMAKE_BINARY_DIR}/python")
 set(_python_version "python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}")
 if(NOT EXISTS "/etc/debian_version")

@@ -1,10 +1,10 @@
-# Some builds of VTK and ParaView (Debian 13's ParaView 5.13 among them) install their Python modules under names with
-# the interpreter's suffix, vtkCommonCore.cpython-313-x86_64-linux-gnu.so, while their CMake packages name vtkCommonCore.so
-# and refuse to load, as that file does not exist.
+# Some builds of VTK and ParaView, such as Debian 13's ParaView 5.13, install Python modules under names with the
+# interpreter's suffix, like vtkCommonCore.cpython-313-x86_64-linux-gnu.so. Their CMake packages refer to vtkCommonCore.so,
+# which does not exist, and fail to load.
 
-# penumbra_python_targets(FOLDER): to be called before find_package() of the package whose files lie in FOLDER. Where its
-# targets name Python modules that do not exist and modules with a suffix do, defines those targets from a corrected copy;
-# the package then leaves them as they are. Does nothing where the package is right.
+# penumbra_python_targets(FOLDER): call before find_package() of the package whose files are in FOLDER. If its targets refer
+# to Python modules that exist only with a suffix, this defines the targets from a corrected copy, and the package does not
+# define them again. Does nothing if the package is correct.
 function(penumbra_python_targets folder)
   file(GLOB exports "${folder}/*Python*-targets.cmake")
   foreach(export IN LISTS exports)
@@ -28,7 +28,7 @@ function(penumbra_python_targets folder)
     endforeach()
     if(corrected)
       file(READ "${export}" text)
-      # The prefix is that of the package, not of the copy.
+      # The prefix is relative to the package, not to the copy.
       string(REPLACE "\${CMAKE_CURRENT_LIST_FILE}" "${export}" text "${text}")
       file(WRITE "${copies}/${name}.cmake" "${text}")
       include("${copies}/${name}.cmake")
@@ -36,7 +36,7 @@ function(penumbra_python_targets folder)
   endforeach()
 endfunction()
 
-# The module with a suffix, where the one without does not exist; else nothing.
+# Sets out to the module with a suffix, or to nothing if the module without a suffix exists.
 function(_penumbra_find_python_module folder module out)
   set(${out} "" PARENT_SCOPE)
   string(REPLACE "\${_IMPORT_PREFIX}/" "" relative "${module}")

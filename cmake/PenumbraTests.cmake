@@ -1,7 +1,8 @@
-# How tests are run: what took endlessly is stuck, and what skipped all of its cases is skipped.
+# Common properties of tests: a timeout, and the exit status of a test that skipped all of its cases.
 set(PENUMBRA_SKIPPED 77) # tests/support/Skips.h
 
-# penumbra_test_cases(NAME FILE [ENVIRONMENT VARIABLE=VALUE...] [ARGUMENTS ...]): a Python file of unittest cases.
+# penumbra_test_cases(NAME FILE [ENVIRONMENT VARIABLE=VALUE...] [ARGUMENTS ...]): adds a Python file of unittest cases as a
+# test.
 function(penumbra_test_cases name file)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "ENVIRONMENT;ARGUMENTS")
   if(NOT Python3_EXECUTABLE)

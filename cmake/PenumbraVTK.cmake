@@ -1,8 +1,8 @@
-# Finds one VTK, ParaView's or the plain one, and builds the module against it.
+# Finds VTK, either ParaView's or plain VTK, and builds the module against it.
 include(PenumbraPythonTargets)
 
-# The folder of ParaView's CMake package, empty where there is none. Debian keeps ParaView's copy of VTK in it, out of
-# find_package's default path; a ParaView that was built with the system's VTK has none.
+# Sets out to the folder of ParaView's CMake package, or to nothing. In Debian it contains ParaView's copy of VTK, which is
+# not in find_package's default path. A ParaView that was built with the system's VTK has no copy.
 function(_penumbra_find_paraview out)
   file(GLOB candidates
     "/usr/lib/*/cmake/paraview-*" "/usr/lib/cmake/paraview-*" "/usr/local/lib/cmake/paraview-*" "${ParaView_DIR}")
@@ -23,7 +23,7 @@ if(NOT PENUMBRA_VTK STREQUAL "vtk")
   if(PENUMBRA_PARAVIEW_PACKAGE AND NOT VTK_DIR AND EXISTS "${PENUMBRA_PARAVIEW_PACKAGE}/vtk/vtk-config.cmake")
     set(VTK_DIR "${PENUMBRA_PARAVIEW_PACKAGE}/vtk" CACHE PATH "VTK's CMake package")
   elseif(EXISTS "${PENUMBRA_PARAVIEW_PACKAGE}/vtk/vtk-config.cmake" AND NOT VTK_DIR STREQUAL "${PENUMBRA_PARAVIEW_PACKAGE}/vtk")
-    set(PENUMBRA_PARAVIEW_PACKAGE "") # it has another VTK than the one that was asked for
+    set(PENUMBRA_PARAVIEW_PACKAGE "") # its VTK is not the requested one
   elseif(PENUMBRA_VTK STREQUAL "paraview" AND NOT PENUMBRA_PARAVIEW_PACKAGE AND NOT VTK_DIR)
     message(FATAL_ERROR "PENUMBRA_VTK is 'paraview' but no ParaView development files were found: "
       "install paraview-dev and python3-paraview, or configure with -DPENUMBRA_VTK=vtk.")
@@ -39,7 +39,7 @@ set(_vtk_components
   ImagingCore IOImage IOXML IOXMLParser)
 if(PENUMBRA_WRAP_PYTHON)
   list(APPEND _vtk_components WrappingPythonCore Python)
-  # VTK was built for the system's interpreter; another python3 may come first on the path.
+  # VTK was built for the system's interpreter, but another python3 may come first in the path.
   if(NOT Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
     set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "The interpreter VTK was wrapped for")
   endif()
@@ -47,7 +47,7 @@ endif()
 if(VTK_DIR)
   penumbra_python_targets("${VTK_DIR}")
 endif()
-# Molecules can be traced where VTK was built with them.
+# Molecules can be traced if VTK was built with this module.
 find_package(VTK 9.1 REQUIRED COMPONENTS ${_vtk_components}
   OPTIONAL_COMPONENTS DomainsChemistryOpenGL2)
 message(STATUS "Penumbra: VTK ${VTK_VERSION} from ${VTK_DIR}")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Write the shaders of a folder into one C++ source, as a table of name and text.
+"""Write the shaders of a folder to a C++ source with a table of their names and texts.
 
 usage: embed_shaders.py OUTPUT.cxx ROOT FILE...
 """
@@ -14,7 +14,7 @@ def main():
     rows = []
     for path in map(pathlib.Path, sys.argv[3:]):
         text = path.read_text()
-        # Compilers bound the length of one literal; adjacent literals join.
+        # Compilers limit the length of a string literal, but concatenate adjacent ones.
         pieces = "".join(f'R"glsl({text[i:i + 8000]})glsl"\n' for i in range(0, len(text), 8000))
         rows.append(f'    {{ "{path.relative_to(root).as_posix()}",\n{pieces} }},')
     output.write_text(

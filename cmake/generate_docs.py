@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bring the tables of docs/ up to date with vtk_module/techniques/*/*.json.
+"""Update the generated parts of docs/ from vtk_module/techniques/*/*.json.
 
-Each technique's page, docs/techniques/<name>.md, holds its table between two marker lines, and
-docs/techniques/README.md the table of all techniques; the rest of a page is written by hand. A
-technique without a page gets one to fill in.
+Each technique's page, docs/techniques/<name>.md, contains its tables between two marker lines, and
+docs/techniques/README.md contains the table of all techniques. The rest of a page is written by hand. If a technique has no
+page, a new one is created.
 
-usage: generate_docs.py [--check]      with --check, change nothing and fail where a page is stale
+usage: generate_docs.py [--check]      with --check, change nothing and fail if a page is out of date
 """
 import json
 import pathlib
@@ -76,7 +76,7 @@ def overview_part(techniques):
 
 
 def page(path, part, title):
-    """The page's new text: the generated part replaced, the rest as it is."""
+    """The text of a page with its generated part replaced."""
     if not path.exists():
         return f"# {title}\n\n{part}\n"
     text = path.read_text()

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Generate, from vtk_module/techniques/*/*.json, each technique's typed base class and the registry.
 
-A parameter is declared once, in its technique's JSON file; the C++ and Python accessors, the table
-behind the command line and the docs all come from there.
+A parameter is declared once, in its technique's JSON file. The C++ and Python accessors, the command line's table and the
+documentation are generated from it.
 
 usage: generate_parameters.py OUTPUT_FOLDER FILE.json...
 """
@@ -33,7 +33,7 @@ def quote(text):
 
 
 def number(parameter, value):
-    """A default or preset value as a number: an enum's by its index, a bool's as 0 or 1."""
+    """A default or preset value as a number: an enum as its index, a bool as 0 or 1."""
     if parameter["type"] == "enum":
         return parameter["values"].index(value)
     return int(value) if parameter["type"] in ("bool", "int") else float(value)
@@ -142,7 +142,7 @@ def write(path, text):
 
 
 def arguments(usage):
-    """From the command line, FOLDER FILE...: the folder, made, and the techniques of the files by their stems."""
+    """Parse the command line FOLDER FILE..., and create the folder. Returns it, and (stem, technique) of each file."""
     if len(sys.argv) < 3:
         sys.exit(usage)
     folder = pathlib.Path(sys.argv[1])

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Generate, from vtk_module/techniques/*/*.json, what ParaView's server manager needs to know of each technique.
+"""Generate the ParaView plugin's description of the techniques from vtk_module/techniques/*/*.json.
 
-GlobalIllumination.xml: a property for each parameter (documentation, unit, range, default), and the extension of
-ParaView's render view by all of them, a group for each technique. vtkPVGIParameters.h and .cxx: the method that each
-property calls, and the table of property, technique and parameter.
+GlobalIllumination.xml: a property for each parameter (documentation, unit, range, default), and an extension that adds the
+properties to ParaView's render view in a group for each technique. vtkPVGIParameters.h and .cxx: the methods that the
+properties call, and a table of property, technique and parameter.
 
-The defaults are the values of the preset "balanced": to switch global illumination on is to have that preset.
+The defaults are the values of the preset "balanced", so switching global illumination on applies that preset.
 
 usage: generate_paraview.py OUTPUT_FOLDER FILE.json...
 """
@@ -19,29 +19,29 @@ from generate_parameters import NOTICE, arguments, kebab, number, quote, write
 
 START_PRESET = "balanced"
 SWITCH = "GlobalIllumination"
-PROBES = "SHProbes"  # the technique whose light a view bakes
+PROBES = "SHProbes"  # the technique whose light can be baked in a view
 BAKES = {PROBES: "File of baked probes, valid for the scene that they were baked in. Baking writes this file if one is named; "
                  "otherwise the probes are lost with the view.",
          "Lightmap": "A lightmap that penumbra bake lightmap wrote, baked from the data that the view shows."}
 BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/techniques/sh_probes/vtkGIProbeBaker.h"
 MOST_PROBES = int(re.search(r"MostProbes = (\d+)", BAKER.read_text()).group(1))
-LONGEST_UNIT = 12  # characters that leave the panel narrow; the tooltip tells every unit
+LONGEST_UNIT = 12  # characters, so that the panel stays narrow; the tooltip contains every unit
 
 
 def words(camel):
-    """SlopeBias as a label: Slope bias. What is written in capitals stays so."""
+    """A name as a label: SlopeBias as Slope bias. Names in capitals are not changed."""
     text = kebab(camel).replace("-", " ") if not camel.isupper() else camel
     return text[0].upper() + text[1:]
 
 
 def label(parameter):
-    """The name in the panel, with its unit where that is short and says more than the name does."""
+    """The label in the panel, with the unit if it is short and not part of the name."""
     text, unit = words(parameter["name"]), parameter.get("unit", "")
     return f"{text} ({unit})" if 0 < len(unit) <= LONGEST_UNIT and unit not in text.lower() else text
 
 
 def visible_where(switches, indent, more=""):
-    """Hints: shown in the panel where all of these properties are on; and more."""
+    """Hints that show a property only if all of these switches are on. more: further hints."""
     return f"{indent}<Hints>\n" + "".join(
         f'{indent}  <PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="{prop}" value="1"/>\n'
         for prop in switches) + f"{indent}{more}</Hints>\n"
@@ -81,7 +81,7 @@ def sm_property(name, title, command, kind, default, inner, doc, shown_with=(), 
 
 
 def rows(techniques):
-    """(property, technique, parameter or None, declaration, default) in the order of the panel."""
+    """(property, technique, parameter or None for a switch, declaration, default) in the order of the panel."""
     for stem, technique in techniques:
         preset = technique["presets"][START_PRESET]
         yield f"GI{stem}", technique["name"], None, technique, int(preset["enabled"])
@@ -97,8 +97,8 @@ def general_properties(presets):
                       "ParaView's own picture.")
     yield sm_property("GIPreset", "Apply preset", None, "int", -1,
                       f'<EnumerationDomain name="enum"><Entry text="choose" value="-1"/>{names}</EnumerationDomain>',
-                      "Set all techniques and parameters below to the values of a preset. The parameters' values are "
-                      "what counts and what is saved; this box goes back to \"choose\".", [SWITCH])
+                      "Set all techniques and parameters below to the values of a preset. Only these values are used "
+                      "and saved; this box returns to \"choose\".", [SWITCH])
     yield sm_property("GIStillFrames", "Frames of a still picture", "SetStillFrames", "int", 1,
                       '<IntRangeDomain name="range" min="1"/>',
                       "Number of frames drawn for one still picture, such as a screenshot. Techniques that accumulate "
@@ -106,7 +106,7 @@ def general_properties(presets):
 
 
 def bake_properties(stem, what):
-    """The file that a technique's baked light is read from, and why it could not be read."""
+    """Properties of the file of a technique's baked light, and of the last error."""
     yield (f'      <StringVectorProperty name="GI{stem}File" label="File" command="Set{stem}File" animateable="0" '
            'number_of_elements="1" default_values="" panel_visibility="default">\n        <FileListDomain name="files"/>\n'
            f'        <Documentation>{what}</Documentation>\n' +
@@ -118,7 +118,7 @@ def bake_properties(stem, what):
 
 
 def probe_properties():
-    """What a view needs to bake probes."""
+    """Properties for baking probes in a view."""
     shown = [SWITCH, f"GI{PROBES}"]
     for name, title, command, bounds, default, doc in (
             ("Count", "Probes to bake", "SetProbesToBake", [27, MOST_PROBES], 1024,
@@ -195,14 +195,14 @@ def header(techniques):
         setters += ["  /**", f"   * {declaration['doc'] if parameter else 'Switch: ' + declaration['title'] + '.'}", "   */",
                     f"  void Set{name}({kind} value) {{ this->SetSetting({quote(name)}, value); }}"]
     return "\n".join([
-        NOTICE.format(stem="*") + "/**\n * @class   vtkPVGIParameters\n * @brief   a method for each property of "
+        NOTICE.format(stem="*") + "/**\n * @class   vtkPVGIParameters\n * @brief   methods of the properties of "
         "ParaView's settings of global illumination\n */",
         "#ifndef vtkPVGIParameters_h", "#define vtkPVGIParameters_h", "", '#include "vtkDataRepresentation.h"',
         '#include "vtkPenumbraParaViewModule.h" // for the export macro', "", "#include <vector> // for the table", "",
         "class VTKPENUMBRAPARAVIEW_EXPORT vtkPVGIParameters : public vtkDataRepresentation", "{", "public:",
         "  vtkTypeMacro(vtkPVGIParameters, vtkDataRepresentation);", ""] + setters + ["",
         "#ifndef __VTK_WRAP__",
-        "  /// One property: its technique, and the parameter of that, or nullptr for its switch.",
+        "  /// A property, its technique, and its parameter, or nullptr if it is the technique's switch.",
         "  struct Row", "  {", "    const char* Property;", "    const char* Technique;", "    const char* Parameter;", "  };",
         "  static const std::vector<Row>& Table();", "#endif", "",
         "protected:", "  vtkPVGIParameters() = default;", "  ~vtkPVGIParameters() override = default;", "",

@@ -16,7 +16,7 @@ from vtkmodules.vtkInteractionWidgets import vtkSliderRepresentation2D, vtkSlide
 from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor, vtkTextActor
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
-MOST = 5  # texels: beyond it shadows leave what casts them in every scene
+MOST = 5  # texels; with a larger bias shadows detach from their casters in every scene
 INK = (0.1, 0.1, 0.1)
 
 
@@ -25,51 +25,52 @@ class Laboratory:
         self.window = window
         self.bench = Bench(window, renderer)
         self.judge = self.resolution = None
-        self.words = vtkTextActor()
-        text = self.words.GetTextProperty()
+        self.label = vtkTextActor()
+        text = self.label.GetTextProperty()
         text.SetFontSize(18)
         text.SetColor(INK)
         text.SetBackgroundColor(1, 1, 1)
         text.SetBackgroundOpacity(0.75)
-        self.words.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-        self.words.SetPosition(0.02, 0.84)
-        renderer.AddViewProp(self.words)
+        self.label.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+        self.label.SetPosition(0.02, 0.84)
+        renderer.AddViewProp(self.label)
         kinds = bias_kinds(self.bench.maps)
         self.sliders = {kind + "-bias": self.slider(interactor, kind + "-bias", i / len(kinds), (i + 1) / len(kinds))
                         for i, kind in enumerate(kinds)}
-        interactor.GetInteractorStyle().AddObserver("EndInteractionEvent", lambda *_: self.look_again())
-        self.look_again()
+        interactor.GetInteractorStyle().AddObserver("EndInteractionEvent", lambda *_: self.measure_view())
+        self.measure_view()
 
     def slider(self, interactor, parameter, left, right):
-        look = vtkSliderRepresentation2D()
-        look.SetMinimumValue(0)
-        look.SetMaximumValue(MOST)
-        look.SetValue(self.bench.maps.GetParameter(parameter))
-        look.SetTitleText(parameter + ", texels")
-        look.SetLabelFormat("%.2f")
-        for point, place in ((look.GetPoint1Coordinate(), left + 0.03), (look.GetPoint2Coordinate(), right - 0.03)):
+        representation = vtkSliderRepresentation2D()
+        representation.SetMinimumValue(0)
+        representation.SetMaximumValue(MOST)
+        representation.SetValue(self.bench.maps.GetParameter(parameter))
+        representation.SetTitleText(parameter + ", texels")
+        representation.SetLabelFormat("%.2f")
+        for point, x in ((representation.GetPoint1Coordinate(), left + 0.03),
+                         (representation.GetPoint2Coordinate(), right - 0.03)):
             point.SetCoordinateSystemToNormalizedDisplay()
-            point.SetValue(place, 0.1)
-        for text in (look.GetTitleProperty(), look.GetLabelProperty()):
+            point.SetValue(x, 0.1)
+        for text in (representation.GetTitleProperty(), representation.GetLabelProperty()):
             text.SetColor(INK)
             text.ShadowOff()
             text.BoldOff()
-        look.GetTubeProperty().SetColor(0.5, 0.5, 0.5)
+        representation.GetTubeProperty().SetColor(0.5, 0.5, 0.5)
         widget = vtkSliderWidget()
         widget.SetInteractor(interactor)
-        widget.SetRepresentation(look)
+        widget.SetRepresentation(representation)
         widget.EnabledOn()
         widget.AddObserver("InteractionEvent", lambda *_: self.measure())
         return widget
 
-    def look_again(self):
-        """From where the camera is now: true shadows first, then the map's errors."""
+    def measure_view(self):
+        """Measure at the current camera position: first ray-traced shadows, then the errors of the map."""
         self.hide(True)
         try:
             self.judge = measure(self.bench, self.resolution)
         except ValueError as error:
             self.judge = None
-            self.say(str(error))
+            self.show(str(error))
         else:
             self.resolution = int(self.bench.maps.GetParameter("resolution"))
             self.measure()
@@ -81,26 +82,26 @@ class Laboratory:
             self.bench.maps.SetParameter(parameter, slider.GetRepresentation().GetValue())
         self.hide(True)
         errors = self.judge.measure(self.bench.draw_mask())
-        self.say(f"acne {percent(errors['acne'])}{': too much' if errors['acne'] > LIMITS['acne'] else ''}\n"
-                 f"gap {errors['gap']:.2f} texels{': too wide' if errors['gap'] > LIMITS['gap'] else ''}\n"
-                 f"map of {self.resolution} texels a side")
+        self.show(f"acne {percent(errors['acne'])}{': too much' if errors['acne'] > LIMITS['acne'] else ''}\n"
+                  f"gap {errors['gap']:.2f} texels{': too wide' if errors['gap'] > LIMITS['gap'] else ''}\n"
+                  f"map of {self.resolution} texels per side")
 
-    def say(self, words):
-        self.words.SetInput(words)
+    def show(self, text):
+        self.label.SetInput(text)
         self.hide(False)
         self.window.Render()
 
     def hide(self, hidden):
-        """Sliders and words would stand in the depth that places are read from."""
+        """Show or hide sliders and texts, which would be drawn into the depth that positions are read from."""
         self.window.SetSwapBuffers(not hidden)
-        for prop in (self.words, *(slider.GetRepresentation() for slider in self.sliders.values())):
+        for prop in (self.label, *(slider.GetRepresentation() for slider in self.sliders.values())):
             prop.SetVisibility(not hidden)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("scene", metavar="SCENE.py[:FUNCTION]")
-    parser.add_argument("--headless", metavar="OUT.png", help="write the window's picture and end")
+    parser.add_argument("--headless", metavar="OUT.png", help="write the window's picture and exit")
     options = parser.parse_args()
     try:
         renderer = load_scene(options.scene)

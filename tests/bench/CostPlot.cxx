@@ -39,9 +39,9 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<CostPoint>& 
   table->AddColumn(array);
 }
 
-void SetAxis(vtkChart* chart, int place, const char* title, double low, double high)
+void SetAxis(vtkChart* chart, int position, const char* title, double low, double high)
 {
-  vtkAxis* axis = chart->GetAxis(place);
+  vtkAxis* axis = chart->GetAxis(position);
   axis->SetTitle(title);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(low, high);
@@ -76,15 +76,15 @@ void Draw(vtkChart* chart, const std::string& file)
 
 void PlotCost(const std::vector<CostPoint>& points, const std::string& file)
 {
-  const auto power = [](const CostPoint& point) { return std::log10(point.Triangles); };
+  const auto exponent = [](const CostPoint& point) { return std::log10(point.Triangles); };
   const auto milliseconds = [](const CostPoint& point) { return point.Milliseconds; };
   vtkNew<vtkTable> table;
-  AddColumn(table, "triangles", points, power);
+  AddColumn(table, "triangles", points, exponent);
   AddColumn(table, "milliseconds", points, milliseconds);
-  double most = 0.0;
+  double maximum = 0.0;
   for (const CostPoint& point : points)
   {
-    most = std::max(most, point.Milliseconds);
+    maximum = std::max(maximum, point.Milliseconds);
   }
   vtkNew<vtkChartXY> chart;
   auto* line = vtkPlotPoints::SafeDownCast(chart->AddPlot(vtkChart::LINE));
@@ -92,9 +92,9 @@ void PlotCost(const std::vector<CostPoint>& points, const std::string& file)
   line->SetColor(30, 90, 180, 255);
   line->SetWidth(2.5F);
   line->SetMarkerStyle(vtkPlotPoints::CIRCLE);
-  SetAxis(chart, vtkAxis::BOTTOM, "triangles, powers of ten", power(points.front()),
-    power(points.back()) + 0.05);
-  SetAxis(chart, vtkAxis::LEFT, "milliseconds of an update", 0.0, 1.15 * most);
+  SetAxis(chart, vtkAxis::BOTTOM, "logarithm of triangles, base 10", exponent(points.front()),
+    exponent(points.back()) + 0.05);
+  SetAxis(chart, vtkAxis::LEFT, "milliseconds of an update", 0.0, 1.15 * maximum);
   Draw(chart, file);
 }
 }

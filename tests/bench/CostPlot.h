@@ -13,6 +13,6 @@ struct CostPoint
   double Milliseconds;
 };
 
-/// Draw milliseconds over the logarithm of triangles to a PNG file. Throws std::runtime_error where it cannot be written.
+/// Plot milliseconds over the logarithm of triangles to a PNG file. Throws std::runtime_error if it cannot be written.
 void PlotCost(const std::vector<CostPoint>& points, const std::string& file);
 }

@@ -27,13 +27,14 @@ namespace bench
 {
 namespace
 {
-constexpr int OcclusionSamples = 32; // vtkSSAOPass's own default
-constexpr int MapResolution = 1024;  // vtkShadowMapBakerPass's own default
+constexpr int OcclusionSamples = 32; // default of vtkSSAOPass
+constexpr int MapResolution = 1024;  // default of vtkShadowMapBakerPass
 
 vtkGIPass* AddPass(vtkRenderer* renderer)
 {
   vtkNew<vtkGIPass> pass;
-  pass->GetTechnique("anti-aliasing")->EnabledOff(); // the windows are not multisampled either
+  pass->GetTechnique("anti-aliasing")
+    ->EnabledOff(); // as in stock VTK's windows, which have no multisampling
   renderer->SetPass(pass);
   return pass;
 }
@@ -56,7 +57,7 @@ void AddLights(vtkRenderer* renderer)
 std::vector<Variant> Variants()
 {
   const auto nothing = [](vtkActor*) {};
-  const auto stale = [](vtkActor* actor) { actor->Modified(); };
+  const auto modify = [](vtkActor* actor) { actor->Modified(); };
   return {
     { "stock", [](vtkRenderer*) {}, nothing },
     { "pass", [](vtkRenderer* renderer) { AddPass(renderer); }, nothing },
@@ -76,7 +77,7 @@ std::vector<Variant> Variants()
         occlusion->SetParameter("samples", OcclusionSamples);
       },
       nothing },
-    { "stock shadow", [](vtkRenderer* renderer) { renderer->UseShadowsOn(); }, stale },
+    { "stock shadow", [](vtkRenderer* renderer) { renderer->UseShadowsOn(); }, modify },
     { "pass shadow",
       [](vtkRenderer* renderer) {
         vtkGITechnique* shadows = AddPass(renderer)->GetTechnique("shadow-maps");
@@ -84,7 +85,7 @@ std::vector<Variant> Variants()
         shadows->SetParameter("resolution", MapResolution);
         vtkGIShadowMaps::SafeDownCast(shadows)->AlwaysRedrawOn();
       },
-      stale },
+      modify },
   };
 }
 
@@ -157,7 +158,7 @@ vtkSmartPointer<vtkPolyData> ReadHead(const std::string& file, double isovalue)
 }
 
 Stage::Stage(const Variant& variant, vtkPolyData* surface, int width, int height)
-  : Way(variant)
+  : Drawing(variant)
   , Window(vtkSmartPointer<vtkHeadlessRenderWindow>::New())
   , Renderer(vtkSmartPointer<vtkRenderer>::New())
   , Actor(vtkSmartPointer<vtkActor>::New())
@@ -179,7 +180,7 @@ Stage::Stage(const Variant& variant, vtkPolyData* surface, int width, int height
   camera->SetViewUp(0.0, 0.0, 1.0);
   this->Renderer->ResetCamera();
   camera->Zoom(1.4);
-  this->Way.Prepare(this->Renderer);
+  this->Drawing.Prepare(this->Renderer);
 }
 
 Stage::~Stage() = default;
@@ -187,7 +188,7 @@ Stage::~Stage() = default;
 double Stage::DrawFrame()
 {
   this->Renderer->GetActiveCamera()->Azimuth(1.0);
-  this->Way.Touch(this->Actor);
+  this->Drawing.Touch(this->Actor);
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The same scene in windows of its own, one for each way of drawing that is compared.
+ * The same scene in several windows, one for each way of drawing that is compared.
  */
 #pragma once
 
@@ -20,7 +20,8 @@ class vtkRenderer;
 
 namespace bench
 {
-/// One way of drawing. Prepare configures a new renderer; Touch makes what must be redrawn stale.
+/// A way of drawing. Prepare configures a new renderer. Touch is called before each frame, to modify what must be
+/// redrawn.
 struct Variant
 {
   std::string Name;
@@ -28,19 +29,18 @@ struct Variant
   std::function<void(vtkActor*)> Touch;
 };
 
-/// Stock VTK and the pass: nothing, ambient occlusion of 32 samples, one redrawn shadow map of
-/// 1024 x 1024.
+/// Stock VTK and the pass, each alone, with ambient occlusion of 32 samples, and with a shadow map of 1024 x 1024 that
+/// is redrawn in each frame.
 std::vector<Variant> Variants();
 
-/// The presets; and each technique by itself, as "+name", and, where the balanced preset holds it, that
-/// preset without it, as "-name".
+/// The presets; each technique by itself, as "+name"; and the preset balanced without each of its techniques, as
+/// "-name".
 std::vector<Variant> TechniqueVariants();
 
-/// What each technique adds to the preset off, and takes from the balanced one.
+/// Cost of each technique: by itself, and in the preset balanced.
 std::vector<Cost> Costs(const std::vector<Variant>& variants);
 
-/// The head of an MRI volume as a surface, from NIfTI. Throws std::runtime_error where
-/// the file is missing.
+/// Isosurface of a NIfTI volume. Throws std::runtime_error if the file is missing.
 vtkSmartPointer<vtkPolyData> ReadHead(const std::string& file, double isovalue);
 
 class Stage
@@ -49,11 +49,11 @@ public:
   Stage(const Variant& variant, vtkPolyData* surface, int width, int height);
   ~Stage();
 
-  /// Draw the next view of an orbit and wait for the GPU; seconds it took.
+  /// Draw the next view of an orbit and wait for the GPU. Returns the seconds that this took.
   double DrawFrame();
 
 private:
-  Variant Way;
+  Variant Drawing;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkActor> Actor;

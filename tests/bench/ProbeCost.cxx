@@ -36,11 +36,12 @@ namespace bench
 namespace
 {
 constexpr int Probes = 1024, Rays = 128; // the defaults
-// Before the updates that count, at least: shaders compile, distances settle, and graphics cards wake up.
+// Minimum of updates and of seconds before the measurement, for shaders to compile, probes' distances to settle and
+// GPUs to raise their clock rates.
 constexpr int WarmUpdates = 10;
 constexpr double WarmSeconds = 0.5;
-// How many times as much as among fewer a ray may cost among more: noise.
-constexpr double Uneven = 1.25;
+// Factor that the cost per ray may grow by, because of noise.
+constexpr double Noise = 1.25;
 constexpr double White[3] = { 0.73, 0.73, 0.73 };
 
 struct Update
@@ -75,16 +76,16 @@ void AddWall(vtkRenderer* renderer, const double (&origin)[3], const double (&on
 }
 
 void AddBox(
-  vtkRenderer* renderer, double width, double height, const double (&place)[2], double turn)
+  vtkRenderer* renderer, double width, double height, const double (&position)[2], double angle)
 {
   vtkNew<vtkCubeSource> cube;
   cube->SetBounds(-width / 2, width / 2, -width / 2, width / 2, 0.0, height);
   const auto actor = AddActor(renderer, cube, White);
-  actor->SetPosition(place[0], place[1], 0.0);
-  actor->SetOrientation(0.0, 0.0, turn);
+  actor->SetPosition(position[0], position[1], 0.0);
+  actor->SetOrientation(0.0, 0.0, angle);
 }
 
-// From 0 to 1 along each axis, open where y is 0.
+// Add a room from 0 to 1 along each axis, open at y = 0.
 void AddRoom(vtkRenderer* renderer)
 {
   AddWall(renderer, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, White);
@@ -98,12 +99,12 @@ void AddRoom(vtkRenderer* renderer)
 
 vtkIdType AddBall(vtkRenderer* renderer, double triangles)
 {
-  const int around = static_cast<int>(std::lround(0.5 + std::sqrt(0.25 + 0.5 * triangles)));
+  const int resolution = static_cast<int>(std::lround(0.5 + std::sqrt(0.25 + 0.5 * triangles)));
   vtkNew<vtkSphereSource> ball;
   ball->SetRadius(0.25);
   ball->SetCenter(0.5, 0.5, 0.4);
-  ball->SetThetaResolution(around);
-  ball->SetPhiResolution(around);
+  ball->SetThetaResolution(resolution);
+  ball->SetPhiResolution(resolution);
   AddActor(renderer, ball, White);
   return ball->GetOutput()->GetNumberOfPolys();
 }
@@ -122,11 +123,11 @@ double MillisecondsOfUpdate(vtkGIPass* pass)
 {
   const auto statistics = nlohmann::json::parse(pass->GetStatistics());
   double milliseconds = 0.0;
-  for (const auto& one : statistics.at("passes"))
+  for (const auto& row : statistics.at("passes"))
   {
-    const std::string name = one.at("name");
+    const std::string name = row.at("name");
     const bool ofUpdate = name.compare(0, 5, "ddgi-") == 0 && name.compare(0, 10, "ddgi-balls") != 0;
-    milliseconds += ofUpdate ? one.at("milliseconds").get<double>() : 0.0;
+    milliseconds += ofUpdate ? row.at("milliseconds").get<double>() : 0.0;
   }
   return milliseconds;
 }
@@ -135,7 +136,7 @@ Update MeasureUpdate(int updates, int probes, int rays, double triangles)
 {
   vtkNew<vtkRenderer> renderer;
   AddRoom(renderer);
-  const vtkIdType drawn = triangles > 0.0 ? AddBall(renderer, triangles) : 0;
+  const vtkIdType ballTriangles = triangles > 0.0 ? AddBall(renderer, triangles) : 0;
   const auto lamp = AddLamp(renderer);
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetPosition(0.5, -1.4, 0.5);
@@ -155,9 +156,9 @@ Update MeasureUpdate(int updates, int probes, int rays, double triangles)
   window->SetMultiSamples(0);
   window->AddRenderer(renderer);
   int update = 0;
-  const auto next = [&] {
-    const double turn = 0.02 * update++;
-    lamp->SetPosition(0.5 + 0.3 * std::cos(turn), 0.5 + 0.3 * std::sin(turn), 0.8);
+  const auto measureNext = [&] {
+    const double angle = 0.02 * update++;
+    lamp->SetPosition(0.5 + 0.3 * std::cos(angle), 0.5 + 0.3 * std::sin(angle), 0.8);
     window->Render();
     return MillisecondsOfUpdate(pass);
   };
@@ -166,27 +167,27 @@ Update MeasureUpdate(int updates, int probes, int rays, double triangles)
   while (update < WarmUpdates ||
     std::chrono::duration<double>(Clock::now() - begin).count() < WarmSeconds)
   {
-    next();
+    measureNext();
   }
   std::vector<double> times;
   for (int i = 0; i < updates; ++i)
   {
-    times.push_back(next());
+    times.push_back(measureNext());
   }
   int counts[3];
   ddgi->GetGrid(renderer, counts);
-  return { counts[0] * counts[1] * counts[2], drawn, penumbra_test::MedianOf(times) };
+  return { counts[0] * counts[1] * counts[2], ballTriangles, penumbra_test::MedianOf(times) };
 }
 
 struct RayCosts
 {
-  std::vector<double> Nanoseconds; // a ray
+  std::vector<double> Nanoseconds; // per ray
   double DefaultUpdate = 0.0;      // milliseconds
 };
 
 RayCosts ReportByRays(int updates)
 {
-  std::printf("\n%8s %6s %9s %9s\n", "probes", "rays", "ms", "ns a ray");
+  std::printf("\n%8s %6s %9s %9s\n", "probes", "rays", "ms", "ns/ray");
   RayCosts costs;
   for (const auto& [probes, rays] : { std::pair<int, int>{ Probes / 2, Rays }, { Probes, Rays / 2 },
          { Probes, Rays }, { 2 * Probes, Rays } })
@@ -233,7 +234,7 @@ bool ReportProbeCost(const ProbeCostOptions& options)
   window->Render();
   if (!window->GetDescription()[0])
   {
-    throw std::runtime_error("there is no OpenGL to draw with.");
+    throw std::runtime_error("no OpenGL context could be created.");
   }
   std::printf("%s; medians of %d updates\n", window->GetDescription(), options.Updates);
   const RayCosts rays = ReportByRays(options.Updates);
@@ -250,21 +251,24 @@ bool ReportProbeCost(const ProbeCostOptions& options)
     std::printf("More than %g ms.\n", options.Limit);
     good = false;
   }
-  double least = rays.Nanoseconds.front();
+  double minimum = rays.Nanoseconds.front();
   for (const double each : rays.Nanoseconds)
   {
-    if (each > Uneven * least)
+    if (each > Noise * minimum)
     {
-      std::printf("A ray costs %.2f ns, %.2f among fewer: more than linear growth.\n", each, least);
+      std::printf(
+        "A ray costs %.2f ns, but %.2f with fewer rays: the cost grows faster than linearly.\n",
+        each, minimum);
       good = false;
     }
-    least = std::min(least, each);
+    minimum = std::min(minimum, each);
   }
   const double growth = points.back().Milliseconds / points.front().Milliseconds;
   const double logarithmic = std::log(points.back().Triangles) / std::log(points.front().Triangles);
   if (growth > std::max(1.1, logarithmic))
   {
-    std::printf("%.0f times the triangles cost %.2f times as much: more than logarithmic growth.\n",
+    std::printf("%.0f times the triangles cost %.2f times as much: the cost grows faster than "
+                "their logarithm.\n",
       points.back().Triangles / points.front().Triangles, growth);
     good = false;
   }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What an update of DDGI's probes costs in a Cornell box whose lamp moves: by probes and rays, and by triangles, which a
- * ball in the room is made of.
+ * Cost of updating DDGI's probes in a Cornell box with a moving lamp, as a function of probes, rays, and triangles of a
+ * ball in the room.
  */
 #pragma once
 
@@ -12,16 +12,17 @@ namespace bench
 {
 struct ProbeCostOptions
 {
-  int Updates = 15;   ///< that are timed in each scene
-  double Most = 4e6;  ///< triangles of the largest scene, at least LeastTriangles
-  double Limit = 0.0; ///< milliseconds that the default update may take; 0: any
-  std::string Plot;   ///< a PNG file to draw the cost by triangles to; empty: none
+  int Updates = 15;   ///< number of updates timed in each scene
+  double Most = 4e6;  ///< triangles of the largest ball, at least LeastTriangles
+  double Limit = 0.0; ///< maximum milliseconds of the default update; 0: no limit
+  std::string Plot;   ///< PNG file for a plot of cost over triangles; empty: none
 };
 
-/// Of the smallest ball.
+/// Triangles of the smallest ball.
 constexpr double LeastTriangles = 1e4;
 
-/// Print tables of medians. True where the default update keeps the limit, a ray costs no more the more there are, and
-/// the cost grows no faster than the logarithm of the triangles. Throws std::runtime_error where the plot cannot be written.
+/// Print tables of medians. Returns whether the default update keeps the limit, the cost per ray does not grow with
+/// their number, and the cost grows no faster than the logarithm of the triangles. Throws std::runtime_error if the
+/// plot cannot be written.
 bool ReportProbeCost(const ProbeCostOptions& options);
 }

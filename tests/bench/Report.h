@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Medians of the timed variants, and the ratios that the project promises.
+ * Medians of the timed variants, and ratios of them with limits.
  */
 #pragma once
 
@@ -22,7 +22,7 @@ struct Ratio
   double Limit;
 };
 
-/// What a way of drawing adds to a base.
+/// Cost that a way of drawing adds to a base.
 struct Cost
 {
   std::string Meaning;
@@ -30,14 +30,14 @@ struct Cost
   std::string Base;
 };
 
-/// Collects seconds per repetition; prints a table at the end.
+/// Collects seconds per repetition, and prints a table at the end.
 class Report : public benchmark::BenchmarkReporter
 {
 public:
   bool ReportContext(const Context& context) override;
   void ReportRuns(const std::vector<Run>& runs) override;
 
-  /// Print the tables, and write them as JSON where a file is named. True if every ratio holds.
+  /// Print the tables, and write them as JSON if a file is given. Returns whether all ratios keep their limits.
   bool Conclude(const std::vector<Cost>& costs, const std::vector<Ratio>& ratios,
     const std::string& description, const std::string& jsonFile) const;
 

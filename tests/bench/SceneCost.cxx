@@ -24,13 +24,13 @@ namespace bench
 namespace
 {
 using penumbra_test::CostRatio;
-using penumbra_test::LeastOf;
 using penumbra_test::LightmapScene;
 using penumbra_test::MedianOf;
+using penumbra_test::MinimumOf;
 using penumbra_test::SecondsOf;
 using penumbra_test::Stage;
 
-// Other programs make a cost look larger more often than smaller.
+// Number of tries. Other programs make a cost look larger more often than smaller.
 constexpr int Tries = 4;
 
 void Draw(Stage& stage)
@@ -39,12 +39,12 @@ void Draw(Stage& stage)
   stage.Window->WaitForCompletion();
 }
 
-// The least of the tries' medians. Prints it; true where it keeps the limit.
+// Print the minimum of the tries' medians. Returns whether it keeps the limit.
 template <typename With, typename Without>
 bool Compare(const char* name, double limit, int turns, const With& with, const Without& without)
 {
   with();
-  const double ratio = LeastOf(Tries, limit, [&] { return CostRatio(turns, with, without); });
+  const double ratio = MinimumOf(Tries, limit, [&] { return CostRatio(turns, with, without); });
   std::printf("%-48s %8.3f %8.2f%s\n", name, ratio, limit, ratio <= limit ? "" : "  exceeded");
   std::fflush(stdout);
   return ratio <= limit;
@@ -61,7 +61,7 @@ struct LightmapFrames : LightmapScene
   double SecondsOfNext(bool map)
   {
     this->Map->SetEnabled(map);
-    this->Scene.Renderer->GetActiveCamera()->Azimuth(0.01); // nothing is averaged
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(0.01); // so that no frame is an average
     return SecondsOf([this] { Draw(this->Scene); });
   }
 
@@ -73,7 +73,7 @@ struct LightmapFrames : LightmapScene
   }
 };
 
-// A volume in a closed room that glows, and a lamp that is dark.
+// A volume in a closed room of glowing walls, with a light of intensity zero.
 struct VolumeFrames
 {
   VolumeFrames()
@@ -121,10 +121,10 @@ struct VolumeFrames
     faint->AddPoint(0.0, 0.0);
     faint->AddPoint(1.0, 0.05);
     this->Scene.Renderer->AddVolume(penumbra_test::WhiteVolume(
-      radius, [](double away) { return 1.0 - away; }, faint));
+      radius, [](double distance) { return 1.0 - distance; }, faint));
   }
 
-  // The median of three frames that are read back, after two in which shaders are built and probes come to rest.
+  // Median of three frames that are read back, after two for shaders to compile and probes to settle.
   double SecondsOfFrame(bool live, bool baked)
   {
     this->Live->SetEnabled(live);
@@ -132,10 +132,10 @@ struct VolumeFrames
     std::vector<double> seconds;
     for (int i = 0; i < 5; ++i)
     {
-      const double taken = SecondsOf([this] { penumbra_test::Shoot(this->Scene.Window); });
+      const double measured = SecondsOf([this] { penumbra_test::Shoot(this->Scene.Window); });
       if (i >= 2)
       {
-        seconds.push_back(taken);
+        seconds.push_back(measured);
       }
     }
     return MedianOf(seconds);
@@ -154,15 +154,15 @@ struct VolumeFrames
   vtkGISHProbes* Baked = nullptr;
 };
 
-void PrintHead(const char* what)
+void PrintHeading(const char* text)
 {
-  std::printf("%-48s %8s %8s\n", what, "ratio", "at most");
+  std::printf("%-48s %8s %8s\n", text, "ratio", "at most");
 }
 }
 
 bool ReportLightmapCost(int turns)
 {
-  PrintHead("a frame with the map / without");
+  PrintHeading("a frame with the map / without");
   LightmapFrames wall;
   wall.FillWithAWall();
   bool good = wall.Report("a picture full of one matte wall", 1.05, turns);
@@ -178,7 +178,7 @@ bool ReportLightmapCost(int turns)
 bool ReportVolumeCost(int turns)
 {
   VolumeFrames frames;
-  PrintHead("a frame with indirect light / without");
+  PrintHeading("a frame with indirect light / without");
   const bool live = frames.Report("a faint volume under DDGI", 4.0, turns, true);
   return frames.Report("a faint volume under baked probes", 6.0, turns, false) && live;
 }
@@ -213,14 +213,14 @@ bool ReportGlyphCost()
   const auto pass = stage.SetPasses().front();
   vtkGITechnique* paths = pass->GetTechnique("path-tracing");
   paths->SetParameter("bounces", 0);
-  std::printf("%d glyphs, seconds by the clock\n", across * across);
+  std::printf("%d glyphs, seconds\n", across * across);
   for (const char* frame : { "the rasterizer's first frame", "the path tracer's first frame",
          "the path tracer's second frame", "the path tracer's third frame" })
   {
     const auto begin = std::chrono::steady_clock::now();
     Draw(stage);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    std::printf("%-48s %8.3f\n", frame, taken.count());
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    std::printf("%-48s %8.3f\n", frame, elapsed.count());
     paths->EnabledOn();
   }
   return true;

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A still room in the light of its lightmap and a ball that moves through it in that of baked probes, both at once,
-beside the path tracer. Exit code 1 where an error is above its limit or a bake does not fit."""
+"""A static room lit by its lightmap and a ball that moves through it lit by baked probes, compared with the path tracer.
+Exits with 1 if an error is above its limit or a bake does not fit."""
 import argparse
 import json
 import os
@@ -18,17 +18,17 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
-# Limits of relMSE without the ball, and its mean over the frames of still surfaces and of the ball; of the signed mean,
-# without the ball and in any frame. A third to a half above what is measured at 240x135; smaller pictures blur the dark
-# below the ball, and err less. Without the ball most of it is the truth's noise; with it, what the bakes cannot know: the
-# light that the ball takes away (docs/indirect-light.md).
+# Limits of relMSE: without the ball, and its means over the frames for static surfaces and for the ball. Limits of the
+# signed mean: without the ball, and in any frame. They are a third to a half above the values measured at 240x135. Smaller
+# pictures blur the shadow below the ball and have smaller errors. Without the ball, most of the error is noise of the
+# reference. With it, most comes from light that the ball blocks, which the bakes do not know (docs/indirect-light.md).
 EMPTY, STILL, BALL = 0.003, 0.018, 0.04
 EMPTY_MEAN, MEAN = 0.005, 0.10
 BOUNCES = 30
 RADIUS = 0.35
 LAMP = ((-0.9, -1.1, 1.7), 0.5)
-SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (1, 2, 6, 5))  # of a box's corners
-# Two opposite corners and a colour; the room is open toward the eye.
+SIDES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (1, 2, 6, 5))  # indices of a box's corners
+# Two opposite corners and a colour of each. The room is open toward the camera.
 BOXES = {"floor": ((-2, -1.5, -0.1), (2, 1.5, 0), (0.75, 0.75, 0.75)),
          "ceiling": ((-2, -1.5, 2), (2, 1.5, 2.1), (0.75, 0.75, 0.75)),
          "back": ((-2, 1.5, 0), (2, 1.6, 2), (0.75, 0.75, 0.75)),
@@ -38,39 +38,39 @@ BOXES = {"floor": ((-2, -1.5, -0.1), (2, 1.5, 0), (0.75, 0.75, 0.75)),
 
 
 def options():
-    """From the command line."""
+    """Parse the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tool", default="penumbra", help="the command that bakes")
-    parser.add_argument("--size", default="80x45", metavar="WxH", help="of the pictures, pixels")
-    parser.add_argument("--spp", type=int, default=256, help="paths through each pixel of the truth")
-    parser.add_argument("--frames", type=int, default=9, help="of the ball's way")
-    parser.add_argument("--samples", type=int, default=256, help="paths of each texel and probe")
-    parser.add_argument("--texel-size", type=float, default=0.05, help="of the lightmap, world units")
-    parser.add_argument("--direct", action="store_true", help="the lamp's own light too is the lightmap's")
-    parser.add_argument("--probes", type=int, default=1024, help="at most")
-    parser.add_argument("--occlusion", type=float, metavar="RADIUS", help="with ambient occlusion of that radius; 0: automatic")
-    parser.add_argument("--live", type=int, default=0, metavar="UPDATES", help="DDGI in place of the bakes, so many updates a frame")
-    parser.add_argument("--keep", metavar="FOLDER", help="where bakes and traced pictures are kept for the next run")
-    parser.add_argument("--pictures", metavar="FOLDER", help="write ours, the truth and their difference there")
+    parser.add_argument("--size", default="80x45", metavar="WxH", help="size of the pictures in pixels")
+    parser.add_argument("--spp", type=int, default=256, help="paths per pixel of the reference")
+    parser.add_argument("--frames", type=int, default=9, help="number of frames with the ball")
+    parser.add_argument("--samples", type=int, default=256, help="paths per texel and probe")
+    parser.add_argument("--texel-size", type=float, default=0.05, help="texel size of the lightmap in world units")
+    parser.add_argument("--direct", action="store_true", help="bake the direct light into the lightmap too")
+    parser.add_argument("--probes", type=int, default=1024, help="maximum number of probes")
+    parser.add_argument("--occlusion", type=float, metavar="RADIUS", help="add ambient occlusion with this radius; 0: automatic")
+    parser.add_argument("--live", type=int, default=0, metavar="UPDATES", help="use DDGI instead of the bakes, with this number of updates per frame")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps bakes and traced pictures for the next run")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write our picture, the reference and their difference there")
     args = parser.parse_args()
     args.size = tuple(map(int, args.size.split("x")))
     return args
 
 
 def corners(low, high):
-    """Of a box."""
+    """Corners of a box."""
     (a, b, c), (d, e, f) = low, high
     return [(a, b, c), (d, b, c), (d, e, c), (a, e, c), (a, b, f), (d, b, f), (d, e, f), (a, e, f)]
 
 
 def sides(low, high):
-    """Of a box: four points for each, as they share no edges in the light."""
-    at = corners(low, high)
-    return [at[i] for side in SIDES for i in side], [tuple(range(4 * n, 4 * n + 4)) for n in range(len(SIDES))]
+    """Points and polygons of the sides of a box. Each side has four points of its own, so that shading is flat."""
+    points = corners(low, high)
+    return [points[i] for side in SIDES for i in side], [tuple(range(4 * n, 4 * n + 4)) for n in range(len(SIDES))]
 
 
 def scene_file(folder):
-    """The room without the ball, for the bakes."""
+    """Write the room without the ball to a scene file for the bakes. Returns its path."""
     objects = []
     for name, (low, high, color) in BOXES.items():
         points, polygons = sides(low, high)
@@ -83,7 +83,7 @@ def scene_file(folder):
 
 
 def baked(args, folder):
-    """The files of both bakes."""
+    """Bake the lightmap and the probes, unless the folder has them. Returns their files."""
     scene = scene_file(folder)
     files = []
     for kind, suffix, more in (("lightmap", "vti", ["--texel-size", args.texel_size]), ("probes", "vti", ["--probes", args.probes])):
@@ -98,18 +98,18 @@ def baked(args, folder):
 
 
 class Room:
-    """The room in plain VTK, with the ball where it is at a time from 0 to 1. mask: the ball white, all else black."""
+    """The room and the ball in plain VTK. mask: draw the ball white and everything else black."""
 
     def __init__(self, mask=False):
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(0, 0, 0)
         for low, high, color in BOXES.values():
             points, polygons, data = vtkPoints(), vtkCellArray(), vtkPolyData()
-            points.SetDataTypeToDouble()  # as the command has them: the bake tells other digits apart
-            at, numbers = sides(low, high)
-            for point in at:
+            points.SetDataTypeToDouble()  # as in the command, because the bake compares all digits
+            corner_points, sides_of_box = sides(low, high)
+            for point in corner_points:
                 points.InsertNextPoint(point)
-            for polygon in numbers:
+            for polygon in sides_of_box:
                 polygons.InsertNextCell(len(polygon), polygon)
             data.SetPoints(points)
             data.SetPolys(polygons)
@@ -144,21 +144,21 @@ class Room:
         return actor
 
     def at(self, moment):
-        """Across the room in two leaps, before the block; None: not there."""
+        """Place the ball at a time from 0 to 1, while it bounces through the room; None removes it."""
         self.ball.SetVisibility(moment is not None)
         if moment is not None:
             self.ball.SetPosition(-1.4 + 2.8 * moment, -0.5, RADIUS + 0.7 * abs(np.sin(2 * np.pi * moment)))
 
 
 def traced(args, moment):
-    """The truth."""
+    """Picture of the path tracer."""
     camera = Camera(args.size, "reference", Room(), **{"path-tracing.samples": args.spp, "path-tracing.bounces": BOUNCES})
     camera.room.at(moment)
     return camera.picture(args.spp)
 
 
 def drawn_camera(args, files):
-    """With both bakes, and shadows by rays."""
+    """A camera that draws the room with both bakes and ray-traced shadows."""
     on, settings = ["ray-traced-shadows"] + (["ddgi"] if args.live else []), {"ddgi.probes": args.probes}
     if args.occlusion is not None:
         on.append("ambient-occlusion")
@@ -170,13 +170,14 @@ def drawn_camera(args, files):
 
 
 def difference(ours, truth):
-    """Too much light is red, too little blue; white is none, full colour a quarter of the mean."""
+    """Picture of the signed difference: red for too much light, blue for too little, with full colour at a quarter of the
+    mean."""
     off = np.clip((ours - truth).mean(axis=-1, keepdims=True) / (0.25 * truth.mean()), -1, 1)
     return 1 - np.concatenate([np.maximum(-off, 0), abs(off), np.maximum(off, 0)], axis=-1)
 
 
 def main():
-    """Errors of every frame, of still surfaces and of the ball apart."""
+    """Print the errors of each frame, separately for static surfaces and the ball."""
     args = options()
     with tempfile.TemporaryDirectory() as scratch:
         folder = args.keep or scratch
@@ -197,18 +198,18 @@ def main():
         mask.at(moment)
         share = smaller(penumbra.render(mask_window) / 255.0)[..., 0]
         still.append(penumbra.relative_error(ours, truth, share == 0))
-        print(f"{'no ball' if frame is None else f'frame {frame}'}: still surfaces relMSE {still[-1][0]:.4f}, "
+        print(f"{'no ball' if frame is None else f'frame {frame}'}: static surfaces relMSE {still[-1][0]:.4f}, "
               f"signed mean {100 * still[-1][1]:+.2f} %", end="" if frame is not None else "\n")
         if frame is not None:
             ball.append(penumbra.relative_error(ours, truth, share == 1))
             print(f"; ball {ball[-1][0]:.4f}, {100 * ball[-1][1]:+.2f} %")
     passed = True
-    for what, value, limit in (
+    for name, value, limit in (
             ("relMSE without the ball", still[0][0], EMPTY), ("signed mean without it", abs(still[0][1]), EMPTY_MEAN),
-            ("mean relMSE of still surfaces", np.mean([e for e, _ in still[1:]]), STILL),
+            ("mean relMSE of static surfaces", np.mean([e for e, _ in still[1:]]), STILL),
             ("mean relMSE of the ball", np.mean([e for e, _ in ball]), BALL),
             ("worst signed mean", max(abs(mean) for _, mean in still[1:] + ball), MEAN)):
-        print(f"{what}: {value:.4f}, at most {limit}{'' if value <= limit else ': TOO MUCH'}")
+        print(f"{name}: {value:.4f}, at most {limit}{'' if value <= limit else ': TOO MUCH'}")
         passed &= bool(value <= limit)
     sys.exit(0 if passed else 1)
 

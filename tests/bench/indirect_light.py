@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Indirect light by probes beside the path tracer, in a Cornell box: where all stands still, and while its lamp and a
-box move. Exit code 1 where an error is above its limit."""
+"""Indirect light by DDGI compared with the path tracer in a Cornell box: in a static scene, and while its lamp and a box
+move. Exits with 1 if an error is above its limit."""
 import argparse
 import os
 import sys
@@ -16,54 +16,54 @@ from cornell_moving_light import WHITE, Room, cuboid, painted  # noqa: E402
 
 STILL, STILL_MEAN, MOVING = 0.02, 0.02, 0.03  # limits: relMSE, signed mean, mean relMSE over the frames
 BOUNCES = 30
-FINER = 4  # pixels of ours for each of the truth's, each way, as paths go through all of a pixel
+FINER = 4  # our pixels per pixel of the reference along each axis, because the reference is anti-aliased
 
 
 def options():
-    """From the command line."""
+    """Parse the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--size", type=int, default=96, help="of the pictures, pixels each way")
-    parser.add_argument("--spp", type=int, default=256, help="paths through each pixel of the moving pictures' truth")
-    parser.add_argument("--frames", type=int, default=60, help="of the lamp's way around")
-    parser.add_argument("--step", type=int, default=1, help="compare every so many of them")
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="of technique ddgi; of another: TECHNIQUE.NAME=VALUE")
-    parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
+    parser.add_argument("--size", type=int, default=96, help="width and height of the pictures in pixels")
+    parser.add_argument("--spp", type=int, default=256, help="paths per pixel of the reference of moving pictures")
+    parser.add_argument("--frames", type=int, default=60, help="number of frames of the lamp's orbit")
+    parser.add_argument("--step", type=int, default=1, help="compare every Nth frame")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="parameter of ddgi; for other techniques: TECHNIQUE.NAME=VALUE")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write pairs of pictures there")
     parser.add_argument("--occlusion", type=float, metavar="RADIUS", nargs="+", default=[],
-                        help="still also with ambient occlusion of these radii; 0: automatic")
+                        help="compare the static scene also with ambient occlusion of these radii; 0: automatic")
     parser.add_argument("--bricks", type=int, default=0, metavar="N",
-                        help="that lie about and stick to the walls of the still room, each smaller than a cell of the probes")
+                        help="number of bricks on the floor and walls of the static room, each smaller than a cell of the probe grid")
     parser.add_argument("--far", type=float, default=0, metavar="LENGTHS",
-                        help="of the room, that a box stands off behind the eye of the still picture, so that the scene is as much larger")
-    parser.add_argument("--updates", type=int, default=400, help="of the probes before the still picture")
+                        help="distance of a box behind the camera in the static scene, in lengths of the room, which enlarges the scene")
+    parser.add_argument("--updates", type=int, default=400, help="number of probe updates before the picture of the static scene")
     parser.add_argument("--verbose", action="store_true", help="print the error of each frame")
     parser.add_argument("--only", choices=("still", "moving"))
     return parser.parse_args()
 
 
 def room_with(bricks, far):
-    """The room with so many of them, the same ones every time, and perhaps a box far off."""
+    """The room with a number of bricks, always the same ones, and with a distant box unless far is 0."""
     room = Room()
     if far:
         box = painted(cuboid(0.3, 0.3, 0.3), WHITE)
         box.SetPosition(0.5, -far, 0.4)
         room.renderer.AddActor(box)
-    chance = np.random.default_rng(3)
+    random = np.random.default_rng(3)
     for _ in range(bricks):
-        side = 0.03 + 0.05 * chance.random()
-        axis, end = ((2, 0), (1, 1), (0, 0), (0, 1))[chance.integers(4)]
-        place = 0.1 + 0.8 * chance.random(3)
-        place[axis] = end + (0.5 - end) * side
+        side = 0.03 + 0.05 * random.random()
+        axis, end = ((2, 0), (1, 1), (0, 0), (0, 1))[random.integers(4)]
+        position = 0.1 + 0.8 * random.random(3)
+        position[axis] = end + (0.5 - end) * side
         brick = painted(cuboid(side, side, side), WHITE)
-        brick.SetPosition(*place)
-        brick.SetOrientation(*(90 * chance.random(3)))
+        brick.SetPosition(*position)
+        brick.SetOrientation(*(90 * random.random(3)))
         room.renderer.AddActor(brick)
     room.renderer.ResetCameraClippingRange()
     return room
 
 
 class Camera:
-    """Linear radiance of a room, by one way of drawing it."""
+    """Draws a room in one way, and returns its linear radiance."""
 
     def __init__(self, size, preset, room=None, **parameters):
         self.room = room or Room()
@@ -72,20 +72,20 @@ class Camera:
         self.window = penumbra.window(self.room.renderer, size=size if isinstance(size, tuple) else (size, size), multisamples=0)
 
     def picture(self, frames=1):
-        """After so many frames."""
+        """The radiance after a number of frames."""
         for _ in range(frames):
             self.window.Render()
         return penumbra.radiance(self.gi, self.room.renderer)[..., :3].astype(float)
 
 
 def smaller(picture):
-    """Each pixel the mean of FINER by FINER."""
+    """The picture reduced to the means of FINER by FINER pixels."""
     height, width, channels = picture.shape
     return picture.reshape(height // FINER, FINER, width // FINER, FINER, channels).mean(axis=(1, 3))
 
 
 def direct_preset(ddgi, settings):
-    """Shadows by rays, and nothing else that could differ from the truth."""
+    """Ray-traced shadows, which equal those of the reference, and optionally DDGI."""
     return {"on": ["ray-traced-shadows"] + (["ddgi"] if ddgi else []),
             **({name if "." in name else f"ddgi.{name}": value for name, value in settings.items()} if ddgi else {})}
 
@@ -103,7 +103,7 @@ def kept(folder, name, make):
 
 
 def write(folder, name, *pictures):
-    """Side by side, as a screen shows them."""
+    """Write pictures side by side, encoded for display."""
     if not folder:
         return
     from PIL import Image
@@ -113,14 +113,14 @@ def write(folder, name, *pictures):
 
 
 def traced(size, spp, bounces, moment=0.0, bricks=0, far=0.0):
-    """The truth at one moment."""
+    """Picture of the path tracer at one time."""
     camera = Camera(size, "reference", room_with(bricks, far), **{"path-tracing.samples": spp, "path-tracing.bounces": bounces})
     camera.room.at(moment)
     return camera.picture(spp)
 
 
 def still(args, settings):
-    """Indirect light alone: with it less without it, on both sides."""
+    """Compare indirect light in the static scene: pictures with it minus pictures without it."""
     spp = 16 * args.spp
     name = f"{args.size}_{spp}" + (f"_{args.bricks}" if args.bricks else "") + (f"_far{args.far:g}" if args.far else "")
     full = kept(args.keep, f"full_{name}", lambda: traced(args.size, spp, BOUNCES, bricks=args.bricks, far=args.far))
@@ -139,16 +139,16 @@ def still(args, settings):
         picture = drawn(True, radius)
         error, mean = penumbra.relative_error(picture - direct, truth)
         whole, whole_mean = penumbra.relative_error(picture, full)
-        beside = "" if radius is None else f" with occlusion of radius {radius or 'automatic'}"
-        write(args.pictures, f"still{beside.replace(' ', '_')}.png", picture, full, picture - direct, truth)
-        print(f"still, indirect light alone{beside}: relMSE {error:.4f} (at most {STILL}), signed mean {100 * mean:+.2f} % "
+        suffix = "" if radius is None else f" with occlusion of radius {radius or 'automatic'}"
+        write(args.pictures, f"still{suffix.replace(' ', '_')}.png", picture, full, picture - direct, truth)
+        print(f"static, indirect light only{suffix}: relMSE {error:.4f} (at most {STILL}), signed mean {100 * mean:+.2f} % "
               f"(within {100 * STILL_MEAN:.0f} %); whole picture {whole:.4f}, {100 * whole_mean:+.2f} %")
         passed &= bool(error <= STILL and abs(mean) <= STILL_MEAN)
     return passed
 
 
 def moving(args, settings):
-    """The whole picture of every frame, one update of the probes a frame."""
+    """Compare whole pictures of the moving scene, with one probe update per frame."""
     camera = Camera(FINER * args.size, "off", **direct_preset(True, settings))
     camera.picture(60)
     errors = []
@@ -171,10 +171,10 @@ def moving(args, settings):
 
 
 def main():
-    """Both."""
+    """Compare the static and the moving scene."""
     args = options()
     settings = dict(item.split("=", 1) for item in args.set)
-    passed = [work(args, settings) for name, work in (("still", still), ("moving", moving)) if args.only in (None, name)]
+    passed = [compare(args, settings) for name, compare in (("still", still), ("moving", moving)) if args.only in (None, name)]
     sys.exit(0 if all(passed) else 1)
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How open the surfaces of a scene are, by rays through VTK's own cell locator: a truth for ambient
-occlusion that shares no code with what it judges."""
+"""Openness of the surfaces of a scene, by rays through VTK's cell locator: a reference for ambient occlusion that shares no
+code with Penumbra."""
 import math
 
 import numpy as np
@@ -16,27 +16,27 @@ GOLDEN = math.pi * (3 - math.sqrt(5))
 
 
 def triangles(renderer):
-    """All actors' surfaces as triangles in the world."""
-    together = vtkAppendPolyData()
+    """Surfaces of all actors as triangles in world coordinates."""
+    append = vtkAppendPolyData()
     for actor in renderer.GetActors():
         actor.GetMapper().Update()
-        place = vtkTransform()
-        place.SetMatrix(actor.GetMatrix())
+        transform = vtkTransform()
+        transform.SetMatrix(actor.GetMatrix())
         moved = vtkTransformPolyDataFilter()
-        moved.SetTransform(place)
+        moved.SetTransform(transform)
         moved.SetInputData(actor.GetMapper().GetInput())
         triangulated = vtkTriangleFilter()
         triangulated.SetInputConnection(moved.GetOutputPort())
         triangulated.Update()
         surface = vtkPolyData()
         surface.ShallowCopy(triangulated.GetOutput())
-        together.AddInputData(surface)
-    together.Update()
-    return together.GetOutput()
+        append.AddInputData(surface)
+    append.Update()
+    return append.GetOutput()
 
 
-class Truth:
-    """The surface of a scene, asked at pixels of a picture."""
+class Reference:
+    """The surfaces of a scene, and their openness at pixels of a picture."""
 
     def __init__(self, renderer):
         self.surface = triangles(renderer)
@@ -50,20 +50,21 @@ class Truth:
         self.locator.BuildLocator()
 
     def nearest(self, start, end):
-        """Where a line first meets the surface: its part of the way, the cell and the weights of its
-        corners; None where it meets nothing."""
-        part, place, weights = mutable(0.0), [0.0] * 3, [0.0] * 3
+        """First intersection of a line: its position along the line from 0 to 1, the cell and the weights of its corners.
+        None if there is none."""
+        part, position, weights = mutable(0.0), [0.0] * 3, [0.0] * 3
         piece, cell = mutable(0), mutable(0)
-        if not self.locator.IntersectWithLine(start, end, 0.0, part, place, weights, piece, cell):
+        if not self.locator.IntersectWithLine(start, end, 0.0, part, position, weights, piece, cell):
             return None
         return float(part), int(cell), (1 - weights[0] - weights[1], weights[0], weights[1])
 
-    def seen(self, start, end):
-        """Position, normals of shading and of the triangle, both toward the eye; None for nothing."""
-        met = self.nearest(start, end)
-        if met is None:
+    def visible(self, start, end):
+        """First intersection of a line: its position, and the normals of shading and of the triangle, both toward the eye.
+        None if there is none."""
+        hit = self.nearest(start, end)
+        if hit is None:
             return None
-        part, cell, weights = met
+        part, cell, weights = hit
         corners = self.points[self.cells[cell]]
         flat = np.cross(corners[1] - corners[0], corners[2] - corners[0])
         flat /= max(np.linalg.norm(flat), 1e-30)
@@ -74,7 +75,7 @@ class Truth:
                 flat if flat @ eye > 0 else -flat)
 
     def openness(self, position, normal, flat, rays, turn, radii):
-        """Parts of the cosine-weighted hemisphere that are free up to each radius."""
+        """Unoccluded fraction of the cosine-weighted hemisphere for each radius."""
         helper = np.array([1.0, 0, 0]) if abs(normal[0]) < 0.9 else np.array([0, 1.0, 0])
         across = np.cross(normal, helper)
         across /= np.linalg.norm(across)
@@ -88,41 +89,40 @@ class Truth:
             if direction @ flat <= 0:
                 reach[i] = 0
                 continue
-            met = self.nearest(start, start + 2 * self.diagonal * direction)
-            if met:
-                reach[i] = 2 * self.diagonal * met[0]
+            hit = self.nearest(start, start + 2 * self.diagonal * direction)
+            if hit:
+                reach[i] = 2 * self.diagonal * hit[0]
         return [float(np.mean(reach >= radius)) if math.isfinite(radius) else float(np.mean(np.isinf(reach)))
                 for radius in radii]
 
 
 def pixel_rays(renderer, size, pixels):
-    """Start and end, between the clipping planes, of the eye's rays through pixels' centres (column,
-    row from the top)."""
+    """Start and end of camera rays through the centres of pixels (column, row from the top), between the clipping planes."""
     camera = renderer.GetActiveCamera()
     width, height = size
     matrix = camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
     inverse = np.linalg.inv([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
 
-    def place(column, row, depth):
+    def unproject(column, row, depth):
         x, y = 2 * (column + 0.5) / width - 1, 1 - 2 * (row + 0.5) / height
         p = inverse @ np.array([x, y, depth, 1.0])
         return p[:3] / p[3]
-    return [(place(x, y, -1.0), place(x, y, 1.0)) for x, y in pixels]
+    return [(unproject(x, y, -1.0), unproject(x, y, 1.0)) for x, y in pixels]
 
 
 def sample(renderer, size, count, rays, radii, seed=1):
-    """Openness at pixels by chance: their columns and rows, and for each radius a row of values."""
-    truth = Truth(renderer)
-    chance = np.random.default_rng(seed)
+    """Openness at random pixels: their columns and rows, and a row of values for each radius."""
+    reference = Reference(renderer)
+    random = np.random.default_rng(seed)
     pixels, values = [], []
     for _ in range(20 * count):
         if len(pixels) == count:
             break
-        pixel = (int(chance.integers(size[0])), int(chance.integers(size[1])))
+        pixel = (int(random.integers(size[0])), int(random.integers(size[1])))
         start, end = pixel_rays(renderer, size, [pixel])[0]
-        surface = truth.seen(start, end)
+        surface = reference.visible(start, end)
         if surface:
             pixels.append(pixel)
-            values.append(truth.openness(*surface, rays, chance.uniform(0, 2 * math.pi), radii))
+            values.append(reference.openness(*surface, rays, random.uniform(0, 2 * math.pi), radii))
     columns, rows = np.array(pixels).T
     return columns, rows, np.array(values).T

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo's scenes in white, so that a picture shows openness: drawn with ambient light alone, or path
-traced in surroundings of radiance 1."""
+"""The demo's scenes in white, so that pictures show openness: drawn with ambient light only, or path traced in surroundings
+of radiance 1."""
 import os
 
 import numpy as np
@@ -12,36 +12,36 @@ from vtkmodules.vtkCommonCore import VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
 
-BIAS = 0.001  # of vtkSSAOPass, in diagonals of the scene
+BIAS = 0.001  # for vtkSSAOPass, in diagonals of the scene
 
 
 def white(name, ambient):
-    """A scene that reflects all light: ambient light, or else that of its surroundings."""
+    """A scene whose surfaces reflect all ambient light, or all light of the surroundings."""
     renderer = scenes.SCENES[name][1]()
     for actor in renderer.GetActors():
         actor.GetMapper().ScalarVisibilityOff()
-        look = actor.GetProperty()
-        look.SetColor(1, 1, 1)
-        look.SetSpecular(0)
-        look.SetAmbient(1 if ambient else 0)
-        look.SetDiffuse(0 if ambient else 1)
+        material = actor.GetProperty()
+        material.SetColor(1, 1, 1)
+        material.SetSpecular(0)
+        material.SetAmbient(1 if ambient else 0)
+        material.SetDiffuse(0 if ambient else 1)
     renderer.RemoveAllLights()
     renderer.AutomaticLightCreationOff()
     if ambient:
-        renderer.AddLight(vtkLight())  # without one VTK draws no ambient light
+        renderer.AddLight(vtkLight())  # without a light VTK draws no ambient light
     renderer.GradientBackgroundOff()
     renderer.SetBackground(0, 0, 0)
     return renderer
 
 
 def diagonal(renderer):
-    """Of the visible props' bounds: what lengths are given in."""
+    """Diagonal of the bounds of the visible props, the unit of lengths."""
     low, high = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2).T
     return float(np.linalg.norm(high - low))
 
 
 def by_vtk(name, size, radius, samples=32):
-    """A renderer and its window, occluded by vtkSSAOPass; a radius of 0: not at all."""
+    """A renderer and its window with vtkSSAOPass, or without occlusion if the radius is 0."""
     renderer = white(name, ambient=True)
     window = penumbra.window(renderer, size=size, multisamples=0)
     if radius > 0:
@@ -54,7 +54,8 @@ def by_vtk(name, size, radius, samples=32):
 
 
 def by_penumbra(name, size, parameters):
-    """The same by Penumbra; None: no occlusion. Radius and thickness in diagonals of the scene."""
+    """A renderer and its window with Penumbra's occlusion, or without if parameters is None. Radius and thickness are in
+    diagonals of the scene."""
     renderer = white(name, ambient=True)
     window = penumbra.window(renderer, size=size, multisamples=0)
     gi = penumbra.enable(renderer, "off", off="anti-aliasing")
@@ -70,13 +71,13 @@ def by_penumbra(name, size, parameters):
     return renderer, window
 
 
-def picture(way):
-    """Openness as drawn, rows from the top."""
-    return penumbra.render(way[1])[:, :, 0].astype(float) / 255
+def picture(method):
+    """Openness as drawn, rows from the top. method: a renderer and its window."""
+    return penumbra.render(method[1])[:, :, 0].astype(float) / 255
 
 
 def surroundings():
-    """An environment of radiance 1 all around."""
+    """An environment texture of radiance 1."""
     image = vtkImageData()
     image.SetDimensions(8, 4, 1)
     image.AllocateScalars(VTK_FLOAT, 3)
@@ -90,7 +91,7 @@ def surroundings():
 
 
 def traced(name, size, samples, folder=None):
-    """Path-traced openness to any distance, and where a surface covers the whole pixel."""
+    """Path-traced openness at any distance, and whether a surface covers the whole pixel."""
     kept = folder and os.path.join(folder, f"{name}-{size[0]}x{size[1]}-{samples}.npy")
     if kept and os.path.exists(kept):
         result = np.load(kept)
@@ -98,7 +99,7 @@ def traced(name, size, samples, folder=None):
         renderer = white(name, ambient=False)
         renderer.SetEnvironmentTexture(surroundings())
         renderer.UseImageBasedLightingOn()
-        # VTK's own tables, which the tracer does not use: as small as may be.
+        # VTK's own tables, which the path tracer does not use, are made as small as possible.
         renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
         renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
         renderer.GetEnvMapIrradiance().SetIrradianceSize(8)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Frame times of the pass beside stock VTK's on the same scene, drawn in turn in random order so
- * that the machine's moods meet all of them alike. What it does not measure: reading, surfacing,
- * first frames with their shader compilation, and read-back. Subcommands time other things.
+ * Compares frame times of the pass with those of stock VTK on the same scene. Frames are drawn in random order, so that
+ * changes of the machine's speed affect all alike. Not measured: reading data, extracting the surface, compiling
+ * shaders in the first frames, and reading back. Subcommands measure other costs.
  */
 #include "FrameScenes.h"
 #include "ProbeCost.h"
@@ -26,7 +26,7 @@ namespace
 struct FrameOptions
 {
   std::string Volume = "/usr/share/mricron/templates/ch2.nii.gz";
-  double Isovalue = 10.0; // the skin, and little of what lies inside
+  double Isovalue = 10.0; // mostly the skin
   std::string Json;
   bool Techniques = false;
   int Repetitions = 9;
@@ -37,12 +37,12 @@ struct FrameOptions
 void Declare(CLI::App& app, FrameOptions& options)
 {
   app.description(
-    "Times frames of the pass and of stock VTK on the surface of a volume, and prints medians and "
-    "ratios. Exit code 1 where a ratio is exceeded.");
+    "Measures frame times of the pass and of stock VTK on an isosurface, and prints medians and "
+    "ratios. Exits with 1 if a ratio is above its limit.");
   app.add_option("--volume", options.Volume, "a NIfTI volume (default: mricron-data's MRI head)");
   app.add_option("--isovalue", options.Isovalue, "value of the surface")->capture_default_str();
   app.add_flag("--techniques", options.Techniques,
-    "what each preset and each technique costs, instead of the comparison with stock VTK");
+    "measure the cost of each preset and technique instead of comparing with stock VTK");
   app.add_option("--json", options.Json, "also write the figures to this file");
   app.add_option("--repetitions", options.Repetitions, "frames per way of drawing")
     ->check(CLI::Range(1, 1000))
@@ -54,19 +54,19 @@ void Declare(CLI::App& app, FrameOptions& options)
 CLI::App* Declare(CLI::App& app, bench::ProbeCostOptions& options)
 {
   CLI::App* ddgi = app.add_subcommand("ddgi",
-    "Times updates of DDGI's probes instead, in a Cornell box whose lamp moves: by probes and "
-    "rays, and by triangles. Exit code 1 where the default update takes longer than --limit, where "
-    "rays cost more the more there are, or where the cost grows faster than the logarithm of the "
-    "triangles.");
-  ddgi->add_option("--updates", options.Updates, "that are timed in each scene")
+    "Measures updates of DDGI's probes instead, in a Cornell box with a moving lamp, for several "
+    "numbers of probes, rays and triangles. Exits with 1 if the default update takes longer than "
+    "--limit, if the cost per ray grows with their number, or if the cost grows faster than the "
+    "logarithm of the triangles.");
+  ddgi->add_option("--updates", options.Updates, "number of updates timed in each scene")
     ->check(CLI::Range(1, 10000))
     ->capture_default_str();
   ddgi->add_option("--most", options.Most, "triangles of the largest scene")
     ->check(CLI::Range(bench::LeastTriangles, 1e8))
     ->capture_default_str();
-  ddgi->add_option("--limit", options.Limit, "milliseconds that the default update may take")
+  ddgi->add_option("--limit", options.Limit, "maximum milliseconds of the default update")
     ->check(CLI::PositiveNumber);
-  ddgi->add_option("--plot", options.Plot, "draw the cost by triangles to this PNG file");
+  ddgi->add_option("--plot", options.Plot, "plot the cost over triangles to this PNG file");
   return ddgi;
 }
 
@@ -81,18 +81,19 @@ struct SceneOptions
 void Declare(CLI::App& app, SceneOptions& options)
 {
   options.Lightmap = app.add_subcommand("lightmap",
-    "Times what a lightmap adds to frames of 1280x720 instead, in processor time. Exit code 1 "
-    "where it is more than "
-    "5, 5 and 7 % in each of four tries.");
+    "Measures the processor time that a lightmap adds to frames of 1280x720 instead. Exits with 1 "
+    "if it is more than 5, 5 and 7 % in each of four tries.");
   options.Volumes = app.add_subcommand("volumes",
-    "Times what indirect light adds to a shaded volume instead, in processor time. Exit code 1 "
-    "where a frame takes more "
-    "than 4 times as long under DDGI, or 6 times under baked probes, in each of four tries.");
+    "Measures the processor time that indirect light adds to a shaded volume instead. Exits with 1 "
+    "if a frame takes more than 4 times as long with DDGI, or 6 times with baked probes, in each "
+    "of "
+    "four tries.");
   options.Glyphs = app.add_subcommand(
-    "glyphs", "Times the first frames of 302,500 glyphs instead, rasterized and path traced.");
-  for (CLI::App* one : { options.Lightmap, options.Volumes })
+    "glyphs", "Measures the first frames of 302,500 glyphs instead, rasterized and path traced.");
+  for (CLI::App* command : { options.Lightmap, options.Volumes })
   {
-    one->add_option("--turns", options.Turns, "frames with and without that a try takes")
+    command
+      ->add_option("--turns", options.Turns, "number of frames with and without the light in a try")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   }

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each preset comes to on the demo's scenes: how far its finished picture is from the path tracer, and what
-it costs. Exit code 1 where a preset errs more than the one before it."""
+"""Error of each preset against the path tracer, and its cost, on the demo's scenes. Exits with 1 if a preset has a larger
+error than the one before it."""
 import argparse
 import os
 import sys
@@ -16,25 +16,25 @@ import scenes  # noqa: E402
 from indirect_light import FINER, kept, smaller, write  # noqa: E402
 
 PRESETS = ("off", "fast", "balanced", "high")
-STILL = 16  # frames of a still picture, where no technique asks for more
+STILL = 16  # frames of a still picture, unless a technique requires more
 
 
 def options():
-    """From the command line."""
+    """Parse the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("scenes", nargs="*", default=list(scenes.SCENES), help="of " + ", ".join(scenes.SCENES))
-    parser.add_argument("--size", default="320x180", help="of the pictures")
-    parser.add_argument("--spp", type=int, default=256, help="paths through each pixel of the path tracer's")
+    parser.add_argument("scenes", nargs="*", default=list(scenes.SCENES), help="any of " + ", ".join(scenes.SCENES))
+    parser.add_argument("--size", default="320x180", help="size of the pictures")
+    parser.add_argument("--spp", type=int, default=256, help="paths per pixel of the reference")
     parser.add_argument("--presets", nargs="+", default=PRESETS, choices=PRESETS)
     parser.add_argument("--set", action="append", default=[], metavar="TECHNIQUE.PARAMETER=VALUE",
-                        help="for all presets")
-    parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
-    parser.add_argument("--pictures", metavar="FOLDER", help="write what is compared")
+                        help="parameter for all presets")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write the compared pictures there")
     return parser.parse_args()
 
 
-class Drawn:
-    """A scene drawn by one preset until that has nothing more to add."""
+class FinishedPicture:
+    """A scene drawn with one preset until all techniques are finished."""
 
     def __init__(self, name, size, preset, parameters):
         self.renderer = scenes.SCENES[name][1]()
@@ -57,26 +57,26 @@ class Drawn:
 
 
 def main():
-    """A line for each scene and preset."""
+    """Print a line for each scene and preset."""
     args = options()
     size = tuple(int(part) for part in args.size.split("x"))
     parameters = dict(item.split("=", 1) for item in args.set)
-    falls = True
+    passed = True
     print(f"{'scene':10} {'preset':10} relMSE  signed mean  frames  s of processor time")
     for name in args.scenes:
-        truth = kept(args.keep, f"{name}_{args.size}_{args.spp}", lambda: Drawn(
+        truth = kept(args.keep, f"{name}_{args.size}_{args.spp}", lambda: FinishedPicture(
             name, size, "reference", {"path-tracing.samples": str(args.spp)}).radiance)
-        worst = float("inf")
+        previous = float("inf")
         for preset in args.presets:
             known = {item: value for item, value in parameters.items() if preset != "off"}
-            drawn = Drawn(name, [FINER * side for side in size], preset, known)
-            picture = smaller(drawn.radiance)
+            finished = FinishedPicture(name, [FINER * side for side in size], preset, known)
+            picture = smaller(finished.radiance)
             error, mean = penumbra.relative_error(picture, truth)
             write(args.pictures, f"{name}_{preset}.png", picture, truth)
-            print(f"{name:10} {preset:10} {error:6.4f}  {100 * mean:+10.2f} %  {drawn.frames:6d}  {drawn.seconds:.1f}", flush=True)
-            falls = falls and error <= worst
-            worst = error
-    return 0 if falls else 1
+            print(f"{name:10} {preset:10} {error:6.4f}  {100 * mean:+10.2f} %  {finished.frames:6d}  {finished.seconds:.1f}", flush=True)
+            passed = passed and error <= previous
+            previous = error
+    return 0 if passed else 1
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Indirect light by baked probes beside the path tracer, in scenes whose detail is concentrated and in one where it is
-not: in one grid, and in several that share as many probes. Exit code 1 where several err more than one does."""
+"""Indirect light by baked probes compared with the path tracer: in one grid, and in several grids with the same number of
+probes. In one of the scenes detail is not concentrated. Exits with 1 if several grids have a larger error than one."""
 import argparse
 import math
 import sys
@@ -16,12 +16,12 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
 
-WORSE = 1.05  # times the error of one grid: what chance may make of several
+WORSE = 1.05  # limit of the error of several grids relative to one, which allows for noise
 GREY, WOOD, BLUE, RED, GREEN = (0.7, 0.7, 0.7), (0.6, 0.4, 0.2), (0.2, 0.3, 0.7), (0.7, 0.15, 0.1), (0.15, 0.6, 0.2)
 
 
 class Scene:
-    """Boxes, balls and lamps in plain VTK."""
+    """A scene of boxes, balls and lamps in plain VTK."""
 
     def __init__(self):
         self.renderer = vtkRenderer()
@@ -41,16 +41,16 @@ class Scene:
         cube.SetBounds(bounds)
         self.add(cube, color).GetProperty().SetInterpolationToFlat()
 
-    def ball(self, color, radius, *place):
+    def ball(self, color, radius, *position):
         sphere = vtkSphereSource()
         sphere.SetRadius(radius)
-        sphere.SetCenter(place)
+        sphere.SetCenter(position)
         sphere.SetPhiResolution(24)
         sphere.SetThetaResolution(48)
         self.add(sphere, color)
 
     def shell(self, colors, x0, x1, y0, y1, z0, z1, thick=0.1):
-        """Floor, ceiling and walls, the one at y0 open toward the eye where it has no colour."""
+        """Add floor, ceiling and walls. The one at y0 is left out if it has no colour."""
         floor, ceiling, west, east, south, north = colors
         self.box(floor, x0, x1, y0, y1, z0 - thick, z0)
         self.box(ceiling, x0, x1, y0, y1, z1, z1 + thick)
@@ -60,18 +60,18 @@ class Scene:
         if south:
             self.box(south, x0, x1, y0 - thick, y0, z0, z1)
 
-    def lamp(self, intensity, *place):
+    def lamp(self, intensity, *position):
         lamp = vtkLight()
         lamp.SetLightTypeToSceneLight()
         lamp.PositionalOn()
         lamp.SetConeAngle(180)
-        lamp.SetPosition(place)
+        lamp.SetPosition(position)
         lamp.SetIntensity(intensity)
         self.renderer.AddLight(lamp)
 
-    def look(self, angle, place, focal):
+    def look(self, angle, position, focal):
         camera = self.renderer.GetActiveCamera()
-        camera.SetPosition(place)
+        camera.SetPosition(position)
         camera.SetFocalPoint(focal)
         camera.SetViewUp(0, 0, 1)
         camera.SetViewAngle(angle)
@@ -79,7 +79,7 @@ class Scene:
 
 
 def furniture(scene, x, y):
-    """A table, a shelf, a chest and a ball, on four by three."""
+    """Add a table, a shelf, a chest and a ball to an area of four by three."""
     for dx, dy in ((0, 0), (1.2, 0), (0, 0.6), (1.2, 0.6)):
         scene.box(WOOD, x + 1.2 + dx, x + 1.26 + dx, y + 1.0 + dy, y + 1.06 + dy, 0, 0.7)
     scene.box(WOOD, x + 1.15, x + 2.5, y + 0.95, y + 1.7, 0.7, 0.75)
@@ -122,18 +122,18 @@ def molecule():
     """Coloured balls close together over a large plane."""
     scene = Scene()
     scene.box(GREY, -30, 30, -30, 30, -0.1, 0)
-    chance = np.random.default_rng(5)
+    random = np.random.default_rng(5)
     for i in range(30):
-        turn = 0.6 * i
-        scene.ball((RED, GREY, BLUE)[i % 3], 0.5, 6 + 1.2 * math.cos(turn), -4 + 1.2 * math.sin(turn),
-                   0.6 + 0.11 * i + 0.1 * chance.random())
+        angle = 0.6 * i
+        scene.ball((RED, GREY, BLUE)[i % 3], 0.5, 6 + 1.2 * math.cos(angle), -4 + 1.2 * math.sin(angle),
+                   0.6 + 0.11 * i + 0.1 * random.random())
     scene.lamp(1.0, 2, -10, 9)
     scene.look(30, (4, -14, 4), (6, -4, 1.6))
     return scene
 
 
 def cornell():
-    """Where one grid is right."""
+    """A Cornell box, for which one grid is best."""
     scene = Scene()
     scene.shell((GREY, GREY, RED, GREEN, None, GREY), -1, 1, -1, 1, 0, 2)
     scene.box(GREY, -0.6, 0.0, 0.1, 0.7, 0, 1.2)
@@ -147,23 +147,23 @@ SCENES = {make.__name__.replace("_", "-"): make for make in (room_in_hall, furni
 
 
 def options():
-    """From the command line."""
+    """Parse the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--size", default="64x48", metavar="WxH", help="of the pictures, pixels")
-    parser.add_argument("--spp", type=int, default=1024, help="paths through each pixel of the truth")
-    parser.add_argument("--samples", type=int, default=512, help="paths of each probe")
-    parser.add_argument("--probes", type=int, nargs="+", default=[1000], help="at most")
+    parser.add_argument("--size", default="64x48", metavar="WxH", help="size of the pictures in pixels")
+    parser.add_argument("--spp", type=int, default=1024, help="paths per pixel of the reference")
+    parser.add_argument("--samples", type=int, default=512, help="paths per probe")
+    parser.add_argument("--probes", type=int, nargs="+", default=[1000], help="maximum number of probes")
     parser.add_argument("--scene", choices=SCENES, nargs="+", default=list(SCENES))
-    parser.add_argument("--keep", metavar="FOLDER", help="where traced pictures are kept for the next run")
-    parser.add_argument("--pictures", metavar="FOLDER", help="write one grid, several, the truth, and the probes there")
-    parser.add_argument("--cost", action="store_true", help="time the lookup too")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write pictures with one grid and with several, the reference, and the probes there")
+    parser.add_argument("--cost", action="store_true", help="also measure the time of the lookup")
     args = parser.parse_args()
     args.size = tuple(map(int, args.size.split("x")))
     return args
 
 
 def truth(args, name):
-    """Light that was reflected at least once."""
+    """Reference of the indirect light: light that was reflected at least once."""
     def traced(bounces):
         camera = Camera(args.size, "reference", SCENES[name](),
                         **{"path-tracing.samples": args.spp, "path-tracing.bounces": bounces})
@@ -174,7 +174,8 @@ def truth(args, name):
 
 
 def bake(args, camera, probes, adaptive):
-    """Switches the technique on. Returns the grids' sizes and the seconds that it took, with what was tried."""
+    """Bake probes and switch the technique on. Returns the number of probes, the sizes of the grids, and a text with the time
+    that it took and the result of the trial."""
     started = time.monotonic()
     baker, field = penumbra.vtkGIProbeBaker(), vtkImageData()
     baker.SetProbes(probes)
@@ -199,17 +200,17 @@ def bake(args, camera, probes, adaptive):
 
 
 def lookup(camera):
-    """Milliseconds of the pass that asks the probes."""
+    """Milliseconds of the pass that looks up the probes."""
     camera.gi.CollectStatisticsOn()
     times = []
     for _ in range(15):
         camera.window.Render()
-        times += [one["milliseconds"] for one in penumbra.statistics(camera.gi)["passes"] if one["name"] == "indirect-light"]
+        times += [row["milliseconds"] for row in penumbra.statistics(camera.gi)["passes"] if row["name"] == "indirect-light"]
     return float(np.median(times))
 
 
 def compare(args, name, probes):
-    """One grid and several."""
+    """Errors with one grid and with several."""
     camera = Camera(tuple(FINER * n for n in args.size), "off", SCENES[name](), on=["ray-traced-shadows"])
     direct = camera.picture()
     expected = truth(args, name)
@@ -227,12 +228,12 @@ def compare(args, name, probes):
         camera.gi.GetTechnique("sh-probes").SetShow(True)
         shown = smaller(camera.picture())
         brighter = 0.35 / max(expected.mean(), 1e-6)
-        write(args.pictures, f"{name}_{probes}.png", *(brighter * one for one in pictures + [expected]), brighter * shown)
+        write(args.pictures, f"{name}_{probes}.png", *(brighter * picture for picture in pictures + [expected]), brighter * shown)
     return errors
 
 
 def main():
-    """Every scene."""
+    """Compare all scenes."""
     args = options()
     passed = True
     with tempfile.TemporaryDirectory() as scratch:

@@ -1,4 +1,4 @@
-# The bundle's programs take every library but glibc and the driver's own from the bundle, and run.
+# Checks that the bundle's programs run, and find in it all libraries except glibc and the driver's own.
 file(REMOVE_RECURSE "${WORK}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --component bundle --prefix "${WORK}" --strip
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
@@ -11,7 +11,7 @@ endif()
 file(GLOB _here "${WORK}/lib/libvtkRenderingGI*")
 file(GLOB _elsewhere "${WORK}/fallback/libvtk*")
 if(NOT _here OR _elsewhere)
-  message(FATAL_ERROR "libraries of the project and of VTK belong to lib/: ${_here}, ${_elsewhere}")
+  message(FATAL_ERROR "libraries of the project and of VTK must be in lib/: ${_here}, ${_elsewhere}")
 endif()
 foreach(_program IN LISTS _programs)
   execute_process(COMMAND "${CMAKE_COMMAND}" -E env "LD_LIBRARY_PATH=${WORK}/lib:${WORK}/fallback" ldd "${_program}"
@@ -19,7 +19,7 @@ foreach(_program IN LISTS _programs)
   string(REPLACE "\n" ";" _libraries "${_libraries}")
   list(FILTER _libraries EXCLUDE REGEX "${WORK}/(lib|fallback)/|ld-linux|linux-vdso|lib(c|dl|m|pthread|resolv|rt)\\.so|^$")
   if(_libraries)
-    message(FATAL_ERROR "${_program} needs what is not in the bundle: ${_libraries}")
+    message(FATAL_ERROR "${_program} needs libraries that are not in the bundle: ${_libraries}")
   endif()
 endforeach()
 
@@ -31,7 +31,7 @@ function(expect_run result expression)
   endif()
 endfunction()
 expect_run(2 "penumbra_bench.*penumbra_gpu_tests")
-expect_run(2 "of the programs" no_such_program)
+expect_run(2 "one of:" no_such_program)
 expect_run(0 "PASSED" penumbra_gpu_tests "--gtest_filter=GeometryLib*")
 expect_run(0 "PASSED" penumbra_parity_tests "--gtest_filter=*/shader_code_of_vertices")
 expect_run(1 "cannot be read" penumbra_bench --volume no_such_file.nii)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's own shadow and ambient occlusion passes get wrong, drawn by them and by ours. Each
-// test shows the defect in stock VTK first, unless the VTK at hand is new enough to have lost it.
+// Defects of VTK's own shadow and ambient occlusion passes. Each test shows the defect with stock VTK, unless this
+// version of VTK has fixed it, and then that Penumbra does not have it.
 #pragma once
 
 #include "Messages.h"
@@ -20,12 +20,12 @@ namespace penumbra_test
 {
 enum class By
 {
-  Nobody, ///< plain VTK, nothing switched on
-  Stock,  ///< VTK's pass
+  None,  ///< plain VTK, nothing switched on
+  Stock, ///< VTK's pass
   Ours
 };
 
-/// Whether the defect is still in this VTK. No arguments: it is in every version so far.
+/// Whether this version of VTK still has a defect. Without arguments: all versions so far have it.
 inline bool StockIsDefective(int fixedMajor = 99, int fixedMinor = 0)
 {
   const int major = vtkVersion::GetVTKMajorVersion();
@@ -45,7 +45,7 @@ inline void SwitchOnShadows(Stage& stage, By by)
   }
 }
 
-/// The same radius for both; ours takes a share of ambient light where asked.
+/// Switch on occlusion with the same radius for both. share: ambient share of ours.
 inline void SwitchOnOcclusion(Stage& stage, By by, double radius, double share = 0.35)
 {
   if (by == By::Stock)
@@ -66,7 +66,7 @@ inline void SwitchOnOcclusion(Stage& stage, By by, double radius, double share =
   }
 }
 
-/// A white floor in the plane z = 0.
+/// Add a white floor in the plane z = 0.
 inline vtkActor* AddFloor(Stage& stage, double half = 2.0)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -78,7 +78,7 @@ inline vtkActor* AddFloor(Stage& stage, double half = 2.0)
   return floor;
 }
 
-/// A ball that hovers over the floor.
+/// Add a ball above the floor.
 inline vtkSmartPointer<vtkSphereSource> AddBall(Stage& stage, double x = 0.0)
 {
   auto ball = vtkSmartPointer<vtkSphereSource>::New();
@@ -99,7 +99,7 @@ inline vtkLight* AddLight(Stage& stage, double x, double y, double z)
   return light;
 }
 
-/// From above, the picture's height being that many world units; x to the right.
+/// Look at the floor from above, with x to the right. height: of the picture, in world units.
 inline void LookDown(Stage& stage, double height)
 {
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
@@ -111,7 +111,7 @@ inline void LookDown(Stage& stage, double height)
   stage.Renderer->ResetCameraClippingRange();
 }
 
-/// Grey of the floor around a point of it, in a picture looked down on from height.
+/// Mean grey of the floor around a point, in a picture taken with LookDown().
 inline double FloorGrey(const Picture& picture, double height, double x, double y)
 {
   const double scale = picture.Height / height;

@@ -15,7 +15,7 @@ namespace penumbra_test
 {
 namespace
 {
-// Boxes of several heights close together: creases everywhere.
+// Add boxes of several heights close together, with many creases.
 void AddBoxes(Stage& stage, double size = 1.0)
 {
   for (int i = 0; i < 9; ++i)
@@ -27,7 +27,7 @@ void AddBoxes(Stage& stage, double size = 1.0)
   Stage::LookAround(stage.Renderer);
 }
 
-// Emission and no light at all: there is nothing to occlude.
+// Boxes that only emit light, so that there is nothing to occlude.
 Picture Glowing(By by)
 {
   Stage stage;
@@ -54,7 +54,7 @@ Picture Glowing(By by)
 
 TEST(OcclusionDefects, EmissionIsNotOccluded)
 {
-  const Picture plain = Glowing(By::Nobody);
+  const Picture plain = Glowing(By::None);
   const Difference stock = Compare(plain, Glowing(By::Stock), 2);
   const Difference ours = Compare(plain, Glowing(By::Ours), 2);
   std::printf("emission changed: stock mean %.2f, ours %.2f\n", stock.Mean, ours.Mean);
@@ -65,7 +65,7 @@ TEST(OcclusionDefects, EmissionIsNotOccluded)
   EXPECT_GT(ours.Within, 0.999);
 }
 
-// Direct light and highlights, with no ambient light taken from them.
+// Boxes in direct light, with highlights. The ambient share is zero.
 Picture Lit(By by)
 {
   Stage stage;
@@ -82,7 +82,7 @@ Picture Lit(By by)
 
 TEST(OcclusionDefects, DirectLightIsNotOccluded)
 {
-  const Picture plain = Lit(By::Nobody);
+  const Picture plain = Lit(By::None);
   if (StockIsDefective())
   {
     EXPECT_GT(Compare(plain, Lit(By::Stock), 2).Mean, 2.0);
@@ -90,7 +90,7 @@ TEST(OcclusionDefects, DirectLightIsNotOccluded)
   EXPECT_GT(Compare(plain, Lit(By::Ours), 2).Within, 0.999);
 }
 
-// The same scene, larger, seen from as much farther away: the same picture.
+// The scene enlarged, and seen from a distance enlarged by the same factor: the picture should not change.
 Picture Scaled(By by, double size)
 {
   Stage stage;
@@ -106,7 +106,7 @@ Picture Scaled(By by, double size)
   return Shoot(stage.Window);
 }
 
-// Positions in half floats end at 65504.
+// VTK's pass stores positions as half floats, whose maximum is 65504.
 TEST(OcclusionDefects, LargeCoordinates)
 {
   const auto changed = [](By by) { return Compare(Scaled(by, 1.0), Scaled(by, 1e5), 2); };
@@ -121,27 +121,27 @@ TEST(OcclusionDefects, LargeCoordinates)
   EXPECT_GT(ours.Within, 0.99);
 }
 
-// A viewport that does not start at the window's corner, against a window of its size.
+// Compare a viewport that does not start at the window's corner with a window of its size.
 Difference InViewport(By by)
 {
   Stage whole;
   whole.Window->SetSize(160, 240);
   AddBoxes(whole);
   SwitchOnOcclusion(whole, by, 0.8);
-  const Picture alone = Shoot(whole.Window);
+  const Picture separate = Shoot(whole.Window);
 
   Stage stage;
   stage.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
   AddBoxes(stage);
   SwitchOnOcclusion(stage, by, 0.8);
   const Picture picture = Shoot(stage.Window);
-  Picture part = alone;
+  Picture part = separate;
   for (int y = 0; y < 240; ++y)
   {
     const auto from = picture.Pixels.begin() + 4 * (320 * y + 160);
     std::copy(from, from + 4 * 160, part.Pixels.begin() + 4 * 160 * y);
   }
-  return Compare(alone, part, 3);
+  return Compare(separate, part, 3);
 }
 
 TEST(OcclusionDefects, Viewport)
@@ -153,7 +153,7 @@ TEST(OcclusionDefects, Viewport)
   EXPECT_GT(InViewport(By::Ours).Within, 0.99);
 }
 
-// Tones between a white ball and a black background: none where edges are jagged.
+// Number of pixels between white and black around a white ball on black: zero if its edges are jagged.
 int SmoothPixels(By by)
 {
   Stage stage;
@@ -184,7 +184,7 @@ TEST(OcclusionDefects, EdgesStaySmooth)
   const int ours = SmoothPixels(By::Ours);
   TakeMessages();
   std::printf("smooth edge pixels: multisampled %d, stock occlusion %d, ours %d\n",
-    SmoothPixels(By::Nobody), stock, ours);
+    SmoothPixels(By::None), stock, ours);
   if (StockIsDefective())
   {
     EXPECT_LT(stock, 20);
@@ -192,7 +192,7 @@ TEST(OcclusionDefects, EdgesStaySmooth)
   EXPECT_GT(ours, 100);
 }
 
-// VTK's occlusion as a render pass, which is how a program with passes of its own adds it.
+// Add VTK's occlusion as a render pass, like a program that uses render passes.
 void UseOcclusionPass(Stage& stage, double radius)
 {
   vtkNew<vtkRenderStepsPass> steps;
@@ -203,7 +203,7 @@ void UseOcclusionPass(Stage& stage, double radius)
   stage.Renderer->SetPass(occlusion);
 }
 
-// Crossed panes of coloured glass, which only peeling blends in order. Nothing is there to occlude.
+// Crossed panes of coloured glass, which only depth peeling blends in order. There is nothing to occlude.
 Picture Peeled(By by)
 {
   Stage stage;
@@ -233,9 +233,9 @@ Picture Peeled(By by)
   return Shoot(stage.Window);
 }
 
-TEST(OcclusionDefects, PeelingStays)
+TEST(OcclusionDefects, DepthPeelingIsKept)
 {
-  const Picture plain = Peeled(By::Nobody);
+  const Picture plain = Peeled(By::None);
   const Difference stock = Compare(plain, Peeled(By::Stock), 2);
   const Difference ours = Compare(plain, Peeled(By::Ours), 2);
   std::printf("peeled glass within 2/255: stock %.4f, ours %.4f\n", stock.Within, ours.Within);
@@ -246,7 +246,7 @@ TEST(OcclusionDefects, PeelingStays)
   EXPECT_GT(ours.Within, 0.999);
 }
 
-// Boxes behind a dense fog bank that hides all of them.
+// Boxes behind dense fog that hides all of them.
 Picture BehindFog(By by)
 {
   Stage stage;
@@ -284,15 +284,15 @@ Picture BehindFog(By by)
   return Shoot(stage.Window);
 }
 
-// The creases of what lies behind it are drawn on the volume.
-TEST(OcclusionDefects, VolumesHideWhatIsBehind)
+// VTK's pass draws creases of the boxes onto the fog.
+TEST(OcclusionDefects, VolumesHideSurfacesBehind)
 {
-  const Picture plain = BehindFog(By::Nobody);
+  const Picture plain = BehindFog(By::None);
   const Difference stock = Compare(plain, BehindFog(By::Stock), 2);
-  TakeMessages(); // stock's own
+  TakeMessages(); // of VTK's pass
   const Difference ours = Compare(plain, BehindFog(By::Ours), 2);
   std::printf(
-    "fog before creases within 2/255: stock %.4f, ours %.4f\n", stock.Within, ours.Within);
+    "fog in front of creases within 2/255: stock %.4f, ours %.4f\n", stock.Within, ours.Within);
   if (StockIsDefective(9, 4))
   {
     EXPECT_LT(stock.Within, 0.95);

@@ -8,7 +8,7 @@ namespace penumbra_test
 {
 namespace
 {
-constexpr double Height = 4.0; // of the floor that is seen, in world units
+constexpr double Height = 4.0; // of the picture, in world units
 
 // A ball over a floor and a light at 45 degrees: its shadow falls at x = 1.
 Picture BallOnFloor(By by, void (*setLights)(Stage&))
@@ -32,14 +32,14 @@ bool HasShadow(const Picture& picture)
   return FloorGrey(picture, Height, 1.0, 0.0) < 0.3 * FloorGrey(picture, Height, 1.0, 1.2);
 }
 
-// That the others fail is not for want of a shadow where all is well.
+// Control: both draw shadows in a simple scene, so other tests fail for another reason.
 TEST(ShadowDefects, BothDrawAShadow)
 {
   EXPECT_TRUE(HasShadow(BallOnFloor(By::Stock, Slanted)));
   EXPECT_TRUE(HasShadow(BallOnFloor(By::Ours, Slanted)));
 }
 
-// A lamp that shines all round casts no shadow at all.
+// With stock VTK, an omnidirectional light casts no shadow.
 TEST(ShadowDefects, OmnidirectionalLight)
 {
   const auto lamp = [](Stage& stage) {
@@ -54,7 +54,7 @@ TEST(ShadowDefects, OmnidirectionalLight)
   EXPECT_TRUE(HasShadow(BallOnFloor(By::Ours, lamp)));
 }
 
-// Share of its light that a bare floor keeps when shadows are switched on.
+// Brightness of an empty floor with shadows, relative to that without.
 double FloorBrightness(By by, int width, int height)
 {
   const auto shoot = [&](By who) {
@@ -66,10 +66,10 @@ double FloorBrightness(By by, int width, int height)
     SwitchOnShadows(stage, who);
     return Shoot(stage.Window).MeanGrey(0, 0, width, height);
   };
-  return shoot(by) / shoot(By::Nobody);
+  return shoot(by) / shoot(By::None);
 }
 
-// Shadow coordinates are taken from the window's square part.
+// Stock VTK computes shadow coordinates as if the window were square.
 TEST(ShadowDefects, NonSquareViewport)
 {
   for (const auto& size : { std::pair(400, 400), std::pair(800, 400), std::pair(333, 617) })
@@ -86,7 +86,7 @@ TEST(ShadowDefects, NonSquareViewport)
   }
 }
 
-// Picture of a glass ball over the floor, and of the floor alone.
+// Difference that a glass ball above the floor makes to the picture.
 double GlassDifference(By by)
 {
   const auto shoot = [by](bool glass) {
@@ -106,7 +106,7 @@ double GlassDifference(By by)
     FloorGrey(shoot(true), Height, 0.0, 0.0) - FloorGrey(shoot(false), Height, 0.0, 0.0));
 }
 
-TEST(ShadowDefects, TranslucentPropsStay)
+TEST(ShadowDefects, TranslucentPropsAreDrawn)
 {
   if (StockIsDefective())
   {
@@ -115,7 +115,7 @@ TEST(ShadowDefects, TranslucentPropsStay)
   EXPECT_GT(GlassDifference(By::Ours), 20.0);
 }
 
-// How much occlusion changes a picture that has shadows.
+// Difference that occlusion makes to a picture with shadows.
 double OcclusionWithShadows(By by)
 {
   const auto shoot = [by](bool occlusion) {
@@ -131,7 +131,7 @@ double OcclusionWithShadows(By by)
     SwitchOnShadows(stage, by);
     if (by == By::Ours && occlusion)
     {
-      // The call above put a new pass in place of the one with occlusion.
+      // SwitchOnShadows() has replaced the pass with occlusion by a new one.
       auto* pass = static_cast<vtkGIPass*>(stage.Renderer->GetPass());
       pass->GetTechnique("ambient-occlusion")->EnabledOn();
     }
@@ -149,7 +149,7 @@ TEST(ShadowDefects, OcclusionStaysOn)
   EXPECT_GT(OcclusionWithShadows(By::Ours), 0.5);
 }
 
-// A red ball without lighting, in a picture that is white or grey elsewhere.
+// Number of red pixels in a picture of an unlit red ball, which is white or grey elsewhere.
 int RedPixels(By by)
 {
   Stage stage;
@@ -174,18 +174,18 @@ int RedPixels(By by)
   return red;
 }
 
-// VTK's pass inserts into a shader text that unlit actors do not have; the shader fails.
-TEST(ShadowDefects, UnlitActorStays)
+// VTK's pass inserts code at a place that shaders of unlit actors do not have, and they do not compile.
+TEST(ShadowDefects, UnlitActorsAreDrawn)
 {
   if (StockIsDefective(9, 3))
   {
     EXPECT_EQ(RedPixels(By::Stock), 0);
     EXPECT_FALSE(TakeMessages().empty());
   }
-  EXPECT_EQ(RedPixels(By::Ours), RedPixels(By::Nobody));
+  EXPECT_EQ(RedPixels(By::Ours), RedPixels(By::None));
 }
 
-// VTK counts lights that are off in one place and not in another.
+// Some parts of VTK's pass count lights that are off, and others do not.
 TEST(ShadowDefects, LightOffEarlierInTheList)
 {
   const auto lights = [](Stage& stage) {
@@ -202,10 +202,10 @@ TEST(ShadowDefects, LightOffEarlierInTheList)
   EXPECT_TRUE(HasShadow(BallOnFloor(By::Ours, lights)));
 }
 
-// Share of pixels that agree between a ball moved after the first frame and one placed there.
+// Share of pixels that agree between a ball moved by its data after the first frame, and one that was there before.
 double FollowsData(By by)
 {
-  const auto shoot = [by](double first, double then) {
+  const auto shoot = [by](double first, double second) {
     Stage stage;
     AddFloor(stage);
     auto ball = AddBall(stage, first);
@@ -213,13 +213,13 @@ double FollowsData(By by)
     LookDown(stage, Height);
     SwitchOnShadows(stage, by);
     stage.Window->Render();
-    ball->SetCenter(then, 0.5, 1.0);
+    ball->SetCenter(second, 0.5, 1.0);
     return Shoot(stage.Window);
   };
   return Compare(shoot(0.3, -0.8), shoot(-0.8, -0.8), 2).Within;
 }
 
-// The map is redrawn when a prop changes, but not when its data does.
+// VTK redraws its map if a prop changes, but not if only its data change.
 TEST(ShadowDefects, ShadowsFollowTheData)
 {
   if (StockIsDefective())
@@ -229,7 +229,7 @@ TEST(ShadowDefects, ShadowsFollowTheData)
   EXPECT_GT(FollowsData(By::Ours), 0.999);
 }
 
-TEST(ShadowDefects, PhysicallyBasedUnderALamp)
+TEST(ShadowDefects, PhysicallyBasedMaterials)
 {
   const auto lamp = [](Stage& stage) {
     vtkLight* light = AddLight(stage, -3.0, 0.0, 3.0);
@@ -253,7 +253,7 @@ TEST(ShadowDefects, PhysicallyBasedUnderALamp)
   EXPECT_TRUE(HasShadow(BallOnFloor(By::Ours, lamp)));
 }
 
-// An exponential shadow map leaks light where the blocker is near: under a low box.
+// Brightness beside a low box. An exponential shadow map leaks light close to the occluder.
 double ShadowOfALowBox(By by)
 {
   Stage stage;
@@ -268,7 +268,7 @@ double ShadowOfALowBox(By by)
   return FloorGrey(picture, Height, 0.58, 0.0) / FloorGrey(picture, Height, 1.5, 0.0);
 }
 
-TEST(ShadowDefects, NearBlockerLeaksNoLight)
+TEST(ShadowDefects, NearOccluderLeaksNoLight)
 {
   const double stock = ShadowOfALowBox(By::Stock);
   const double ours = ShadowOfALowBox(By::Ours);

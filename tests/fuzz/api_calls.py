@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random public calls on windows, renderers, props, lights, vtkGIPass and the light gatherer, in any order.
+"""Make random public calls on windows, renderers, props, lights, vtkGIPass and the light gatherer.
 
-The calls are printed as they are made, so that the last line before a crash names it; the same seed makes the same
-calls. It fails where OpenGL or VTK reports an error, where a value is taken that is out of range, or where the program
-ends before it says "done". With --stock no pass is ever set: VTK alone must survive the same sequence.
+Each call is printed before it is made, so that the last line before a crash names it. The same seed makes the same calls.
+Fails if OpenGL or VTK reports an error, if a value out of range is accepted, or if the program ends before it prints
+"done". With --stock no pass is set: stock VTK must survive the same sequence.
 """
 import argparse
 import faulthandler
@@ -23,8 +23,9 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkHardwareSelector, vtkLight
                                          vtkTexture, vtkVolume, vtkWindowToImageFilter)
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
-# Left out: what VTK alone does not survive in silence (depth peeling, stereo, pictures in tiles and another number of
-# samples, each with windows that change; half of a window that is one pixel wide). The calls, each as often as it should come. A method of Fuzz of that name makes it.
+# Number of times that each call is drawn, relative to the others; methods of Fuzz with these names make them. Left out is
+# what stock VTK does not survive without messages: depth peeling, stereo, tiled pictures and other numbers of samples, each
+# with windows that change, and half of a window that is one pixel wide.
 CALLS = {"render": 6, "enable": 1, "disable": 1, "preset": 1, "toggle": 1, "parameter": 2, "add": 1, "remove": 1,
          "light": 1, "resize": 1, "radiance": 1, "buffer": 1, "statistics": 1, "new_window": 1, "delete_window": 1,
          "finalize": 1, "move_renderer": 1, "remove_renderer": 1, "release": 1, "share": 1, "forget_pass": 1, "keep": 1,
@@ -83,10 +84,10 @@ class Fuzz:
         self.pick = random.Random(seed)
         self.stock = stock
         self.failures = 0
-        # The same in all windows: VTK's translucent stage does not notice that a renderer moved to one with others.
+        # All windows have the same number: VTK's translucent pass does not notice if a renderer moves to a window with another.
         self.samples = self.pick.choice([0, 0, 4, 8])
         self.windows, self.renderers, self.passes = [], [], []
-        self.props = []  # of renderers: pairs
+        self.props = []  # pairs of renderer and prop
         self.gatherer = penumbra.vtkGILightGatherer()
         self.gatherer.SetSamples(1)
         self.new_window()
@@ -97,7 +98,7 @@ class Fuzz:
         print("FAILED:", text, flush=True)
 
     def choose(self):
-        """What the next call is about."""
+        """Choose the window and the renderer of the next call."""
         if not self.windows or not self.renderers:
             self.new_window()
         self.window, self.renderer = self.pick.choice(self.windows), self.pick.choice(self.renderers)
@@ -119,13 +120,13 @@ class Fuzz:
     def new_window(self):
         if len(self.windows) >= 3:
             return
-        made = [vtkRenderer() for _ in range(self.pick.choice([1, 1, 2]))]
-        if len(made) == 2:
-            made[0].SetViewport(0, 0, 0.5, 1)
-            made[1].SetViewport(0.5, 0, 1, 1)
-        self.renderers.extend(made)
+        renderers = [vtkRenderer() for _ in range(self.pick.choice([1, 1, 2]))]
+        if len(renderers) == 2:
+            renderers[0].SetViewport(0, 0, 0.5, 1)
+            renderers[1].SetViewport(0.5, 0, 1, 1)
+        self.renderers.extend(renderers)
         size = self.pick.choice([2, 16, 64, 200, 333]), self.pick.choice([1, 16, 64, 120, 217])
-        self.windows.append(penumbra.window(*made, size=size, multisamples=self.samples))
+        self.windows.append(penumbra.window(*renderers, size=size, multisamples=self.samples))
 
     def delete_window(self):
         if len(self.windows) < 2:
@@ -238,12 +239,12 @@ class Fuzz:
         value = float(self.pick.choice([chosen.minimum, min(chosen.maximum, 32), chosen.default, -1, 1e30]))
         print("  ", info.name, chosen.name, value, flush=True)
         technique = self.gi.GetTechnique(info.name)
-        said = []
-        watch = technique.AddObserver("ErrorEvent", lambda *_: said.append(1))
-        taken = technique.SetParameter(chosen.name, value)
+        errors = []
+        watch = technique.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+        accepted = technique.SetParameter(chosen.name, value)
         technique.RemoveObserver(watch)
-        if taken == bool(said) or taken != (chosen.minimum <= value <= chosen.maximum):
-            self.fail(f"{info.name}.{chosen.name} = {value}: {'taken' if taken else 'refused'}, {len(said)} errors")
+        if accepted == bool(errors) or accepted != (chosen.minimum <= value <= chosen.maximum):
+            self.fail(f"{info.name}.{chosen.name} = {value}: {'accepted' if accepted else 'refused'}, {len(errors)} errors")
 
     def radiance(self):
         if self.gi:
@@ -251,7 +252,7 @@ class Fuzz:
             if self.gi.GetRadiance(self.renderer, image) and not self.gi.GetKeepRadiance():
                 self.renderer.GetRenderWindow().Render()
                 if self.gi.GetRadiance(self.renderer, image):
-                    self.fail("radiance that the last frame did not keep")
+                    self.fail("GetRadiance() succeeds although the last frame did not keep radiance")
 
     def buffer(self):
         if self.gi:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors that OpenGL itself reports, whether or not anybody asks for them with glGetError."""
+"""Counts and prints OpenGL's errors by debug output, even if no code calls glGetError."""
 import ctypes
 import os
 import sys
@@ -41,7 +41,7 @@ def _report(_source, kind, _id, _severity, _length, message, _user):
 
 
 def watch():
-    """Report the errors of the context that is current from now on. Calls made again change nothing."""
+    """Report errors of the current context from now on. Repeated calls change nothing."""
     _listen(_report, None)
     _enable(_OUTPUT)
     _enable(_SYNCHRONOUS)

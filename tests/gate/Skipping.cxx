@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What test_gate.py has ctest run: cases that are skipped, and one that is not.
+// Cases for test_gate.py: two that are skipped, one that passes after much output, and one that fails.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -8,12 +8,12 @@
 
 TEST(Absent, One)
 {
-  GTEST_SKIP() << "no thing of this\nkind here";
+  GTEST_SKIP() << "nothing of this\nkind here";
 }
 
 TEST(Absent, Other)
 {
-  GTEST_SKIP() << "no other thing";
+  GTEST_SKIP() << "nothing else";
 }
 
 TEST(Present, Talkative)

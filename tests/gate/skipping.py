@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What test_gate.py has ctest run: cases that are skipped, and one that is not."""
+"""Cases for test_gate.py: some that are skipped, and one that passes."""
 import unittest
 
 
 class Absent(unittest.TestCase):
-    @unittest.skip("not installed: a thing")
+    @unittest.skip("not installed: a package")
     def test_one(self):
         pass
 
     def test_other(self):
-        self.skipTest("no other thing")
+        self.skipTest("nothing else")
 
 
 @unittest.skip("none of this")

@@ -14,7 +14,7 @@ void ComputeHarness::SetUp()
 {
   if (!HasBackend())
   {
-    GTEST_SKIP() << "no such backend here";
+    GTEST_SKIP() << "the backend is not available";
   }
   this->Window = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
   this->Window->Initialize();

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs functions of glsl/lib on the GPU, one invocation a row of numbers, to be checked against
-// C++.
+// Runs functions of glsl/lib on the GPU, for comparison with the same functions in C++.
 #pragma once
 
 #include "gpu/ShaderLibrary.h"
@@ -18,8 +17,8 @@ protected:
   void SetUp() override;
   void TearDown() override;
 
-  /// includes: library files, in order. body: statements that read the vec4 IN(0), IN(1)... of an
-  /// invocation and set the vec4 RESULT. inputs: stride vectors for each invocation.
+  /// Run one invocation for each stride vectors of inputs, and return their results. includes: library files, in order.
+  /// body: statements that read an invocation's vec4 IN(0), IN(1)... and set the vec4 RESULT.
   std::vector<glm::vec4> Run(const std::vector<std::string>& includes, const std::string& body,
     int stride, const std::vector<glm::vec4>& inputs, const penumbra::Defines& defines = {});
 
@@ -27,6 +26,6 @@ protected:
   penumbra::ShaderLibrary Library;
 };
 
-/// Evenly spread unit vectors, the axes among them.
+/// Unit vectors: the six directions along the axes, then count evenly distributed ones.
 std::vector<glm::dvec3> UnitVectors(int count);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the tests of vtkHeadlessRenderWindow share: small scenes, pixels, and listeners.
+// Code shared by the tests of vtkHeadlessRenderWindow: small scenes, pixels, and checks of messages.
 
 #pragma once
 
@@ -56,7 +56,8 @@ inline vtkSmartPointer<vtkActor> MakeSphere(double x, double red, double green, 
   return actor;
 }
 
-inline vtkSmartPointer<vtkRenderer> MakeScene(double red = 1, double green = 0.5, double blue = 0.25)
+inline vtkSmartPointer<vtkRenderer> MakeScene(
+  double red = 1, double green = 0.5, double blue = 0.25)
 {
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetBackground(0.0, 0.2, 0.4);
@@ -101,20 +102,20 @@ inline int LargestDifference(vtkImageData* a, vtkImageData* b)
   return largest;
 }
 
-// Sets an environment variable, null to unset it, for one scope.
+// Sets an environment variable for one scope, or unsets it if value is null.
 class ScopedVariable
 {
 public:
   ScopedVariable(const char* name, const char* value)
     : Name(name)
   {
-    if (const char* before = std::getenv(name))
+    if (const char* previous = std::getenv(name))
     {
-      this->Before = std::make_unique<std::string>(before);
+      this->Previous = std::make_unique<std::string>(previous);
     }
     Set(name, value);
   }
-  ~ScopedVariable() { Set(this->Name.c_str(), this->Before ? this->Before->c_str() : nullptr); }
+  ~ScopedVariable() { Set(this->Name.c_str(), this->Previous ? this->Previous->c_str() : nullptr); }
 
 private:
   static void Set(const char* name, const char* value)
@@ -122,15 +123,15 @@ private:
     value ? setenv(name, value, 1) : unsetenv(name);
   }
   std::string Name;
-  std::unique_ptr<std::string> Before;
+  std::unique_ptr<std::string> Previous;
 };
 
-// Collects what OpenGL complains about, and what VTK and the drivers write to stderr.
-class Silence
+// Expects no errors of OpenGL, and that VTK and the drivers write nothing to stderr.
+class ExpectSilence
 {
 public:
-  Silence() { testing::internal::CaptureStderr(); }
-  ~Silence() { EXPECT_EQ("", testing::internal::GetCapturedStderr() + this->Complaints); }
+  ExpectSilence() { testing::internal::CaptureStderr(); }
+  ~ExpectSilence() { EXPECT_EQ("", testing::internal::GetCapturedStderr() + this->Errors); }
 
   void Watch(vtkHeadlessRenderWindow* window)
   {
@@ -138,32 +139,32 @@ public:
     window->MakeCurrent();
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(Complain, this);
+    glDebugMessageCallback(RecordError, this);
   }
 
 private:
-  static void GLAPIENTRY Complain(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text,
-    const void* self)
+  static void GLAPIENTRY RecordError(
+    GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* text, const void* self)
   {
     if (type == GL_DEBUG_TYPE_ERROR)
     {
-      const_cast<Silence*>(static_cast<const Silence*>(self))->Complaints +=
+      const_cast<ExpectSilence*>(static_cast<const ExpectSilence*>(self))->Errors +=
         std::string(text) + "\n";
     }
   }
-  std::string Complaints;
+  std::string Errors;
 };
 
-// Objects that exist in the current context. Drivers hand out names from 1 upwards and use freed
-// ones again, so a scan well past the number ever alive at once finds them all.
+// Number of objects in the current context. Drivers assign names from 1 upwards and reuse freed ones, so a scan far
+// beyond the number of objects that ever exist at the same time finds them all.
 inline int CountObjects()
 {
   int count = 0;
   for (GLuint name = 1; name < 4096; ++name)
   {
-    count += glIsTexture(name) + glIsBuffer(name) + glIsFramebuffer(name) +
-      glIsRenderbuffer(name) + glIsVertexArray(name) + glIsProgram(name) + glIsShader(name) +
-      glIsQuery(name) + glIsSampler(name);
+    count += glIsTexture(name) + glIsBuffer(name) + glIsFramebuffer(name) + glIsRenderbuffer(name) +
+      glIsVertexArray(name) + glIsProgram(name) + glIsShader(name) + glIsQuery(name) +
+      glIsSampler(name);
   }
   return count;
 }
@@ -194,7 +195,7 @@ class HeadlessWindow : public testing::TestWithParam<Backend>
 protected:
   void SetUp() override
   {
-    // OSMesa left Mesa after 25.0: a machine may have one backend only.
+    // A machine may have only one backend: Mesa after 25.0 has no OSMesa.
     Window window = MakeWindow(GetParam().Value);
     testing::internal::CaptureStderr();
     const bool available = window->SupportsOpenGL();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Arguments reach shaders by name, and what is written is waited for.
+// Arguments are bound by name, and memory barriers are set before data that shaders wrote are used.
 #include "HeadlessTesting.h"
 #include "Stage.h"
 
@@ -20,7 +20,7 @@ protected:
   {
     if (!HasBackend())
     {
-      GTEST_SKIP() << "no such backend here";
+      GTEST_SKIP() << "the backend is not available";
     }
     setenv("PENUMBRA_CHECK_SHADERS", "1", 1);
     this->Window = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
@@ -36,7 +36,7 @@ protected:
     this->Runner->SetWindow(this->Window);
   }
 
-  std::unique_ptr<Program> Make(const std::string& body) const
+  std::unique_ptr<Program> Compile(const std::string& body) const
   {
     const std::string text = "#version 430 core\nlayout(local_size_x = 4) in;\n" + body;
     const char* source = text.c_str();
@@ -44,7 +44,7 @@ protected:
       glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source), true, "test", text);
   }
 
-  std::string Complaint(const Program& program, const Arguments& given)
+  std::string ErrorOf(const Program& program, const Arguments& given)
   {
     try
     {
@@ -62,8 +62,8 @@ protected:
     std::vector<float> values(count);
     this->Runner->BeforeUse(buffer, GL_BUFFER_UPDATE_BARRIER_BIT);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, buffer.Get());
-    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
-      static_cast<GLsizeiptr>(count * sizeof(float)), values.data());
+    glGetBufferSubData(
+      GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(count * sizeof(float)), values.data());
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     return values;
   }
@@ -73,20 +73,27 @@ protected:
   vtkSmartPointer<vtkHeadlessRenderWindow> Window;
 };
 
-const char* const Results = "layout(std430, binding = 3) writeonly buffer ResultBlock { float results[]; };\n";
+const char* const Results =
+  "layout(std430, binding = 3) writeonly buffer ResultBlock { float results[]; };\n";
 }
 
-TEST_F(CommandsTest, ValuesOfEveryKindArriveByName)
+TEST_F(CommandsTest, ValuesOfEveryTypeAreBoundByName)
 {
-  const auto program = this->Make(std::string(Results) +
-    "uniform bool flag; uniform int whole; uniform float real; uniform vec2 two; uniform vec3 three;"
-    "uniform vec4 four; uniform ivec2 pair; uniform ivec3 triple; uniform mat3 turn; uniform mat4 place;"
-    "uniform int wholes[3]; uniform vec3 places[2]; uniform ivec2 pairs[2]; uniform ivec3 triples[2];"
+  const auto program = this->Compile(std::string(Results) +
+    "uniform bool flag; uniform int whole; uniform float real; uniform vec2 two; uniform vec3 "
+    "three;"
+    "uniform vec4 four; uniform ivec2 pair; uniform ivec3 triple; uniform mat3 turn; uniform mat4 "
+    "place;"
+    "uniform int wholes[3]; uniform vec3 places[2]; uniform ivec2 pairs[2]; uniform ivec3 "
+    "triples[2];"
     "void main() {"
-    "  results[0] = flag ? 1.0 : 0.0; results[1] = float(whole); results[2] = real; results[3] = two.y;"
-    "  results[4] = three.z; results[5] = four.w; results[6] = float(pair.y); results[7] = float(triple.z);"
+    "  results[0] = flag ? 1.0 : 0.0; results[1] = float(whole); results[2] = real; results[3] = "
+    "two.y;"
+    "  results[4] = three.z; results[5] = four.w; results[6] = float(pair.y); results[7] = "
+    "float(triple.z);"
     "  results[8] = turn[2][1]; results[9] = place[3][2]; results[10] = float(wholes[2]);"
-    "  results[11] = places[1].y; results[12] = float(pairs[1].x); results[13] = float(triples[1].z);"
+    "  results[11] = places[1].y; results[12] = float(pairs[1].x); results[13] = "
+    "float(triples[1].z);"
     "}");
   glm::mat3 turn(0.0f);
   turn[2][1] = 9.0f;
@@ -113,53 +120,52 @@ TEST_F(CommandsTest, ValuesOfEveryKindArriveByName)
       .Set("pairs", std::vector<glm::ivec2>{ glm::ivec2(0), glm::ivec2(13, 0) })
       .Set("triples", std::vector<glm::ivec3>{ glm::ivec3(0), glm::ivec3(0, 0, 14) }),
     Work::Items(1));
-  EXPECT_EQ(this->Read(results, 14),
-    (std::vector<float>{ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 }));
+  EXPECT_EQ(
+    this->Read(results, 14), (std::vector<float>{ 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 }));
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST_F(CommandsTest, NamesThatDoNotMatchAreAnErrorWhereShadersAreChecked)
+TEST_F(CommandsTest, MismatchedNamesAreErrorsIfShadersAreChecked)
 {
-  const auto program = this->Make(std::string(Results) +
-    "uniform float strength; void main() { results[0] = strength; }");
+  const auto program = this->Compile(
+    std::string(Results) + "uniform float strength; void main() { results[0] = strength; }");
   Buffer results;
   const float blank = 0.0f;
   results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
   Arguments given = Arguments().Block("ResultBlock", results, ShaderAccess::Write);
-  EXPECT_EQ(this->Complaint(*program, given), "the shader test is not given 'strength'");
+  EXPECT_EQ(this->ErrorOf(*program, given), "the shader test is not given 'strength'");
   given.Set("strength", 1.0);
-  EXPECT_EQ(this->Complaint(*program, given), "");
+  EXPECT_EQ(this->ErrorOf(*program, given), "");
   given.Set("strengths", 1.0);
-  EXPECT_EQ(this->Complaint(*program, given),
-    "the shader test does not know 'strengths', which it is given");
-  EXPECT_EQ(this->Complaint(*program, Arguments().Set("strength", 1.0)),
+  EXPECT_EQ(
+    this->ErrorOf(*program, given), "the shader test does not know 'strengths', which it is given");
+  EXPECT_EQ(this->ErrorOf(*program, Arguments().Set("strength", 1.0)),
     "the shader test is not given 'ResultBlock'");
   unsetenv("PENUMBRA_CHECK_SHADERS");
   this->StartRunner();
-  EXPECT_EQ(this->Complaint(*program, given), "");
+  EXPECT_EQ(this->ErrorOf(*program, given), "");
 }
 
-TEST_F(CommandsTest, WhatIsOfferedNeedNotBeTaken)
+TEST_F(CommandsTest, OfferedArgumentsMayBeUnused)
 {
-  const auto program = this->Make(std::string(Results) +
+  const auto program = this->Compile(std::string(Results) +
     "uniform float strength; uniform float width; void main() { results[0] = strength + width; }");
   Buffer results;
   const float blank = 0.0f;
   results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
-  const Arguments offered =
-    Arguments().Set("strength", 1.0).Set("width", 2.0).Set("height", 3.0);
+  const Arguments offered = Arguments().Set("strength", 1.0).Set("width", 2.0).Set("height", 3.0);
   this->Runner->Dispatch(*program,
     Arguments().Block("ResultBlock", results, ShaderAccess::Write).Set("width", 20.0),
     Work::Items(1), offered);
   EXPECT_EQ(this->Read(results, 1), std::vector<float>{ 21.0f });
 }
 
-TEST_F(CommandsTest, WaitsOnceForWhatWasWritten)
+TEST_F(CommandsTest, SetsOneBarrierPerUseOfWrittenData)
 {
-  const auto writer = this->Make("layout(r32f, binding = 0) uniform writeonly image2D target;"
-    "void main() { imageStore(target, ivec2(0), vec4(1.0)); }");
-  const auto reader = this->Make(
-    std::string(Results) + "layout(binding = 0) uniform sampler2D source;"
+  const auto writer = this->Compile("layout(r32f, binding = 0) uniform writeonly image2D target;"
+                                    "void main() { imageStore(target, ivec2(0), vec4(1.0)); }");
+  const auto reader = this->Compile(std::string(Results) +
+    "layout(binding = 0) uniform sampler2D source;"
     "void main() { results[0] = texelFetch(source, ivec2(0), 0).r; }");
   const Texture texture({ GL_R32F, 1, 1, 0 });
   const Texture other({ GL_R32F, 1, 1, 0 });
@@ -177,15 +183,15 @@ TEST_F(CommandsTest, WaitsOnceForWhatWasWritten)
       Work::Items(1));
     return this->Runner->NumberOfBarriers();
   };
-  EXPECT_EQ(read(texture), 0); // nobody wrote it
+  EXPECT_EQ(read(texture), 0); // not written yet
   EXPECT_EQ(write(texture), 0);
-  EXPECT_EQ(read(other), 1); // the results, written again
-  EXPECT_EQ(read(texture), 3); // and the texture
+  EXPECT_EQ(read(other), 1);   // for the results, which are written again
+  EXPECT_EQ(read(texture), 3); // for the results and the texture
   EXPECT_EQ(write(texture), 4);
   EXPECT_EQ(write(other), 4);
   this->Runner->BeforeUse(texture, GL_FRAMEBUFFER_BARRIER_BIT);
   EXPECT_EQ(this->Runner->NumberOfBarriers(), 5);
-  this->Runner->BeforeUse(other, GL_FRAMEBUFFER_BARRIER_BIT); // waited for with it
+  this->Runner->BeforeUse(other, GL_FRAMEBUFFER_BARRIER_BIT); // covered by the same barrier
   EXPECT_EQ(this->Runner->NumberOfBarriers(), 5);
   this->Runner->Finish();
   this->Runner->BeforeUse(texture, GL_TEXTURE_FETCH_BARRIER_BIT);

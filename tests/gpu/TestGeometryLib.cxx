@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Normals, positions and noise.
+// Functions of glsl/lib for normals, positions and noise.
 #include "ComputeHarness.h"
 
 #include "gpu/GLObjects.h"
@@ -36,11 +36,11 @@ TEST_F(GeometryLib, OctahedralRoundTrip)
   for (std::size_t i = 0; i < vectors.size(); ++i)
   {
     EXPECT_LT(glm::length(glm::dvec3(results[i]) - vectors[i]), 1e-6);
-    EXPECT_EQ(results[i].w, 1.0f) << "outside of what unsigned normalized texels hold";
+    EXPECT_EQ(results[i].w, 1.0f) << "outside the range of unsigned normalized texels";
   }
 }
 
-// Stored in 16 bits each, as the G-buffer does.
+// The G-buffer stores each component in 16 bits.
 TEST_F(GeometryLib, OctahedralIn16Bits)
 {
   const auto vectors = UnitVectors(20000);
@@ -60,7 +60,7 @@ TEST_F(GeometryLib, OctahedralIn16Bits)
 class Reconstruct : public ComputeHarness
 {
 protected:
-  // Bind a view block; keep it for as long as shaders read it.
+  // Bind a view block, and keep it until the end of the test.
   void BindView(const glm::dmat4& toClip, bool parallel)
   {
     penumbra::shared::ViewData view{};
@@ -79,7 +79,7 @@ protected:
   penumbra::Buffer Block;
 };
 
-// Window coordinates and depth of view positions, as the rasterizer makes them.
+// Window coordinates and depth of a view position, as the rasterizer computes them.
 glm::dvec3 ToWindow(const glm::dmat4& toClip, const glm::dvec3& p)
 {
   const glm::dvec4 clip = toClip * glm::dvec4(p, 1.0);
@@ -114,7 +114,7 @@ TEST_F(Reconstruct, ViewPosition)
   }
 }
 
-TEST_F(GeometryLib, NoiseIsEven)
+TEST_F(GeometryLib, NoiseIsUniform)
 {
   std::vector<glm::vec4> inputs;
   for (int i = 0; i < 64 * 64; ++i)
@@ -135,7 +135,7 @@ TEST_F(GeometryLib, NoiseIsEven)
   }
 }
 
-TEST_F(GeometryLib, VogelDiscIsEven)
+TEST_F(GeometryLib, VogelDiscIsUniform)
 {
   constexpr int count = 256;
   std::vector<glm::vec4> inputs;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// vtkHeadlessRenderWindow among others: several windows and backends at once, threads, foreign
-// contexts, the choice in place of VTK's own window, and what is said when no context can be made.
+// vtkHeadlessRenderWindow with other windows, backends, threads and contexts, when it replaces VTK's own window, and
+// its errors if no context can be created.
 
 #include "HeadlessTesting.h"
 
@@ -37,7 +37,7 @@ bool IsAvailable(const Backend& backend)
 //------------------------------------------------------------------------------
 TEST_P(HeadlessWindow, WindowsTakeTurns)
 {
-  Silence silence;
+  ExpectSilence silence;
   Window red = MakeWindow(GetParam().Value);
   Window green = MakeWindow(GetParam().Value, 120, 90);
   silence.Watch(red);
@@ -53,7 +53,7 @@ TEST_P(HeadlessWindow, WindowsTakeTurns)
     EXPECT_NEAR(255, Centre(Grab(red))[0], 3);
     EXPECT_NEAR(255, Centre(Grab(green))[1], 3);
   }
-  // Freeing one leaves the other current and whole.
+  // Deleting a window leaves the other one current and intact.
   green->Render();
   red = nullptr;
   EXPECT_TRUE(green->IsCurrent());
@@ -66,7 +66,7 @@ TEST(HeadlessBackends, TakeTurns)
   {
     GTEST_SKIP() << "needs both backends";
   }
-  Silence silence;
+  ExpectSilence silence;
   Window egl = MakeWindow(EGL.Value);
   Window osmesa = MakeWindow(OSMesa.Value);
   silence.Watch(egl);
@@ -86,7 +86,7 @@ TEST(HeadlessBackends, TakeTurns)
   }
   egl = nullptr;
   EXPECT_NEAR(255, Centre(Grab(osmesa))[1], 3);
-  // One window can change sides.
+  // A window can change its backend.
   osmesa->SetBackendToEGL();
   EXPECT_STREQ("EGL", osmesa->GetBackendName());
   EXPECT_NEAR(255, Centre(Grab(osmesa))[1], 3);
@@ -94,7 +94,7 @@ TEST(HeadlessBackends, TakeTurns)
 
 TEST_P(HeadlessWindow, RendererMovesToAnotherWindow)
 {
-  Silence silence;
+  ExpectSilence silence;
   auto renderer = MakeScene();
   Window first = MakeWindow(GetParam().Value);
   Window second = MakeWindow(GetParam().Value);
@@ -111,7 +111,7 @@ TEST_P(HeadlessWindow, RendererMovesToAnotherWindow)
 
 TEST_P(HeadlessWindow, MovesToAnotherThread)
 {
-  Silence silence;
+  ExpectSilence silence;
   Window window = MakeWindow(GetParam().Value);
   window->AddRenderer(MakeScene());
   window->Render();
@@ -136,8 +136,9 @@ TEST_P(HeadlessWindow, WindowsInTwoThreads)
       *wrong += std::abs(Centre(Grab(window))[0] - 255) > 3;
     }
   };
-  Silence silence;
-  draw(std::make_unique<int>(0).get()); // VTK's and GLEW's first initialisation is not thread-safe
+  ExpectSilence silence;
+  // The first initialization of VTK and GLEW is not thread-safe.
+  draw(std::make_unique<int>(0).get());
   int wrong[2] = { 0, 0 };
   std::thread one(draw, &wrong[0]);
   std::thread two(draw, &wrong[1]);
@@ -146,8 +147,8 @@ TEST_P(HeadlessWindow, WindowsInTwoThreads)
   EXPECT_EQ(0, wrong[0] + wrong[1]);
 }
 
-// A context that another library made current comes back after ours had to step in.
-TEST_P(HeadlessWindow, PutsBackAForeignContext)
+// PopContext() makes the context of another library current again.
+TEST_P(HeadlessWindow, RestoresAForeignContext)
 {
   if (!IsAvailable(EGL))
   {
@@ -155,19 +156,17 @@ TEST_P(HeadlessWindow, PutsBackAForeignContext)
   }
   void* library = dlopen("libEGL.so.1", RTLD_LAZY);
   ASSERT_NE(nullptr, library);
-  const auto makeCurrent = reinterpret_cast<unsigned (*)(void*, void*, void*, void*)>(
-    dlsym(library, "eglMakeCurrent"));
-  const auto getCurrent =
-    reinterpret_cast<void* (*)()>(dlsym(library, "eglGetCurrentContext"));
-  const auto getSurface =
-    reinterpret_cast<void* (*)(int)>(dlsym(library, "eglGetCurrentSurface"));
+  const auto makeCurrent =
+    reinterpret_cast<unsigned (*)(void*, void*, void*, void*)>(dlsym(library, "eglMakeCurrent"));
+  const auto getCurrent = reinterpret_cast<void* (*)()>(dlsym(library, "eglGetCurrentContext"));
+  const auto getSurface = reinterpret_cast<void* (*)(int)>(dlsym(library, "eglGetCurrentSurface"));
 
-  Window lender = MakeWindow(EGL.Value);
-  lender->Initialize();
-  void* display = lender->GetGenericDisplayId();
-  void* foreign = lender->GetGenericContext();
+  Window owner = MakeWindow(EGL.Value);
+  owner->Initialize();
+  void* display = owner->GetGenericDisplayId();
+  void* foreign = owner->GetGenericContext();
   void* surface = getSurface(0x3059);
-  lender->ReleaseCurrent();
+  owner->ReleaseCurrent();
 
   Window window = MakeWindow(GetParam().Value);
   window->AddRenderer(MakeScene());
@@ -192,7 +191,7 @@ std::string NewWindowClass()
   return window ? window->GetClassName() : "none";
 }
 
-// Whether vtkRenderWindow::New() gives VTK's own window. Where VTK chooses among several, it tries X and may warn.
+// Whether vtkRenderWindow::New() returns VTK's own window. VTK may try X first and warn.
 bool IsStock()
 {
   testing::internal::CaptureStderr();
@@ -201,10 +200,10 @@ bool IsStock()
   return name != "none" && name != "vtkHeadlessRenderWindow";
 }
 
-TEST(HeadlessChoice, TakesThePlaceOfXWithoutADisplay)
+TEST(HeadlessChoice, ReplacesXWindowsWithoutADisplay)
 {
   ScopedVariable backend("PENUMBRA_BACKEND", nullptr);
-  ASSERT_TRUE(vtkHeadlessRenderWindow::GetAutomatic()); // loading the module did it
+  ASSERT_TRUE(vtkHeadlessRenderWindow::GetAutomatic()); // set when the module is loaded
   for (const char* display : { "", static_cast<const char*>(nullptr) })
   {
     ScopedVariable variable("DISPLAY", display);
@@ -216,19 +215,19 @@ TEST(HeadlessChoice, TakesThePlaceOfXWithoutADisplay)
   EXPECT_TRUE(IsStock());
 }
 
-// Where VTK chooses the window itself and is told which, it is left alone.
-TEST(HeadlessChoice, LeavesVTKsOwnChoiceAlone)
+// A window that the user chose by VTK's own variable is not replaced.
+TEST(HeadlessChoice, RespectsVTKsOwnVariable)
 {
   vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
-  bool chooses = false;
+  bool hasSeveral = false;
   for (int i = 0; i < factories->GetNumberOfItems(); ++i)
   {
     auto* factory = vtkObjectFactory::SafeDownCast(factories->GetItemAsObject(i));
-    chooses = chooses || factory->HasOverride("vtkRenderWindow", "vtkOpenGLRenderWindow");
+    hasSeveral = hasSeveral || factory->HasOverride("vtkRenderWindow", "vtkOpenGLRenderWindow");
   }
-  if (!chooses)
+  if (!hasSeveral)
   {
-    GTEST_SKIP() << "this VTK has one window only";
+    GTEST_SKIP() << "this VTK has only one kind of window";
   }
   ScopedVariable backend("PENUMBRA_BACKEND", nullptr);
   ScopedVariable display("DISPLAY", nullptr);
@@ -237,7 +236,7 @@ TEST(HeadlessChoice, LeavesVTKsOwnChoiceAlone)
   EXPECT_EQ("vtkEGLRenderWindow", NewWindowClass());
 }
 
-TEST(HeadlessChoice, ObeysTheEnvironment)
+TEST(HeadlessChoice, FollowsTheEnvironment)
 {
   for (const char* display : { "", ":99" })
   {
@@ -253,7 +252,7 @@ TEST(HeadlessChoice, ObeysTheEnvironment)
   EXPECT_TRUE(IsStock());
 }
 
-TEST(HeadlessChoice, CanBeUndone)
+TEST(HeadlessChoice, CanBeSwitchedOffAndOn)
 {
   ScopedVariable backend("PENUMBRA_BACKEND", "egl");
   vtkHeadlessRenderWindow::SetAutomatic(false);
@@ -265,9 +264,9 @@ TEST(HeadlessChoice, CanBeUndone)
   EXPECT_EQ("vtkHeadlessRenderWindow", NewWindowClass());
 }
 
-TEST(HeadlessChoice, ComesBeforeFactoriesRegisteredLater)
+TEST(HeadlessChoice, PrecedesVTKsFactoryEvenIfRegisteredLater)
 {
-  // Loaded late, VTK's own override comes after; loaded early, before: both ways ours is asked first.
+  // VTK asks its factories in their order in the list. Here ours is registered after VTK's own.
   ScopedVariable backend("PENUMBRA_BACKEND", "egl");
   vtkHeadlessRenderWindow::SetAutomatic(false);
   vtkHeadlessRenderWindow::EnableAutomatic();
@@ -278,7 +277,7 @@ TEST(HeadlessChoice, ComesBeforeFactoriesRegisteredLater)
 }
 
 //------------------------------------------------------------------------------
-// Uses a window that can have no context in every usual way; answers what was said.
+// Use a window that cannot have a context in all the usual ways. Returns the text on stderr.
 std::string UseWithoutContext(vtkHeadlessRenderWindow* window)
 {
   testing::internal::CaptureStderr();
@@ -298,9 +297,9 @@ std::string UseWithoutContext(vtkHeadlessRenderWindow* window)
   window->Start();
   window->Frame();
   window->End();
-  const std::string said = testing::internal::GetCapturedStderr();
+  const std::string output = testing::internal::GetCapturedStderr();
 
-  // The selector adds an error of its own, but must not draw.
+  // The selector reports an error of its own, but must not draw.
   testing::internal::CaptureStderr();
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(renderer);
@@ -308,23 +307,24 @@ std::string UseWithoutContext(vtkHeadlessRenderWindow* window)
   EXPECT_EQ(nullptr, selector->Select());
   testing::internal::GetCapturedStderr();
   window->RemoveRenderer(renderer);
-  return said;
+  return output;
 }
 
-void ExpectOneError(const std::string& said, vtkHeadlessRenderWindow* window, const char* about)
+void ExpectOneError(
+  const std::string& output, vtkHeadlessRenderWindow* window, const char* expected)
 {
   const std::string text = window->GetContextError();
-  EXPECT_NE(std::string::npos, text.find(about)) << text;
+  EXPECT_NE(std::string::npos, text.find(expected)) << text;
   EXPECT_EQ('.', text.empty() ? ' ' : text.back()) << text;
-  const size_t first = said.find(text);
-  EXPECT_NE(std::string::npos, first) << said;
+  const size_t first = output.find(text);
+  EXPECT_NE(std::string::npos, first) << output;
   size_t errors = 0;
-  for (size_t at = said.find("ERR|"); at != std::string::npos; at = said.find("ERR|", at + 1))
+  for (size_t at = output.find("ERR|"); at != std::string::npos; at = output.find("ERR|", at + 1))
   {
     ++errors;
   }
-  EXPECT_EQ(1u, errors) << said;
-  EXPECT_EQ(std::string::npos, said.find("WARN|")) << said;
+  EXPECT_EQ(1u, errors) << output;
+  EXPECT_EQ(std::string::npos, output.find("WARN|")) << output;
 }
 
 TEST(HeadlessErrors, UnknownBackend)
@@ -333,15 +333,15 @@ TEST(HeadlessErrors, UnknownBackend)
   Window window = MakeWindow(vtkHeadlessRenderWindow::AUTO);
   ExpectOneError(UseWithoutContext(window), window, "PENUMBRA_BACKEND is 'vulkan'");
 
-  // VTK's own window cannot complain, so the choice does, once.
+  // VTK's own window does not know the variable, so vtkRenderWindow::New() reports the error, once.
   ScopedVariable display("DISPLAY", ":99");
   testing::internal::CaptureStderr();
   NewWindowClass();
   NewWindowClass();
-  const std::string said = testing::internal::GetCapturedStderr();
-  const size_t first = said.find("PENUMBRA_BACKEND is 'vulkan'");
-  EXPECT_NE(std::string::npos, first) << said;
-  EXPECT_EQ(std::string::npos, said.find("PENUMBRA_BACKEND", first + 1)) << said;
+  const std::string output = testing::internal::GetCapturedStderr();
+  const size_t first = output.find("PENUMBRA_BACKEND is 'vulkan'");
+  EXPECT_NE(std::string::npos, first) << output;
+  EXPECT_EQ(std::string::npos, output.find("PENUMBRA_BACKEND", first + 1)) << output;
 }
 
 TEST(HeadlessErrors, UnknownDevice)
@@ -353,7 +353,7 @@ TEST(HeadlessErrors, UnknownDevice)
   Window window = MakeWindow(vtkHeadlessRenderWindow::AUTO);
   window->SetDeviceIndex(99);
   ExpectOneError(UseWithoutContext(window), window, "EGL device 99 does not exist");
-  // Another choice, another try.
+  // A new device index makes it try again.
   window->SetDeviceIndex(-1);
   EXPECT_STREQ("", window->GetContextError());
   window->AddRenderer(MakeScene());
@@ -364,14 +364,14 @@ TEST(HeadlessErrors, UnknownDevice)
   ExpectOneError(UseWithoutContext(other), other, "PENUMBRA_EGL_DEVICE is 'first'");
 }
 
-TEST_P(HeadlessWindow, DeviceByIndex)
+TEST(HeadlessBackends, EGLDeviceByIndex)
 {
   Window window = MakeWindow(EGL.Value);
   if (!IsAvailable(EGL) || window->GetNumberOfDevices() < 1)
   {
     GTEST_SKIP() << "needs an EGL device";
   }
-  Silence silence;
+  ExpectSilence silence;
   window->SetDeviceIndex(window->GetNumberOfDevices() - 1);
   window->AddRenderer(MakeScene());
   EXPECT_NEAR(255, Centre(Grab(window))[0], 3);
@@ -389,28 +389,28 @@ TEST(HeadlessErrors, XInteractorIsRefused)
   Window window = MakeWindow(vtkHeadlessRenderWindow::AUTO);
   testing::internal::CaptureStderr();
   window->SetInteractor(interactor);
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_NE(std::string::npos, said.find("vtkGenericRenderWindowInteractor")) << said;
+  const std::string output = testing::internal::GetCapturedStderr();
+  EXPECT_NE(std::string::npos, output.find("vtkGenericRenderWindowInteractor")) << output;
   EXPECT_EQ(nullptr, window->GetInteractor());
 }
 
-// The libraries are looked for once per process, so a machine without them is another process: this
-// program again, with an environment in which they do not load.
+// A process looks for the libraries only once. So a machine without them is simulated in a child process: this program,
+// with an environment in which the libraries cannot be loaded.
 TEST(HeadlessErrors, DISABLED_InChild)
 {
-  const char* about = std::getenv("PENUMBRA_TEST_ABOUT");
-  ASSERT_NE(nullptr, about);
+  const char* expected = std::getenv("PENUMBRA_TEST_EXPECTED");
+  ASSERT_NE(nullptr, expected);
   Window window = MakeWindow(vtkHeadlessRenderWindow::AUTO);
-  ExpectOneError(UseWithoutContext(window), window, about);
+  ExpectOneError(UseWithoutContext(window), window, expected);
   std::printf("%s\n", window->GetContextError());
 }
 
-void RunInChild(const std::string& environment, const char* about)
+void RunInChild(const std::string& environment, const char* expected)
 {
   std::array<char, 4096> self{};
   ASSERT_GT(readlink("/proc/self/exe", self.data(), self.size() - 1), 0);
-  const std::string command = environment + " PENUMBRA_TEST_ABOUT='" + about + "' '" + self.data() +
-    "' --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_InChild' 2>&1";
+  const std::string command = environment + " PENUMBRA_TEST_EXPECTED='" + expected + "' '" +
+    self.data() + "' --gtest_also_run_disabled_tests --gtest_filter='*DISABLED_InChild' 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   ASSERT_NE(nullptr, pipe);
   std::string output;
@@ -424,48 +424,56 @@ void RunInChild(const std::string& environment, const char* about)
   EXPECT_NE(std::string::npos, output.find("[  PASSED  ] 1 test")) << output;
 }
 
-std::string BrokenFolder()
+std::string EmptyLibrariesFolder()
 {
-  return testing::TempDir() + "penumbra_broken_" + std::to_string(getpid());
+  return testing::TempDir() + "penumbra_empty_libraries_" + std::to_string(getpid());
 }
 
-// An empty file of the library's name, found first, does not load.
-std::string BreakLibraries(std::initializer_list<const char*> names)
+// Returns an environment in which these libraries cannot be loaded: empty files of their names come first in the path.
+std::string EnvironmentWithout(std::initializer_list<const char*> names)
 {
-  const std::string folder = BrokenFolder();
+  const std::string folder = EmptyLibrariesFolder();
   std::string command = "rm -rf '" + folder + "' && mkdir -p '" + folder + "'";
   for (const char* name : names)
   {
     command += " && : > '" + folder + "/" + name + "'";
   }
   EXPECT_EQ(0, std::system(command.c_str()));
-  const char* before = std::getenv("LD_LIBRARY_PATH");
-  return "LD_LIBRARY_PATH='" + folder + (before ? std::string(":") + before : "") + "'";
+  const char* previous = std::getenv("LD_LIBRARY_PATH");
+  return "LD_LIBRARY_PATH='" + folder + (previous ? std::string(":") + previous : "") + "'";
 }
 
 TEST(HeadlessErrors, MissingLibraries)
 {
-  RunInChild(BreakLibraries({ "libEGL.so.1", "libEGL.so" }) + " PENUMBRA_BACKEND=egl", "install libegl1");
-  RunInChild(BreakLibraries({ "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" }) +
+  RunInChild(EnvironmentWithout({ "libEGL.so.1", "libEGL.so" }) + " PENUMBRA_BACKEND=egl",
+    "install libegl1");
+  RunInChild(EnvironmentWithout({ "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" }) +
       " PENUMBRA_BACKEND=osmesa",
     "install libosmesa6");
-  RunInChild(BreakLibraries({ "libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" }) +
+  RunInChild(EnvironmentWithout(
+               { "libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so" }) +
       " PENUMBRA_BACKEND=auto",
     "No OpenGL context without a display");
-  EXPECT_EQ(0, std::system(("rm -rf '" + BrokenFolder() + "'").c_str()));
+  EXPECT_EQ(0, std::system(("rm -rf '" + EmptyLibrariesFolder() + "'").c_str()));
 }
 
-TEST(HeadlessErrors, TooOldAnOpenGL)
+TEST(HeadlessErrors, OpenGLTooOld)
 {
+  int tested = 0;
   for (const Backend& backend : { EGL, OSMesa })
   {
     Window window = MakeWindow(backend.Value);
     if (IsAvailable(backend) && strstr(window->GetDescription(), "llvmpipe"))
     {
+      ++tested;
       RunInChild(std::string("MESA_GL_VERSION_OVERRIDE=4.1 PENUMBRA_BACKEND=") +
           (backend.Value == EGL.Value ? "egl" : "osmesa"),
         "offers OpenGL 4.1 where 4.3 is needed");
     }
+  }
+  if (tested == 0)
+  {
+    GTEST_SKIP() << "needs Mesa's llvmpipe";
   }
 }
 }

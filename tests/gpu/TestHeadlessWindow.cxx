@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// vtkHeadlessRenderWindow on each of its backends: pictures, sizes, silence in normal use, and the
-// release of everything.
+// vtkHeadlessRenderWindow with each of its backends: pictures, sizes, no messages in normal use, and the release of all
+// resources.
 
 #include "HeadlessTesting.h"
 
@@ -43,13 +43,13 @@ TEST_P(HeadlessWindow, DrawsASphere)
   window->AddRenderer(MakeScene());
   auto image = Grab(window);
   EXPECT_EQ(Background, At(image, 0, 0));
-  // A headlight on a sphere facing it: the colour itself in the middle.
+  // The centre of a sphere under a headlight has the sphere's own colour.
   EXPECT_NEAR(255, Centre(image)[0], 3);
   EXPECT_NEAR(128, Centre(image)[1], 3);
   EXPECT_NEAR(64, Centre(image)[2], 3);
 }
 
-// A surfaceless context has no buffers of its own to ask.
+// A surfaceless context has no default framebuffer that could be queried.
 TEST_P(HeadlessWindow, KnowsTheSizesOfItsBuffers)
 {
   Window window = MakeWindow(GetParam().Value);
@@ -85,7 +85,7 @@ TEST(HeadlessBackends, DrawTheSamePicture)
 
 TEST_P(HeadlessWindow, FollowsItsSize)
 {
-  Silence silence;
+  ExpectSilence silence;
   Window window = MakeWindow(GetParam().Value, 64, 48);
   silence.Watch(window);
   window->AddRenderer(MakeScene());
@@ -113,10 +113,10 @@ TEST_P(HeadlessWindow, BehavesAsAnOffscreenWindow)
   EXPECT_EQ(1080, window->GetScreenSize()[1]);
   window->AddRenderer(MakeScene());
   EXPECT_EQ(Background, At(Grab(window), 0, 0));
-  // VTK lowers the samples to what the driver has, as in its own windows.
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_SAMPLES, &most);
-  EXPECT_EQ(std::min(8, most), window->GetMultiSamples());
+  // VTK limits the number of samples to the driver's maximum, as in its own windows.
+  GLint maximum = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &maximum);
+  EXPECT_EQ(std::min(8, maximum), window->GetMultiSamples());
 }
 
 TEST_P(HeadlessWindow, MultiSamplesSmoothEdges)
@@ -146,7 +146,7 @@ TEST_P(HeadlessWindow, MultiSamplesSmoothEdges)
 //------------------------------------------------------------------------------
 TEST_P(HeadlessWindow, IsSilentInNormalUse)
 {
-  Silence silence;
+  ExpectSilence silence;
   Window window = MakeWindow(GetParam().Value);
   silence.Watch(window);
 
@@ -166,8 +166,8 @@ TEST_P(HeadlessWindow, IsSilentInNormalUse)
   window->SetAlphaBitPlanes(1);
   window->AddRenderer(left);
   window->AddRenderer(right);
-  // Peeling and FXAA ask for no multisampling: VTK's copy of a multisampled framebuffer resolves 32
-  // bits of depth into 24, which OpenGL forbids and Mesa refuses, in every window of VTK 9.1 to 9.6.
+  // Peeling and FXAA are tested without multisampling. VTK 9.1 to 9.6 copy a multisampled framebuffer by resolving 32
+  // bits of depth to 24, which OpenGL forbids and Mesa rejects, in every kind of window.
   for (const int samples : { 8, 0 })
   {
     window->SetMultiSamples(samples);
@@ -177,8 +177,8 @@ TEST_P(HeadlessWindow, IsSilentInNormalUse)
     EXPECT_EQ(Background, At(Grab(window), 0, 0));
   }
 
-  // Reading back in all the usual ways. A magnified picture is drawn in tiles, and VTK's translucent
-  // passes fail in a tile that their renderer does not reach.
+  // Read back in all the usual ways. A magnified picture is drawn in tiles, and VTK's translucent
+  // passes fail in a tile that their renderer does not cover.
   right->RemoveAllViewProps();
   vtkNew<vtkWindowToImageFilter> filter;
   filter->SetInput(window);
@@ -195,7 +195,7 @@ TEST_P(HeadlessWindow, IsSilentInNormalUse)
   EXPECT_EQ(1.0f, z[0]);
   EXPECT_LT(z[75 * 200 + 50], 1.0f);
 
-  // An interactor, as most scripts have.
+  // Most scripts use an interactor.
   vtkRenderWindowInteractor* interactor = window->MakeRenderWindowInteractor();
   interactor->Initialize();
   interactor->Start();
@@ -204,7 +204,7 @@ TEST_P(HeadlessWindow, IsSilentInNormalUse)
 
 TEST_P(HeadlessWindow, SelectsAnArea)
 {
-  Silence silence;
+  ExpectSilence silence;
   Window window = MakeWindow(GetParam().Value);
   silence.Watch(window);
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
@@ -230,7 +230,7 @@ TEST_P(HeadlessWindow, SelectsAnArea)
 //------------------------------------------------------------------------------
 TEST_P(HeadlessWindow, FreesEveryObject)
 {
-  Silence silence;
+  ExpectSilence silence;
   Window window = MakeWindow(GetParam().Value);
   silence.Watch(window);
   window->SetMultiSamples(0);
@@ -244,12 +244,12 @@ TEST_P(HeadlessWindow, FreesEveryObject)
   window->Render();
   EXPECT_GT(CountObjects(), 10);
 
-  // What Finalize() does before it destroys the context.
+  // Finalize() does this before it destroys the context.
   window->ReleaseGraphicsResources(window);
   window->MakeCurrent();
   EXPECT_EQ(0, CountObjects());
 
-  // The same context serves again, then a new one.
+  // The window can draw again, in the same context and in a new one.
   EXPECT_NEAR(255, Centre(Grab(window))[0], 60);
   window->Finalize();
   EXPECT_EQ(nullptr, window->GetGenericContext());
@@ -273,15 +273,15 @@ TEST_P(HeadlessWindow, LeavesNoContextBehind)
 
 TEST_P(HeadlessWindow, RecreatedFiftyTimesWithoutGrowth)
 {
-  Silence silence;
+  ExpectSilence silence;
   auto renderer = MakeScene();
-  double before = 0;
+  double start = 0;
   for (int i = 0; i < 60; ++i)
   {
-    // Ten windows to warm up the driver's and VTK's caches.
+    // The first ten windows fill the driver's and VTK's caches.
     if (i == 10)
     {
-      before = ResidentMegabytes();
+      start = ResidentMegabytes();
     }
     Window window = MakeWindow(GetParam().Value);
     window->AddRenderer(renderer);
@@ -291,8 +291,8 @@ TEST_P(HeadlessWindow, RecreatedFiftyTimesWithoutGrowth)
     ASSERT_EQ(0, CountObjects());
     window->RemoveRenderer(renderer);
   }
-  const double growth = ResidentMegabytes() - before;
-  RecordProperty("ResidentMegabytes", std::to_string(before));
+  const double growth = ResidentMegabytes() - start;
+  RecordProperty("ResidentMegabytes", std::to_string(start));
   RecordProperty("GrowthMegabytes", std::to_string(growth));
   EXPECT_LT(growth, 4.0);
 }

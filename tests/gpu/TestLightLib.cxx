@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What reaches a point, and what it reflects.
+// Functions of glsl/lib for light that reaches a point, and for its reflection.
 #include "ComputeHarness.h"
 
 #include "gpu/GLObjects.h"
@@ -49,7 +49,7 @@ TEST_F(LightLib, PhongSpecular)
   }
 }
 
-// Over the hemisphere, microfacets' projected areas add up to one.
+// The projected areas of the microfacets over the hemisphere sum to one.
 TEST_F(LightLib, DistributionIsNormalized)
 {
   for (const double roughness : { 0.2, 0.5, 1.0 })
@@ -83,7 +83,7 @@ TEST_F(LightLib, FresnelFromFacingToGrazing)
   EXPECT_NEAR(results[2].x, 0.04 + 0.96 / 32.0, 1e-6);
 }
 
-// The whole model, written down a second time from VTK's shader.
+// The whole model, implemented again from VTK's shader.
 double ReflectPBR(const glm::dvec3& N, const glm::dvec3& V, const glm::dvec3& L, double albedo,
   double metallic, double roughness, double f0, double f90)
 {
@@ -133,7 +133,7 @@ TEST_F(LightLib, PhysicallyBasedReflection)
   }
 }
 
-// The same lobe seen from the light: Helmholtz reciprocity.
+// Helmholtz reciprocity: the lobe is the same with light and eye exchanged.
 TEST_F(LightLib, ReflectionIsReciprocal)
 {
   const auto directions = UnitVectors(200);
@@ -159,7 +159,7 @@ TEST_F(LightLib, ReflectionIsReciprocal)
   }
 }
 
-TEST_F(LightLib, HarmonicsAreTheProcessors)
+TEST_F(LightLib, HarmonicsEqualThoseOfTheCPU)
 {
   const auto directions = UnitVectors(200);
   std::vector<glm::vec4> inputs;

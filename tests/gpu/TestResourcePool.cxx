@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Textures are lent, reused, kept and freed.
+// The pool lends, reuses, keeps and frees textures.
 #include "gpu/ResourcePool.h"
 
 #include "ComputeHarness.h"
@@ -38,7 +38,7 @@ TEST_F(Pool, ReturnedTexturesAreLentAgain)
   EXPECT_EQ(this->Textures.Bytes(), 3u * 64u * 32u * 4u);
 }
 
-TEST_F(Pool, IdleTexturesAreForgotten)
+TEST_F(Pool, IdleTexturesAreFreed)
 {
   Texture* texture = this->Textures.Acquire(Color);
   const GLuint name = texture->Get();
@@ -51,7 +51,7 @@ TEST_F(Pool, IdleTexturesAreForgotten)
   EXPECT_FALSE(glIsTexture(name));
 }
 
-TEST_F(Pool, HistoriesKeepWhatTheyHold)
+TEST_F(Pool, HistoriesKeepTheirContent)
 {
   History& first = this->Textures.Keep("view", "radiance", Color);
   EXPECT_FALSE(first.Written);
@@ -62,14 +62,14 @@ TEST_F(Pool, HistoriesKeepWhatTheyHold)
   EXPECT_TRUE(this->Textures.Keep("view", "radiance", Color).Written);
   EXPECT_NE(this->Textures.Keep("other", "radiance", Color).Storage.Get(), name);
   EXPECT_FALSE(this->Textures.Keep("other", "radiance", Color).Written);
-  // One of another size starts empty.
+  // A history whose size changes starts empty.
   TextureDesc larger = Color;
   larger.Width = 128;
   EXPECT_EQ(this->Textures.Keep("view", "radiance", larger).Storage.Desc(), larger);
   EXPECT_FALSE(this->Textures.Keep("view", "radiance", larger).Written);
 }
 
-TEST_F(Pool, FramebuffersAreCompleteAndMadeOnce)
+TEST_F(Pool, FramebuffersAreCompleteAndCreatedOnce)
 {
   Texture* color = this->Textures.Acquire(Color);
   Texture* layers = this->Textures.Acquire({ GL_RGBA16F, 64, 32, 3 });

@@ -1,4 +1,4 @@
-# Installs to an empty prefix, moves it, and uses it from a project and a script that know no more.
+# Installs to an empty prefix, moves it, and uses it from a separate project and a script.
 # cmake -DBUILD=... -DWORK=... -DCONSUMER=... -DPYTHON=... -DPYTHON_FOLDER=... -DTOOL=... -P run.cmake
 function(step title)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_VARIABLE text)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Includes of the module and of the command go down only: each room reads its own headers and those of rooms below."""
+"""Includes of the module and of the command go down only: each room includes its own headers and those of rooms below."""
 import pathlib
 import re
 import sys
@@ -9,12 +9,12 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# From the bottom to the top. A folder in a room belongs to it; rooms of one line know nothing of each other.
+# Rooms from bottom to top. Subfolders of a room belong to it. Rooms in one tuple do not include each other.
 MODULE = (("base",), ("gpu",), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique",), ("pass",),
           ("bake",), ("probes",), ("techniques/*",))
 TOOL = (("common",), ("image",), ("scene/model",), ("scene/readers",), ("scene/build",), ("scene/file",),
         ("bake/*",), ("console",), ("commands",))
-MOST_FILES = 30  # in a folder
+MOST_FILES = 30  # per folder
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 
@@ -24,32 +24,32 @@ def sources(folder):
 
 
 def rooms(folder, layers):
-    """The rooms with their levels. "name/*" stands for each folder in name."""
+    """The level of each room. "name/*" stands for all folders in name."""
     found = {}
     for level, names in enumerate(layers):
         for name in names:
-            places = folder.glob(name) if "*" in name else [folder / name]
-            found.update({path.relative_to(folder).as_posix(): level for path in places if path.is_dir()})
+            paths = folder.glob(name) if "*" in name else [folder / name]
+            found.update({path.relative_to(folder).as_posix(): level for path in paths if path.is_dir()})
     return found
 
 
-def room_of(path, known):
-    """The room that a file lies in; "" for one that lies above all."""
-    place = path.parent
-    while place.as_posix() not in (".", *known):
-        place = place.parent
-    return "" if place.as_posix() == "." else place.as_posix()
+def room_of(path, levels):
+    """The room of a file; "" for a file in the top folder or in no room."""
+    room = path.parent
+    while room.as_posix() not in (".", *levels):
+        room = room.parent
+    return "" if room.as_posix() == "." else room.as_posix()
 
 
-def complaints(folder, layers):
-    known = rooms(folder, layers)
+def violations(folder, layers):
+    levels = rooms(folder, layers)
     files = {path.relative_to(folder) for path in sources(folder)}
-    by_name = {path.name: path for path in files}  # VTK's classes are included by their names alone
+    by_name = {path.name: path for path in files}  # headers of VTK classes are included without their folder
     found = []
     for path in sorted(files):
-        room = room_of(path, known)
+        room = room_of(path, levels)
         if not room and len(path.parts) > 1:
-            found.append(f"{path} lies in no room")
+            found.append(f"{path} is in no room")
         for name in INCLUDE.findall((folder / path).read_text()):
             target = pathlib.Path(name)
             if ".." in target.parts:
@@ -58,29 +58,29 @@ def complaints(folder, layers):
                 target = by_name.get(name) if name.startswith("vtk") else None
             if not target or not room:
                 continue
-            other = room_of(target, known)
-            if other and other != room and known[other] >= known[room]:
-                found.append(f"{path} includes {name}: {room} does not lie above {other}")
+            other = room_of(target, levels)
+            if other and other != room and levels[other] >= levels[room]:
+                found.append(f"{path} includes {name}: {room} is not above {other}")
     return found
 
 
-GPU_WORK = re.compile(r"\bgl(?:Program)?Uniform\w*\(|\bgl(?:BindImageTexture|DispatchCompute|MemoryBarrier)\w*\(")
+GL_CALL = re.compile(r"\bgl(?:Program)?Uniform\w*\(|\bgl(?:BindImageTexture|DispatchCompute|MemoryBarrier)\w*\(")
 
 
 def undeclared(folder):
-    """Where a shader is given something, run or waited for by hand, outside the rooms that do so for all."""
+    """OpenGL calls that set shader inputs, dispatch or set barriers outside the rooms that do so for all passes."""
     return [f"{path.relative_to(folder)}: {call}" for path in sources(folder)
-            if path.relative_to(folder).parts[0] not in ("gpu", "graph") for call in GPU_WORK.findall(path.read_text())]
+            if path.relative_to(folder).parts[0] not in ("gpu", "graph") for call in GL_CALL.findall(path.read_text())]
 
 
 class Layers(unittest.TestCase):
     def test_the_module(self):
-        self.assertEqual(complaints(ROOT / "vtk_module", MODULE), [])
+        self.assertEqual(violations(ROOT / "vtk_module", MODULE), [])
 
     def test_the_command(self):
-        self.assertEqual(complaints(ROOT / "tool", TOOL), [])
+        self.assertEqual(violations(ROOT / "tool", TOOL), [])
 
-    def test_work_of_the_gpu_is_declared(self):
+    def test_shader_inputs_and_dispatches_are_declared(self):
         self.assertEqual(undeclared(ROOT / "vtk_module"), [])
         with tempfile.TemporaryDirectory() as name:
             for room in ("gpu", "light"):
@@ -92,13 +92,13 @@ class Layers(unittest.TestCase):
                 "light/A.cxx: glUniform3fv(", "light/A.cxx: glProgramUniform1i(",
                 "light/A.cxx: glDispatchCompute(", "light/A.cxx: glMemoryBarrier("])
 
-    def test_no_folder_is_a_drawer(self):
+    def test_no_folder_has_too_many_files(self):
         for top in ("vtk_module", "tool"):
             for folder in (ROOT / top, *(path for path in (ROOT / top).rglob("*") if path.is_dir())):
                 count = sum(path.is_file() for path in folder.iterdir())
                 self.assertLessEqual(count, MOST_FILES, folder.relative_to(ROOT).as_posix())
 
-    def test_an_include_that_goes_up_is_found(self):
+    def test_upward_includes_are_found(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             for path, text in (("gpu/Texture.h", '#include "pass/Frame.h"\n'), ("pass/Frame.h", ""),
@@ -107,11 +107,11 @@ class Layers(unittest.TestCase):
                                ("pass/Pass.cxx", '#include "gpu/Texture.h"\n'), ("attic/Old.h", "")):
                 (folder / path).parent.mkdir(parents=True, exist_ok=True)
                 (folder / path).write_text(text)
-            self.assertEqual(complaints(folder, MODULE), [
-                "attic/Old.h lies in no room",
-                "gpu/Buffer.cxx includes vtkPass.h: gpu does not lie above pass",
-                "gpu/Texture.h includes pass/Frame.h: gpu does not lie above pass",
-                "techniques/a/A.h includes techniques/b/B.h: techniques/a does not lie above techniques/b"])
+            self.assertEqual(violations(folder, MODULE), [
+                "attic/Old.h is in no room",
+                "gpu/Buffer.cxx includes vtkPass.h: gpu is not above pass",
+                "gpu/Texture.h includes pass/Frame.h: gpu is not above pass",
+                "techniques/a/A.h includes techniques/b/B.h: techniques/a is not above techniques/b"])
 
 
 if __name__ == "__main__":

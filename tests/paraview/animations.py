@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: SaveAnimation under the preset high of coloured balls that come and go over a plane; prints how far each
-frame is from the picture that a view of its own gives of that time.
+"""Run by pvpython: SaveAnimation with the preset high of coloured balls that appear and disappear over a plane. Prints the
+error of frames against pictures that new views draw of the same times.
 
 usage: animations.py FOLDER
 """
@@ -26,7 +26,7 @@ wall = simple.Plane(Origin=[-20, -20, -11], Point1=[-20, 20, -11], Point2=[-20, 
 
 def make_view():
     view = scenes.make_view()
-    scenes.show(view, [(thing, None, [0.9, 0.9, 0.9]) for thing in (plane, wall)] +
+    scenes.show(view, [(source, None, [0.9, 0.9, 0.9]) for source in (plane, wall)] +
                 [(ball, None, colour) for ball, colour in zip(balls, COLOURS)])
     view.UseLight = 0
     lamp = simple.AddLight(view=view)
@@ -37,7 +37,7 @@ def make_view():
 
 times = simple.GetAnimationScene()
 times.PlayMode, times.NumberOfFrames, times.StartTime, times.EndTime = "Sequence", FRAMES, 0.0, 1.0
-# Ball i is there in frames i and i + 1, and a speck else.
+# Ball i is visible in frames i and i + 1, and tiny in the others.
 for i, ball in enumerate(balls):
     track = simple.GetAnimationTrack("Radius", proxy=ball)
     keys = [(0.0, 5.5 if i == 0 else 0.01), ((i - 0.1) / (FRAMES - 1), 5.5), ((i + 1.1) / (FRAMES - 1), 0.01)]
@@ -51,7 +51,7 @@ simple.Delete(view)
 for i in (3, 1, 2):
     times.AnimationTime = i / (FRAMES - 1)
     view = make_view()
-    truth = scenes.saved(view, f"{folder}/alone{i}.png") / 255.0
+    truth = scenes.saved(view, f"{folder}/single{i}.png") / 255.0
     simple.Delete(view)
     print(f"frame {i}: {penumbra.relative_error(film[i], truth)[0]:.6f}", flush=True)
 print(f"film moves: {min(numpy.abs(a - b).max(axis=2).mean() for a, b in zip(film, film[1:])):.5f}")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: probes baked in a view and kept in a file, or taken from the file by a new process.
+"""Run by pvpython: bake probes in a view and write them to a file, or read the file in a new process.
 
 usage: baked.py bake|load FOLDER
 """
@@ -34,10 +34,10 @@ if action == "bake":
     except RuntimeError as error:
         print("to a folder:", error)
     with open(f"{probes}.part", "w") as part:
-        part.write("what the command line tool resumes")
+        part.write("a bake that the command can resume")
     bake_probes(view, probes, probes=100, samples=64)
     with open(f"{probes}.part") as part:
-        print("beside it:", part.read())
+        print("partial bake:", part.read())
     image = scenes.picture(view)
     print(f"changed {1 - scenes.within(image, plain):.5f}")
 else:

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython or pvbatch: one scene by ParaView's view and by VTK alone, with the same settings.
+"""Run by pvpython or pvbatch: draw a scene in ParaView's view and with VTK alone, with the same settings.
 
-usage: draw_both.py PRESET FOLDER [TECHNIQUE...]      prints the share of equal pixels
+usage: draw_both.py PRESET FOLDER [TECHNIQUE...]      prints shares of equal and changed pixels
 """
 import sys
 
@@ -15,15 +15,15 @@ from penumbra.paraview import enable
 preset, folder, extra = sys.argv[1], sys.argv[2], sys.argv[3:]
 simple._DisableFirstRenderCameraReset()
 view = scenes.make_view()
-things = scenes.sources()
-scenes.show(view, things)
+sources = scenes.sources()
+scenes.show(view, sources)
 plain = scenes.picture(view)
 enable(view, preset, on=extra)
 lit = scenes.picture(view)
 
-renderer = scenes.vtk_renderer(view, things)
+renderer = scenes.vtk_renderer(view, sources)
 window = penumbra.window(renderer, size=scenes.SIZE, multisamples=view.GetRenderWindow().GetMultiSamples())
-# ParaView's windows have a stencil buffer, and so fewer bits of depth than others.
+# ParaView's windows have a stencil buffer, and thus fewer bits of depth.
 window.SetStencilCapable(view.GetRenderWindow().GetStencilCapable())
 penumbra.enable(renderer, preset, on=extra)
 truth = penumbra.render(window)

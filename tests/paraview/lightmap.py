@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: a lightmap that the command baked for files, over the same files in a view.
+"""Run by pvpython: a lightmap that the command baked from files lights the same files in a view.
 
 usage: lightmap.py FOLDER COMMAND
 """
@@ -19,11 +19,11 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 folder, command = sys.argv[1:]
 WALLS = {"floor": ([-1, -1, -1], [1, -1, -1], [-1, 1, -1]), "back": ([-1, 1, -1], [1, 1, -1], [-1, 1, 1])}
 COLOUR, LAMP = [0.7, 0.5, 0.3], [0.5, -0.6, 0.9]
-CAMERA = {"position": [0.3, -4, 0.3], "focal": [0, 0.6, -0.8], "up": [0, 0, 1], "angle": 12}  # walls fill the picture
+CAMERA = {"position": [0.3, -4, 0.3], "focal": [0, 0.6, -0.8], "up": [0, 0, 1], "angle": 12}  # the walls fill the picture
 
 
 def write_walls():
-    """Files of data and the scene file that shows them as ParaView does."""
+    """Write data files, and a scene file that shows them like ParaView."""
     for name, corners in WALLS.items():
         plane, normals, writer = vtkPlaneSource(), vtkPolyDataNormals(), vtkXMLPolyDataWriter()
         plane.SetOrigin(corners[0])
@@ -86,6 +86,6 @@ for name in ("nothing.vti", "view.png", "cut.vti", "old.exr"):
     print(f"unlit {scenes.within(scenes.picture(view), plain, 0):.5f}")
 view.GILightmapFile = f"{folder}/map.vti"
 print(f"again {scenes.within(scenes.picture(view), image, 0):.5f}")
-shown[0].DiffuseColor = [0.7, 0.5, 0.4]  # the note tells
+shown[0].DiffuseColor = [0.7, 0.5, 0.4]  # the pass's note reports it
 simple.Render(view)
 print("problem with other data:", problem() or "none")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvbatch on one rank or more: the scene by direct light alone, then frames of a camera that moves, with the
+"""Run by pvbatch on one or more ranks: draw the scene with direct light only, then frames with a moving camera and the
 preset balanced.
 
 usage: ranks.py PICTURE FRAMES

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: the scene drawn by a server, all of it remotely; or by this process where no port is given.
+"""Run by pvpython: the scene drawn by a server, or by this process if no port is given.
 
 usage: remote.py PICTURE [PORT]
 """
@@ -17,8 +17,8 @@ if len(sys.argv) > 2:
     scenes.penumbra.paraview.load()
 view = scenes.make_view()
 if len(sys.argv) > 2:
-    view.RemoteRenderThreshold = 0  # megabytes: always
-    view.CompressorConfig = "vtkLZ4Compressor 0 3"  # without loss
+    view.RemoteRenderThreshold = 0  # megabytes, so that the server always draws
+    view.CompressorConfig = "vtkLZ4Compressor 0 3"  # lossless
 scenes.show(view, scenes.sources())
 enable(view, frames=2)
 Image.fromarray(scenes.picture(view)).save(sys.argv[1])

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: what a view can show, by ParaView, by the pass with every technique off, and with the preset
-balanced; prints the share of pixels that the first two agree in, and how many the third changes.
+"""Run by pvpython: representations and settings of a view, drawn by ParaView, by the pass with all techniques off, and with
+the preset balanced. Prints the share of pixels that are equal in the first two, and that the third changes.
 
 usage: representations.py FOLDER [CASE]
 """
@@ -17,13 +17,13 @@ folder, chosen = sys.argv[1], sys.argv[2:]
 
 
 def surface(view, kind="Surface", **properties):
-    things = scenes.sources()
-    scenes.show(view, things)
-    shown = simple.GetRepresentation(things[1][0], view)
+    sources = scenes.sources()
+    scenes.show(view, sources)
+    shown = simple.GetRepresentation(sources[1][0], view)
     shown.SetRepresentationType(kind)
     for name, value in properties.items():
         setattr(shown, name, value)
-    return things[1][0], shown
+    return sources[1][0], shown
 
 
 def glyphs(view):
@@ -59,7 +59,7 @@ def selection(view):
 
 
 def composite(view):
-    simple.Show(simple.GroupDatasets(Input=[thing[0] for thing in scenes.sources()]), view)
+    simple.Show(simple.GroupDatasets(Input=[row[0] for row in scenes.sources()]), view)
     scenes.aim(view)
 
 
@@ -94,7 +94,7 @@ CASES = {
     "no_light_kit": view_property(UseLight=0),
 }
 
-# The pass rounds its picture to the eight bits of the window before ParaView maps its tones, which spreads them.
+# The pass rounds its picture to the window's eight bits before ParaView's tone mapping, which amplifies the rounding.
 LIMITS = {"tone_mapping": 4}
 
 for name, case in CASES.items():

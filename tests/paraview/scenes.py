@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scene made twice: by ParaView's pipeline and views, and by VTK's own classes."""
+"""A scene built twice: with ParaView's pipeline and views, and with VTK's own classes."""
 import pathlib
 
-import penumbra.paraview  # noqa: F401 first, so that windows can be made without a display
+import penumbra.paraview  # noqa: F401 first, so that windows can be created without a display
 import numpy
 from paraview import servermanager, simple
 from PIL import Image
@@ -12,12 +12,12 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkCamera, vtkLightKit, vtkPol
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 SIZE = (320, 240)
-# A ground under three isosurfaces, and balls on it: shadows near and far, hollows, colours by an array.
+# A ground plane below three isosurfaces, with a ball on it: near and distant shadows, hollows, and colours by an array.
 GROUND = {"Origin": [-20, -20, -11], "Point1": [20, -20, -11], "Point2": [-20, 20, -11]}
 
 
 def sources():
-    """(source, array it is coloured by or None, colour) of every visible thing."""
+    """(source, array that it is coloured by or None, colour) of all visible sources."""
     wavelet = simple.Wavelet()
     surface = simple.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[130.0, 160.0, 220.0])
     ball = simple.Sphere(Center=[9, -9, -8], Radius=3, ThetaResolution=48, PhiResolution=48)
@@ -25,8 +25,8 @@ def sources():
             (ball, None, [0.9, 0.3, 0.2])]
 
 
-def show(view, things):
-    for source, array, colour in things:
+def show(view, sources):
+    for source, array, colour in sources:
         shown = simple.Show(source, view, "GeometryRepresentation")
         if array:
             simple.ColorBy(shown, ("POINTS", array))
@@ -45,7 +45,11 @@ def aim(view):
 
 
 def make_view(**properties):
-    view = simple.CreateView("RenderView")
+    return prepare_view(simple.CreateView("RenderView"), **properties)
+
+
+def prepare_view(view, **properties):
+    """Set the size and background of a view, and other properties."""
     view.ViewSize = SIZE
     view.OrientationAxesVisibility = 0
     view.CenterAxesVisibility = 0
@@ -57,13 +61,13 @@ def make_view(**properties):
 
 
 def picture(view):
-    """What a view shows: an array of bytes, top row first."""
+    """Render a view. Returns its picture as an array of bytes, top row first."""
     simple.Render(view)
     return capture(view)
 
 
 def capture(view):
-    """The same, of what was drawn last."""
+    """The picture of a view as it was drawn last."""
     reader = vtkWindowToImageFilter()
     reader.SetInput(view.GetRenderWindow())
     reader.ReadFrontBufferOff()
@@ -75,34 +79,34 @@ def capture(view):
 
 
 def saved(target, path, size=SIZE, **options):
-    """What SaveScreenshot makes of a view or layout: an array of bytes, top row first."""
+    """Picture of a view or layout by SaveScreenshot, as an array of bytes, top row first."""
     simple.SaveScreenshot(str(path), target, ImageResolution=list(size), **options)
     return numpy.asarray(Image.open(path))[..., :3]
 
 
-def rest(view):
-    """The preset high, with probes that know all that they will."""
+def settle(view):
+    """Set the preset high, and render until the probes have converged."""
     penumbra.paraview.enable(view, "high", frames=2, ddgi__probes=64, ddgi__updates=8)
     for _ in range(4):
         simple.Render(view)
 
 
 def refuse_to_bake(view, path):
-    """Print why probes are not baked where several processes draw a view."""
+    """Print the error of baking probes if several processes draw a view."""
     try:
         penumbra.paraview.bake_probes(view, path, probes=27, samples=1)
     except RuntimeError as error:
         print("refused:", error, pathlib.Path(path).exists())
 
 
-def vtk_renderer(view, things):
-    """The same scene by VTK's classes alone, with the camera of the view and ParaView's light kit."""
+def vtk_renderer(view, sources):
+    """The same scene in VTK's own classes, with the camera of the view and ParaView's light kit."""
     renderer = vtkRenderer()
     renderer.SetBackground(*view.Background)
     renderer.SetTwoSidedLighting(True)
     renderer.SetUseFXAA(bool(view.UseFXAA))
     renderer.SetFXAAOptions(view.GetClientSideObject().GetRenderer().GetFXAAOptions())
-    for source, array, colour in things:
+    for source, array, colour in sources:
         mapper = vtkPolyDataMapper()
         mapper.SetInputData(servermanager.Fetch(source))
         actor = vtkActor()
@@ -129,6 +133,6 @@ def vtk_renderer(view, things):
 
 
 def within(one, other, limit=2):
-    """The share of pixels whose every component differs by no more than a limit."""
+    """Share of pixels whose components all differ by at most a limit."""
     difference = numpy.abs(one.astype(int) - other.astype(int)).max(axis=2)
     return float((difference <= limit).mean())

@@ -21,15 +21,15 @@ small, large = [width, height], [3 * width, 3 * height]
 simple.SaveScreenshot(f"{folder}/same.png", view, ImageResolution=small)
 simple.SaveScreenshot(f"{folder}/transparent.png", view, ImageResolution=small, TransparentBackground=1)
 simple.SaveScreenshot(f"{folder}/again.png", view, ImageResolution=small)
-# ParaView takes what is larger than the view in tiles. Each thing on the screen that knows its neighbours is on.
-scenes.rest(view)
+# ParaView draws pictures larger than the view in tiles. All screen-space techniques are on.
+scenes.settle(view)
 simple.SaveScreenshot(f"{folder}/tiled.png", view, ImageResolution=large)
 view.ViewSize = large
 simple.SaveScreenshot(f"{folder}/whole.png", view, ImageResolution=large)
 
 chart = simple.CreateView("XYChartView")
 chart.ViewSize = small
-# Ends and colours have other defaults from release to release.
+# The defaults of end points and colours differ between releases.
 line = simple.PlotOverLine(Input=simple.Wavelet(), Point1=[-10, -10, -10], Point2=[10, 10, 10])
 simple.Show(line, chart).SeriesColor = ["RTData", "0.89", "0.1", "0.11"]
 simple.SaveScreenshot(f"{folder}/chart.png", chart, ImageResolution=small)

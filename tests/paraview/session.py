@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Run by pvpython: animation, layouts, interaction, selection, annotation and other settings of a view, with global
-illumination on; prints shares of equal pixels.
+illumination on. Prints shares of equal pixels.
 
 usage: session.py FOLDER
 """
@@ -22,13 +22,13 @@ def saved(target, name, *size, **options):
     return scenes.saved(target, f"{folder}/{name}.png", *size, **options)
 
 
-def tell(name, value):
+def report(name, value):
     print(f"{name}: {value:.5f}", flush=True)
 
 
-def animation(view, things):
-    """A ball that moves and a lamp that is dimmed: each frame is that of its time, whatever came before."""
-    ball = things[2][0]
+def animation(view, sources):
+    """Frames of a moving ball and a dimming light depend on their time only, not on earlier frames."""
+    ball = sources[2][0]
     lamp = simple.AddLight(view=view)
     lamp.Position, lamp.FocalPoint, lamp.Intensity = [-20, -10, 40], [0, 0, 0], 0.8
     enable(view, frames=4)
@@ -44,18 +44,18 @@ def animation(view, things):
     for i in (4, 1, 3, 0, 2):
         times.AnimationTime = i / 4
         equal.append(scenes.within(frames[i], saved(view, f"time{i}"), 0))
-    tell("animation", min(equal))
-    tell("animation moves", min(1 - scenes.within(a, b) for a, b in zip(frames, frames[1:])))
+    report("animation", min(equal))
+    report("animation moves", min(1 - scenes.within(a, b) for a, b in zip(frames, frames[1:])))
     times.AnimationTime = 0
     simple.RemoveLight(lamp)
 
 
-def layout(view, things):
-    """Two views with settings of their own, in one picture and each by itself."""
+def layout(view, sources):
+    """Two views with different settings, in one picture and separately."""
     other = scenes.make_view()
-    scenes.show(other, things)
+    scenes.show(other, sources)
     enable(view, "fast", frames=2)
-    scenes.rest(other)
+    scenes.settle(other)
     shared = simple.CreateLayout("both")
     shared.SplitHorizontal(0, 0.5)
     shared.AssignView(1, view)
@@ -63,18 +63,18 @@ def layout(view, things):
     shared.SetSize(2 * width, height)
     both = saved(shared, "both", (2 * width, height), SeparatorWidth=0)
     left, right = both[:, :view.ViewSize[0]], both[:, -other.ViewSize[0]:]
-    tell("left view", scenes.within(left, saved(view, "left", view.ViewSize)))
-    tell("right view", scenes.within(right, saved(other, "right", other.ViewSize)))
+    report("left view", scenes.within(left, saved(view, "left", view.ViewSize)))
+    report("right view", scenes.within(right, saved(other, "right", other.ViewSize)))
     narrow = min(left.shape[1], right.shape[1])
-    tell("views differ", 1 - scenes.within(left[:, :narrow], right[:, :narrow]))
+    report("views differ", 1 - scenes.within(left[:, :narrow], right[:, :narrow]))
     simple.Delete(other)
 
 
 def interaction(view):
-    """Frames while the camera moves: of what is reduced, each drawn once however many a still picture wants."""
+    """While the camera moves, reduced data is drawn in one frame, even if a still picture takes several."""
     view.LODThreshold = 0.0
     still, moved = {}, {}
-    steady = ["temporal-accumulation", "anti-aliasing"]  # whose frames depend on those before, as they should
+    steady = ["temporal-accumulation", "anti-aliasing"]  # their frames depend on earlier ones by design
     for frames in (1, 8):
         enable(view, frames=frames, off=steady)
         still[frames] = saved(view, f"still{frames}")
@@ -89,9 +89,9 @@ def interaction(view):
     plain = scenes.capture(view)
     scenes.aim(view)
     enable(view, frames=8, off=steady)
-    tell("interactive frames", scenes.within(moved[1], moved[8], 0))
-    tell("interactive is lit", 1 - scenes.within(moved[1], plain))
-    tell("after interaction", scenes.within(saved(view, "after"), still[8], 0))
+    report("interactive frames", scenes.within(moved[1], moved[8], 0))
+    report("interactive is lit", 1 - scenes.within(moved[1], plain))
+    report("after interaction", scenes.within(saved(view, "after"), still[8], 0))
 
 
 def selected(view, source):
@@ -104,82 +104,82 @@ def selected(view, source):
     return ids
 
 
-def selection(view, things):
-    """What is selected and picked is what it would be without."""
+def selection(view, sources):
+    """Selecting and picking give the same results with and without global illumination."""
     disable(view)
     simple.Render(view)
-    surface = things[1][0]
+    surface = sources[1][0]
     without, picked = selected(view, surface), view.SMProxy.Pick(width // 2, height // 2)
     enable(view)
     simple.Render(view)
     lit, with_light = selected(view, surface), view.SMProxy.Pick(width // 2, height // 2)
     print("selected", [len(part) // 2 for part in lit])
-    tell("selection", float(lit == without and sum(map(len, lit)) > 100))
-    tell("pick", float(picked is not None and picked == with_light))
+    report("selection", float(lit == without and sum(map(len, lit)) > 100))
+    report("pick", float(picked is not None and picked == with_light))
 
 
-def annotation(view, things):
-    """The pixels that the axes and the scalar bar change in ParaView's picture are the same with light."""
-    shown = simple.GetRepresentation(things[1][0], view)
+def annotation(view, sources):
+    """The pixels of the axes and the scalar bar are the same with and without global illumination."""
+    shown = simple.GetRepresentation(sources[1][0], view)
     pictures = {}
     for lit in (0, 1):
-        for noted in (0, 1):
+        for annotated in (0, 1):
             enable(view) if lit else disable(view)
-            view.OrientationAxesVisibility = noted
-            view.CameraPosition = [70, -86, 44]  # things are small: background behind what is noted
-            shown.SetScalarBarVisibility(view, bool(noted))
-            pictures[lit, noted] = saved(view, f"annotation{lit}{noted}").astype(int)
+            view.OrientationAxesVisibility = annotated
+            view.CameraPosition = [70, -86, 44]  # far away, so that annotations have background behind them
+            shown.SetScalarBarVisibility(view, bool(annotated))
+            pictures[lit, annotated] = saved(view, f"annotation{lit}{annotated}").astype(int)
     scenes.aim(view)
     view.OrientationAxesVisibility = 0
     shown.SetScalarBarVisibility(view, False)
-    # Where light changes nothing behind them: text is blended with it.
+    # Only where light does not change the background, because text is blended with it.
     empty = (numpy.abs(pictures[0, 0] - pictures[1, 0]).max(axis=2) <= 1)
     drawn = (numpy.abs(pictures[0, 0] - pictures[0, 1]).max(axis=2) > 8) & empty
     same = numpy.abs(pictures[0, 1] - pictures[1, 1]).max(axis=2) <= 2
     print("annotation has", int(drawn.sum()), "pixels")
-    tell("annotation", float(same[drawn].mean()) if drawn.sum() > 100 else 0.0)
+    report("annotation", float(same[drawn].mean()) if drawn.sum() > 100 else 0.0)
 
 
 def toggles(view):
-    """ParaView's own settings, switched on and off again while the light is on."""
+    """ParaView's own settings, switched on and off again while global illumination is on."""
     enable(view, frames=2)
     before, after = saved(view, "before"), []
     for name in ("UseSSAO", "UseFXAA", "UseToneMapping", "EnableRayTracing", "HiddenLineRemoval"):
         if name == "EnableRayTracing" and not view.GetProperty("BackEnd").Available:
             print("this ParaView has no OSPRay")
             continue
-        was = view.GetProperty(name).GetData()
-        view.GetProperty(name).SetData(1 - was)
+        original = view.GetProperty(name).GetData()
+        view.GetProperty(name).SetData(1 - original)
         changed = saved(view, name)
-        view.GetProperty(name).SetData(was)
+        view.GetProperty(name).SetData(original)
         print(f"{name} equal {scenes.within(before, changed):.5f}")
         if name == "UseToneMapping":
-            tell("tone mapping changes", 1 - scenes.within(before, changed))
+            report("tone mapping changes", 1 - scenes.within(before, changed))
         after.append(scenes.within(before, saved(view, "again"), 0))
     print("after each", after)
-    tell("after toggles", min(after))
+    report("after toggles", min(after))
 
 
 def parallel(view):
-    """Parallel projection, as tiles and at once."""
+    """Parallel projection, drawn in tiles and as a whole."""
     view.CameraParallelProjection, view.CameraParallelScale = 1, 18
-    scenes.rest(view)
+    scenes.settle(view)
     large = (2 * width, 2 * height)
     tiles = saved(view, "parallel_tiles", large)
     view.ViewSize = large
-    tell("parallel as tiles", scenes.within(tiles, saved(view, "parallel", large)))
+    report("parallel as tiles", scenes.within(tiles, saved(view, "parallel", large)))
     view.ViewSize = scenes.SIZE
     view.CameraParallelProjection = 0
 
 
 view = scenes.make_view()
-things = scenes.sources()
-scenes.show(view, things)
+sources = scenes.sources()
+scenes.show(view, sources)
 simple.Render(view)
 interaction(view)
-selection(view, things)
-annotation(view, things)
+selection(view, sources)
+annotation(view, sources)
 toggles(view)
 parallel(view)
-animation(view, things)
-layout(view, things)
+animation(view, sources)
+layout(view, sources)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: save a state with global illumination, or open one in a new process.
+"""Run by pvpython: save a state with global illumination, or load it in a new process.
 
-usage: states.py save|load|run FOLDER      run: the state written as a Python script
+usage: states.py save|load|run FOLDER      run: load the state's Python script
 """
 import sys
 
@@ -16,7 +16,7 @@ simple._DisableFirstRenderCameraReset()
 if action == "save":
     view = scenes.make_view()
     scenes.show(view, scenes.sources())
-    # What differs from the start preset, what equals it against the preset chosen, and a number.
+    # Values that differ from the start preset, a value that equals it but not the chosen preset, and a number.
     enable(view, "fast", on="screen-space-reflections", off="temporal-accumulation",
            ambient_occlusion__samples=28, shadow_maps__resolution=1024, ambient_occlusion__radius=1.25)
     image = scenes.picture(view)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView with the plugin, as scripts use it: pvpython and pvbatch without a display."""
+"""ParaView with the plugin in scripts: pvpython and pvbatch without a display."""
 import os
 import pathlib
 import re
@@ -17,12 +17,12 @@ import numpy
 from PIL import Image
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Open MPI as a container's or a chroot's only user; ranks that wait leave the processor to others.
+# Let Open MPI run as root, as in a container, and waiting ranks yield the processor.
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
 ENVIRONMENT = {key: value for key, value in os.environ.items() if key != "DISPLAY"} | MPI
 PACKAGE = pathlib.Path(os.environ.get("PENUMBRA_PYTHON_PATH", HERE.parent.parent / "build" / "python"))
 PLUGIN = (PACKAGE / "penumbra" / runpy.run_path(PACKAGE / "penumbra" / "_plugin_path.py")["PLUGIN"]).resolve()
-STUCK = 3600  # seconds after which a program is taken for stuck
+TIMEOUT = 3600  # seconds after which a program counts as stuck
 ENVIRONMENT["PYTHONPATH"] = os.pathsep.join([str(PACKAGE), str(HERE)])
 
 
@@ -42,32 +42,32 @@ class Base(unittest.TestCase):
         if not kept:
             self.addCleanup(shutil.rmtree, self.folder)
 
-    # ParaView 6.1 logs these without the plugin too: a warning of Mesa 26 about its shader for shaded volumes, and
-    # two of its own in every picture after SelectCells, which representations.py calls.
-    STOCK_COMPLAINTS = {"": [r"GL Message.*`g_dataPos' used uninitialized"],
+    # ParaView 6.1 logs these without the plugin too: a warning of Mesa 26 about VTK's shader of shaded volumes, and two
+    # of its own in each picture after SelectCells, which representations.py calls.
+    STOCK_MESSAGES = {"": [r"GL Message.*`g_dataPos' used uninitialized"],
                         "representations.py": [r"vtkSMPropertyHelper.*Failed to locate property: Input$",
                                                r"vtkSMPropertyHelper.*not supported for the current property type\.$"]}
 
     @classmethod
-    def without_stock_complaints(cls, output, script):
-        patterns = cls.STOCK_COMPLAINTS[""] + cls.STOCK_COMPLAINTS.get(script, [])
+    def without_stock_messages(cls, output, script):
+        patterns = cls.STOCK_MESSAGES[""] + cls.STOCK_MESSAGES.get(script, [])
         return "\n".join(line for line in output.splitlines()
                          if not any(re.search(pattern, line) for pattern in patterns))
 
     def run_script(self, program, script, *arguments):
-        """What a script printed, where ParaView found nothing to complain of."""
+        """Run a script, and check that ParaView reports no error or warning. Returns the output."""
         command = [*program.split(), str(HERE / script), *map(str, arguments)]
-        done = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=STUCK)
-        output = self.without_stock_complaints(done.stdout + done.stderr, script)
+        process = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, timeout=TIMEOUT)
+        output = self.without_stock_messages(process.stdout + process.stderr, script)
         self.messages = output
-        self.assertEqual(done.returncode, 0, output)
-        for complaint in ("ERR|", "WARN|", "Traceback", "Error"):
-            self.assertNotIn(complaint, output)
-        print(f"\n{program} {script} {' '.join(map(str, arguments[:1]))}: {done.stdout.strip()}")
-        return done.stdout
+        self.assertEqual(process.returncode, 0, output)
+        for word in ("ERR|", "WARN|", "Traceback", "Error"):
+            self.assertNotIn(word, output)
+        print(f"\n{program} {script} {' '.join(map(str, arguments[:1]))}: {process.stdout.strip()}")
+        return process.stdout
 
     def check_refusal(self, text):
-        """Of a bake by several processes: said once, raised, and no file is written."""
+        """Check that baking with several processes reports an error once, raises it, and writes no file."""
         self.assertRegex(text, "refused: .* cannot be baked by several processes.* False")
         self.assertEqual(self.messages.count("by several processes"), 2, self.messages)
 
@@ -76,28 +76,28 @@ class Base(unittest.TestCase):
 
 
 class Pictures(Base):
-    # 2 of 255 is what the blending of edges differs by; 0.5 % of pixels are left to rasterisation along
-    # edges, where ParaView's mappers and VTK's transform points in another order of operations.
+    # The blending of edges differs by up to 2 of 255. Up to 0.5 % of the pixels, along edges, may differ because
+    # ParaView's mappers and VTK's transform points in a different order of operations.
     def check_same_as_vtk(self, program, preset, *techniques):
         text = self.run_script(program, "draw_both.py", preset, self.folder, *techniques)
         self.assertGreaterEqual(self.number("equal", text), 0.995)
         return self.number("changed", text)
 
-    def test_a_view_shows_what_vtk_draws(self):
+    def test_a_view_equals_vtk(self):
         self.assertGreater(self.check_same_as_vtk("pvpython", "balanced"), 0.3)
 
-    def test_probes_in_a_view_show_what_vtk_draws(self):
+    def test_a_view_with_probes_equals_vtk(self):
         self.assertGreater(self.check_same_as_vtk("pvpython", "high", "ddgi"), 0.3)
 
-    def test_off_is_paraview_itself(self):
+    def test_off_equals_paraview(self):
         self.assertLess(self.check_same_as_vtk("pvpython", "off"), 0.005)
 
-    def test_batch_shows_what_vtk_draws(self):
+    def test_batch_equals_vtk(self):
         self.assertGreater(self.check_same_as_vtk("pvbatch", "balanced"), 0.3)
 
 
 class Representations(Base):
-    def test_what_a_view_can_show(self):
+    def test_representations_and_settings(self):
         text = self.run_script("pvpython", "representations.py", self.folder)
         cases = re.findall(r"(\w+): off ([\d.]+) balanced_changes ([\d.]+) after ([\d.]+)", text)
         self.assertGreaterEqual(len(cases), 20)
@@ -105,7 +105,7 @@ class Representations(Base):
             with self.subTest(name):
                 self.assertGreaterEqual(float(off), 0.995)
                 self.assertEqual(float(after), 1.0)
-                # Without any light there is nothing to shade.
+                # Without a light nothing is shaded.
                 self.assertGreater(float(changed), -1.0 if name == "no_light_kit" else 0.02)
 
 
@@ -135,14 +135,14 @@ class Screenshots(Base):
         self.assertEqual(within(same, again, 0), 1.0)
         tiled, whole = picture(self.folder / "tiled.png"), picture(self.folder / "whole.png")
         self.assertEqual(tiled.shape[:2], (3 * same.shape[0], 3 * same.shape[1]))
-        # ParaView smooths edges in each tile by itself.
+        # ParaView smooths edges in each tile separately.
         self.assertGreaterEqual(within(tiled, whole), 0.995)
         clear = picture(self.folder / "transparent.png")
         self.assertEqual(clear.shape[2], 4)
-        opaque, open_ = clear[..., 3] == 255, clear[..., 3] == 0
+        opaque, empty = clear[..., 3] == 255, clear[..., 3] == 0
         self.assertGreater(opaque.mean(), 0.5)
-        self.assertGreater(open_.mean(), 0.2)
-        self.assertLess(1 - opaque.mean() - open_.mean(), 0.03)  # smoothed edges
+        self.assertGreater(empty.mean(), 0.2)
+        self.assertLess(1 - opaque.mean() - empty.mean(), 0.03)  # smoothed edges
         difference = numpy.abs(clear[..., :3] - same[..., :3]).max(axis=2)
         self.assertGreaterEqual((difference[opaque] <= 2).mean(), 0.98)
         red, green, blue = numpy.moveaxis(picture(self.folder / "chart.png")[..., :3], 2, 0)
@@ -156,7 +156,7 @@ class Screenshots(Base):
 
 
 class Session(Base):
-    """What else one does with a view while global illumination is on; a process of ParaView for all of it."""
+    """Other uses of a view with global illumination, in one process of ParaView."""
 
     def test_session(self):
         text = self.run_script("pvpython", "session.py", self.folder)
@@ -171,25 +171,25 @@ class Session(Base):
 
 
 class Baked(Base):
-    def test_probes_are_baked_kept_and_checked(self):
+    def test_probes_are_baked_written_and_checked(self):
         text = self.run_script("pvpython", "baked.py", "bake", self.folder)
         self.assertRegex(text, "to a folder: .* cannot be written")
-        self.assertIn("beside it: what the command line tool resumes", text)
+        self.assertIn("partial bake: a bake that the command can resume", text)
         self.assertGreater(self.number("changed", text), 0.1)
         text = self.run_script("pvpython", "baked.py", "load", self.folder)
         self.assertEqual(within(picture(self.folder / "bake.png"), picture(self.folder / "load.png"), 0), 1.0)
         self.assertIn("problem with it: none", text)
         self.check_sentences(text, "does not exist", "holds no baked light", "' is damaged")
         self.assertEqual([float(share) for share in re.findall(r"(?:unlit|again|state) ([\d.]+)", text)], [1.0] * 5)
-        self.assertIn("light ", self.messages)  # what no longer fits the bake
+        self.assertIn("light ", self.messages)  # the change that no longer fits the bake
 
     def check_sentences(self, text, *sentences):
         for sentence in sentences:
             self.assertRegex(text, f"problem: .*{sentence}")
-            self.assertEqual(self.messages.count(sentence), 2, self.messages)  # to the user, and in the property
+            self.assertEqual(self.messages.count(sentence), 2, self.messages)  # as a message, and in the property
 
     @unittest.skipUnless(os.environ.get("PENUMBRA_COMMAND"), "needs the command penumbra, which bakes lightmaps")
-    def test_a_lightmap_of_the_command_fits_the_same_files(self):
+    def test_a_lightmap_of_the_command_lights_the_same_files(self):
         text = self.run_script("pvpython", "lightmap.py", self.folder, os.environ["PENUMBRA_COMMAND"])
         self.assertIn("problem with it: none", text)
         self.assertGreater(self.number("changed", text), 0.1)
@@ -197,7 +197,7 @@ class Baked(Base):
         self.check_sentences(text, "does not exist", "holds no baked light", "' is damaged", "penumbra bake convert")
         self.assertEqual([float(share) for share in re.findall(r"(?:unlit|again) ([\d.]+)", text)], [1.0] * 5)
         self.assertIn("the lightmap no longer fits: 'floor' changed its look since the bake", self.messages)
-        self.assertIn("problem with other data: none", text)  # which the note tells
+        self.assertIn("problem with other data: none", text)  # the pass's note reports it
 
 
 class States(Base):
@@ -235,8 +235,8 @@ class Server(Base):
         self.assertGreaterEqual(share, 0.995)
 
     def wait_for_server(self, server, log):
-        until = time.monotonic() + STUCK
-        while time.monotonic() < until:
+        deadline = time.monotonic() + TIMEOUT
+        while time.monotonic() < deadline:
             if "Connection URL" in log.read_text():
                 return
             self.assertIsNone(server.poll(), log.read_text())
@@ -249,11 +249,11 @@ class Ranks(Base):
         for count, name in ((1, "one"), (2, "two")):
             program = f"mpirun --oversubscribe -n {count} pvbatch" if count > 1 else "pvbatch"
             text = self.run_script(program, "ranks.py", self.folder / name, 100)
-            said = self.messages.count("stop at the boundaries")
-            self.assertEqual(said, 1 if count > 1 else 0, text)
+            warnings = self.messages.count("stop at the boundaries")
+            self.assertEqual(warnings, 1 if count > 1 else 0, text)
             if count > 1:
                 self.check_refusal(text)
-        # Direct light needs nothing of the other rank; what is left is the blending of edges before compositing.
+        # Direct light does not depend on the other rank. Edges differ, as they are blended before compositing.
         for name, limit in (("plain", 0.995), ("direct", 0.995), ("after", 0.995)):
             share = within(picture(self.folder / f"one_{name}.png"), picture(self.folder / f"two_{name}.png"))
             print(f"{name} {share:.5f}")
@@ -261,13 +261,20 @@ class Ranks(Base):
 
 
 class Switching(Base):
-    def test_switching_leaves_nothing_behind(self):
+    def test_switching_frees_all_resources(self):
         text = self.run_script("pvpython", "toggles.py", 200)
         for kind in ("Texture", "Buffer", "Framebuffer", "Program"):
             self.assertLessEqual(self.number(kind, text), 0)
         self.assertLess(self.number("megabytes", text), 8)
         self.assertEqual(self.number("lit_equal", text), 1.0)
         self.assertEqual(self.number("plain_equal", text), 1.0)
+
+    def test_a_view_older_than_the_plugin(self):
+        text = self.run_script("pvpython", "older_view.py")
+        self.assertIn("has properties: False", text)
+        self.assertGreater(self.number("changed", text), 0.1)
+        self.assertEqual(self.number("as_a_new_view", text), 1.0)
+        self.assertEqual(self.number("off_again", text), 1.0)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's own window on a display that is not seen: the switch, the presets and the parameters in its panel."""
+"""ParaView's window on a virtual display: the switch, the presets and the parameters in its panel."""
 import importlib.util
 import json
 import os
@@ -10,31 +10,31 @@ import subprocess
 import sys
 import unittest
 
-from test_paraview import ENVIRONMENT, HERE, PLUGIN, STUCK, Base
+from test_paraview import ENVIRONMENT, HERE, PLUGIN, TIMEOUT, Base
 
 SCENES = HERE.parent.parent / "examples" / "scenes.py"
 
 
 def qt_for_python():
-    """The package that goes with the Qt that ParaView is made with."""
+    """Name of the Python package for ParaView's version of Qt."""
     paraview = shutil.which("paraview")
     libraries = subprocess.run(["ldd", paraview], capture_output=True, text=True).stdout if paraview else ""
     return "PyQt6" if "libQt6Core" in libraries else "PyQt5"
 
 
 def missing():
-    """What is not installed of what the window needs, or ''."""
+    """Programs and packages that the test needs and that are not installed, or ''."""
     programs = [program for program in ("Xvfb", "paraview") if shutil.which(program) is None]
     modules = [module for module in (qt_for_python(),) if importlib.util.find_spec(module) is None]
     return ", ".join(programs + modules)
 
 
 def write_terrain(path):
-    """A real landscape, as the demo shows it."""
+    """Write the demo's landscape to a file."""
     spec = importlib.util.spec_from_file_location("demo_scenes", SCENES)
     scenes = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(scenes)
-    from vtkmodules import vtkRenderingOpenGL2  # noqa: F401 makes actors
+    from vtkmodules import vtkRenderingOpenGL2  # noqa: F401 implements actors
     from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
     renderer = scenes.terrain()
     writer = vtkXMLPolyDataWriter()
@@ -45,7 +45,7 @@ def write_terrain(path):
 
 
 class Display:
-    """A display of its own, for as long as the block lasts; gives its name."""
+    """A virtual display for the duration of a with block, which gets its name."""
 
     def __enter__(self):
         read, write = os.pipe()
@@ -78,23 +78,23 @@ class Window(Base):
                 "PV_PLUGIN_CONFIG_FILE": str(plugins), "PENUMBRA_WINDOW_DATA": str(data),
                 "PENUMBRA_WINDOW_OUTPUT": str(self.folder)}
             command = ["paraview", "--disable-registry", f"--script={HERE / 'window.py'}"]
-            done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=STUCK)
-        self.messages = done.stdout + done.stderr
+            process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=TIMEOUT)
+        self.messages = process.stdout + process.stderr
         result = json.loads((self.folder / "result.json").read_text())
         self.assertNotIn("failed", result, result.get("failed"))
-        self.assertEqual(done.returncode, 0, self.messages)
+        self.assertEqual(process.returncode, 0, self.messages)
         return result
 
-    def test_the_panel_switches_and_tunes(self):
+    def test_the_panel_sets_switches_and_parameters(self):
         found = self.open_window()
         print(json.dumps(found, indent=1))
-        for complaint in ("ERR|", "WARN|", "ERROR", "Traceback"):
-            self.assertNotIn(complaint, self.messages + found["messages"])
-        # Said once, when probes are switched on that are not baked yet; nothing else is.
+        for word in ("ERR|", "WARN|", "ERROR", "Traceback"):
+            self.assertNotIn(word, self.messages + found["messages"])
+        # The only message: probes were switched on before they were baked.
         self.assertRegex(found["messages"].strip(), "^Penumbra: the probes are on without a bake[^\\n]*$")
         self.assertTrue(found["has properties"])
-        self.assertEqual(found["switch says"], "Global illumination")
-        # Off, the panel has the switch alone; on, what there is to switch; parameters are advanced ones.
+        self.assertEqual(found["label of the switch"], "Global illumination")
+        # If off, the panel shows only the switch; if on, the techniques' switches too. Parameters are advanced properties.
         self.assertEqual(found["rows when off"], ["GlobalIllumination"])
         self.assertIn("GIPreset", found["rows when on"])
         self.assertIn("GIShadowMaps", found["rows when on"])
@@ -103,21 +103,21 @@ class Window(Base):
         self.assertGreaterEqual(found["as enable() draws"], 0.995)
         self.assertTrue(found["switch follows enable()"])
         self.assertEqual(found["preset high"], {"resolution": [2048, 4096], "samples": 64, "reflections": [1, True],
-                                                "box goes back": "choose"})
+                                                "box returns to": "choose"})
         self.assertGreaterEqual(found["as enable() draws high"], 0.999)
         self.assertIn("GIShadowMapsSlopeBias", found["advanced rows"])
-        self.assertNotIn("GIPathTracingSamples", found["advanced rows"])  # of a technique that is off
+        self.assertNotIn("GIPathTracingSamples", found["advanced rows"])  # its technique is off
         self.assertIn("Unit: texels", found["tooltip"])
         self.assertEqual(found["off again"], 1)
-        self.assertEqual(max(found["too narrow by"]), 0)
+        self.assertEqual(max(found["horizontal overflow"]), 0)
         self.assertFalse(found["problem with probes"])
-        # What the panel did is recorded, and played by another process.
+        # The trace of the changes in the panel works in another process.
         self.assertIn("renderView1.GIShadowMapsResolution = 512", found["recorded"])
         played = self.folder / "played.py"
         played.write_text("import penumbra.paraview\n" + (self.folder / "recorded.py").read_text() +
-                          "\nprint('plays', renderView1.GIShadowMapsResolution, renderView1.GIAmbientOcclusionSamples,"
+                          "\nprint('result', renderView1.GIShadowMapsResolution, renderView1.GIAmbientOcclusionSamples,"
                           " renderView1.GIAmbientOcclusionMethod)\n")
-        self.assertIn("plays 512 64 'hemisphere'", self.run_script("pvpython", played))
+        self.assertIn("result 512 64 'hemisphere'", self.run_script("pvpython", played))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by pvpython: global illumination switched 200 times on a view made before the plugin was loaded, then every
-technique; prints what memory and OpenGL objects grew by.
+"""Run by pvpython: switch global illumination on and off COUNT times, then all techniques. Prints the growth of memory and of
+OpenGL objects.
 
 usage: toggles.py COUNT
 """
@@ -17,7 +17,7 @@ HIGHEST_NAME = 100000  # drivers may give each object a new name
 
 
 def objects():
-    """How many OpenGL objects of each kind there are."""
+    """Number of OpenGL objects of each kind."""
     view.GetRenderWindow().MakeCurrent()
     library = ctypes.CDLL("libGL.so.1")
     found = {}
@@ -29,7 +29,7 @@ def objects():
 
 
 def resident():
-    ctypes.CDLL("libc.so.6").malloc_trim(0)  # what is free is given back
+    ctypes.CDLL("libc.so.6").malloc_trim(0)  # return free memory to the system
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * 4096 / 2**20
 
@@ -63,14 +63,14 @@ def techniques():
 
 first, _ = cycle()
 techniques()
-before, taken = objects(), []
+before, sizes = objects(), []
 for _ in range(count):
     last, after_off = cycle()
-    taken.append(resident())
+    sizes.append(resident())
 techniques()
-grown = {kind: now - before[kind] for kind, now in objects().items()}
-# Pools of the allocator and the driver reach their size in the first quarter; what is taken at least in the second
-# and in the last tells of growth.
+grown = {kind: count - before[kind] for kind, count in objects().items()}
+# Pools of the allocator and the driver reach their size in the first quarter, so the minimum of the second quarter is
+# compared with that of the last one.
 quarter = max(count // 4, 1)
-print("grown", grown, "megabytes", round(min(taken[-quarter:]) - min(taken[quarter:2 * quarter]), 1))
+print("grown", grown, "megabytes", round(min(sizes[-quarter:]) - min(sizes[quarter:2 * quarter]), 1))
 print("lit_equal", scenes.within(first, last, 0), "plain_equal", scenes.within(plain, after_off, 0))

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by ParaView's own window (paraview --script): global illumination by the panel, with mouse and keyboard.
+"""Run by ParaView's window (paraview --script): use global illumination in the panel, with mouse and keyboard.
 
 environment: PENUMBRA_WINDOW_DATA, a file with polygons; PENUMBRA_WINDOW_OUTPUT, a folder for pictures and for
-result.json, what was found or what went wrong.
+result.json, with the findings or the error.
 
-Each step is a generator that yields seconds for which the window works by itself: ParaView records traces by Python
-from its own event loop, which must not be run from here.
+Steps are generators that yield seconds during which the window's event loop runs. ParaView records traces with Python from
+this loop, so it must not be run from here.
 """
 import json
 import os
@@ -16,9 +16,9 @@ import traceback
 
 import scenes
 from paraview import simple, smtrace
-from penumbra.paraview import disable, enable  # loads nothing: the plugin is there
+from penumbra.paraview import disable, enable  # the plugin is loaded already
 
-# The one that goes with the Qt that this ParaView is made with.
+# The package for this ParaView's version of Qt.
 if "libQt6Core" in pathlib.Path("/proc/self/maps").read_text(encoding="utf-8"):
     from PyQt6.QtCore import QPoint, Qt, QTimer
     from PyQt6.QtTest import QTest
@@ -31,27 +31,27 @@ else:
                                  QPlainTextEdit, QPushButton, QScrollArea, QTextEdit, QToolButton, QWidget)
 
 FOLDER = pathlib.Path(os.environ["PENUMBRA_WINDOW_OUTPUT"])
-PATIENCE = 600  # seconds for what takes a fraction of one on an idle machine
+TIMEOUT = 600  # seconds; an idle machine needs a fraction of one
 RESULT = {}
 
 
-def wait(what, condition):
-    end = time.monotonic() + PATIENCE
+def wait(event, condition):
+    end = time.monotonic() + TIMEOUT
     while not condition():
         if time.monotonic() > end:
-            raise AssertionError(f"in {PATIENCE} s it did not happen: {what}")
+            raise AssertionError(f"did not happen within {TIMEOUT} s: {event}")
         yield 0.1
 
 
 class Panel:
-    """The properties of the active view, as one sees and touches them."""
+    """The properties panel of the active view, as a user operates it."""
 
     def __init__(self, window):
         self.panel = window.findChild(QWidget, "propertiesPanel")
         self.area = self.panel.findChild(QScrollArea, "scrollArea")
 
     def widget(self, name, kind):
-        """The part of a property's row that is of a kind: a box to check, one to choose from, a line to write in."""
+        """The widget of a given class in a property's row."""
         row = self.panel.findChild(QWidget, name)
         if row is None:
             raise AssertionError(f"the panel has no row '{name}'")
@@ -64,7 +64,7 @@ class Panel:
         yield 0.2
 
     def choose(self, name, text):
-        """Open a box of choices and click one."""
+        """Open a combo box and click an entry."""
         box = self.widget(name, QComboBox)
         self.area.ensureWidgetVisible(box)
         box.showPopup()
@@ -87,7 +87,7 @@ class Panel:
         return self.click(self.panel.findChild(QToolButton, "AdvancedButton"))
 
     def visible(self):
-        """Names of our rows that one sees, wherever the panel is scrolled to."""
+        """Names of our visible rows, scrolled into view or not."""
         return {row.objectName() for row in self.panel.findChildren(QWidget)
                 if row.objectName().startswith(("GI", "GlobalIllumination")) and row.isVisibleTo(self.area.widget())}
 
@@ -96,7 +96,7 @@ class Panel:
                 if ("lobal illumination" in label.text() or "GI: " in label.text()) and label.isVisibleTo(self.area.widget())}
 
     def overhang(self):
-        """Pixels that the panel is too narrow for."""
+        """Pixels by which the content is wider than the panel."""
         return self.area.horizontalScrollBar().maximum()
 
 
@@ -106,12 +106,12 @@ def photograph(window, name):
 
 
 def screenshot(view):
-    """What the view draws anew, whatever its averages hold."""
+    """Screenshot of the view, which does not depend on earlier averages."""
     return scenes.saved(view, FOLDER / "screenshot.png", view.ViewSize)
 
 
 def scene(view):
-    """A landscape under a lamp that stands, seen from the south."""
+    """Show a landscape under a fixed light, seen from the south."""
     simple._DisableFirstRenderCameraReset()
     surface = simple.OpenDataFile(os.environ["PENUMBRA_WINDOW_DATA"])
     display = simple.Show(surface, view)
@@ -156,7 +156,7 @@ def steps():
     yield from photograph(window, "off")
 
     switch = panel.widget("GlobalIllumination", QCheckBox)
-    RESULT["switch says"] = switch.text()
+    RESULT["label of the switch"] = switch.text()
     yield from panel.click(switch)
     yield from wait("the picture changes as the switch is clicked", lambda: scenes.within(scenes.capture(view), plain) < 0.9)
     yield 1
@@ -186,10 +186,10 @@ def steps():
     RESULT["preset high"] = {
         "resolution": [before, resolution()], "samples": view.GIAmbientOcclusionSamples,
         "reflections": [view.GIScreenSpaceReflections, panel.widget("GIScreenSpaceReflections", QCheckBox).isChecked()],
-        "box goes back": panel.widget("GIPreset", QComboBox).currentText()}
+        "box returns to": panel.widget("GIPreset", QComboBox).currentText()}
     view.GIDDGIProbes, view.GIDDGIUpdates = 64, 4
     for _ in range(5):
-        simple.Render(view)  # then the probes rest
+        simple.Render(view)  # until the probes have converged
     high = screenshot(view)
     enable(view, "high", ddgi__probes=64, ddgi__updates=4)
     RESULT["as enable() draws high"] = scenes.within(screenshot(view), high)
@@ -200,18 +200,18 @@ def steps():
     RESULT["advanced rows"] = sorted(panel.visible() - switched)
     RESULT["titles"] = sorted(panel.titles())
     yield from panel.write("GIShadowMapsResolution", "512")
-    yield from wait("a number that is written is taken", lambda: resolution() == 512)
+    yield from wait("an entered number is set", lambda: resolution() == 512)
     yield from panel.choose("GIAmbientOcclusionMethod", "hemisphere")
-    yield from wait("a choice is taken", lambda: view.GIAmbientOcclusionMethod == "hemisphere")
+    yield from wait("a chosen entry is set", lambda: view.GIAmbientOcclusionMethod == "hemisphere")
     trace = smtrace.stop_trace()
     (FOLDER / "recorded.py").write_text(trace)
     RESULT["recorded"] = [line.strip() for line in trace.splitlines() if ".GI" in line]
     RESULT["tooltip"] = panel.widget("GIShadowMapsSlopeBias", QWidget).toolTip()
-    RESULT["too narrow by"] = [narrow, panel.overhang()]
+    RESULT["horizontal overflow"] = [narrow, panel.overhang()]
     panel.area.ensureWidgetVisible(panel.widget("GIShadowMapsFilterRadius", QWidget))
     yield from photograph(window, "advanced")
 
-    yield from panel.click(panel.widget("GIDDGI", QCheckBox))  # it would go before baked probes
+    yield from panel.click(panel.widget("GIDDGI", QCheckBox))  # DDGI would take precedence over baked probes
     yield from panel.click(panel.widget("GISHProbes", QCheckBox))
     yield from panel.write("GISHProbesCount", "60")
     yield from panel.write("GISHProbesSamples", "16")
@@ -228,12 +228,12 @@ def steps():
     disable(view)
     simple.Render(view)
     RESULT["off again"] = scenes.within(scenes.capture(view), plain, 0)
-    said = window.findChild(QWidget, "outputWidgetDock")
-    RESULT["messages"] = "".join(text.toPlainText() for kind in (QPlainTextEdit, QTextEdit) for text in said.findChildren(kind))
+    output = window.findChild(QWidget, "outputWidgetDock")
+    RESULT["messages"] = "".join(text.toPlainText() for kind in (QPlainTextEdit, QTextEdit) for text in output.findChildren(kind))
 
 
 def run(remaining):
-    """The next step, and the one after it when the window has worked; the window closes after the last."""
+    """Run the next step, then the remaining ones after the event loop has run. Closes the window after the last one."""
     try:
         QTimer.singleShot(int(1000 * next(remaining)), lambda: run(remaining))
         return

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shadow maps of lights with a size, and of such without, against rays to the same lights.
+"""Measure errors of shadow maps against ray-traced shadows for lights with a size, with and without soft shadows.
 
 usage: measure_soft_shadows.py [--size WxH] [--frames N] [SCENE...]
 """
@@ -14,9 +14,9 @@ import penumbra
 import shadow_masks
 from PIL import Image
 
-EPSILON = 1e-2  # of relMSE, beside squared radiance
+EPSILON = 1e-2  # of relMSE, in units of squared radiance
 ANGLE = 6.0  # degrees
-RADIUS = 0.04  # of the scene's diagonal
+RADIUS = 0.04  # in diagonals of the scene
 
 
 def measure(name, kind, options):
@@ -46,11 +46,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("scenes", nargs="*", default=list(shadow_masks.scenes.SCENES))
     parser.add_argument("--size", default="480x270")
-    parser.add_argument("--frames", type=int, default=8, help="still frames averaged")
+    parser.add_argument("--frames", type=int, default=8, help="number of averaged frames")
     parser.add_argument("--lights", nargs="*", default=["directional", "omnidirectional"])
-    parser.add_argument("--pictures", help="folder for pictures: rays, plain filter, penumbrae")
+    parser.add_argument("--pictures", help="folder for pictures: rays, maps without and with the light's size")
     options = parser.parse_args()
-    print(f"relMSE (epsilon {EPSILON}) against rays, of shadow maps without and with the light's size:")
+    print(f"relMSE (epsilon {EPSILON}) of shadow maps without and with the light's size, against rays:")
     print(f"{'scene':8} {'light':16} {'plain':>12} {'with size':>12} {'ratio':>8}")
     for name in options.scenes:
         for kind in options.lights:

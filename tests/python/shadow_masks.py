@@ -1,23 +1,23 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What of a light reaches each pixel of the demo's scenes, by shadow maps and by rays."""
+"""Visibility of a light in each pixel of the demo's scenes, by shadow maps and by rays."""
 import pathlib
 import sys
 
 import numpy as np
 import penumbra
-from penumbra.shadow_bias.bench import positions  # noqa: F401 the tests' too
+from penumbra.shadow_bias.bench import positions  # noqa: F401 also for the tests
 from scipy.spatial import cKDTree
 from vtkmodules.vtkRenderingCore import vtkLight
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
-import scenes  # noqa: E402 the demo's
+import scenes  # noqa: E402 the demo's scenes
 
 LIGHTS = ("directional", "cone", "omnidirectional", "camera")
 
 
 def one_light(renderer, kind):
-    """Take the scene's key light, or one of another kind at a place like its, as the only light."""
+    """Replace the scene's lights by one light of a kind, in the direction of the key light."""
     key = next(light for light in renderer.GetLights() if not light.LightTypeIsHeadlight())
     toward = np.subtract(key.GetPosition(), key.GetFocalPoint())
     bounds = np.reshape(renderer.ComputeVisiblePropBounds(), (3, 2))
@@ -33,7 +33,7 @@ def one_light(renderer, kind):
     else:
         light.SetLightTypeToSceneLight()
         light.SetFocalPoint(focus)
-        # Outside of the scene, yet near enough for shadows to spread.
+        # Outside the scene, but close enough for diverging shadows.
         light.SetPosition(focus + toward / np.linalg.norm(toward) * size * 0.75)
         light.SetPositional(kind != "directional")
         light.SetConeAngle({"cone": 40.0}.get(kind, 180.0))
@@ -42,7 +42,7 @@ def one_light(renderer, kind):
 
 
 class Shot:
-    """The mean radiance of still frames of a renderer with one technique."""
+    """Mean radiance of still frames of a renderer with one technique, or without any."""
 
     def __init__(self, renderer, window, technique=None, frames=1, **values):
         gi = penumbra.vtkGIPass()
@@ -63,7 +63,7 @@ class Shot:
 
 
 def across(light, points, bounds, resolution):
-    """Places of points across the light, in texels of a map that holds the scene."""
+    """Positions of points perpendicular to the light, in texels of a map that contains the scene."""
     origin = np.array(light.GetTransformedPosition())
     axis = np.array(light.GetTransformedFocalPoint()) - origin
     axis /= np.linalg.norm(axis)
@@ -74,7 +74,7 @@ def across(light, points, bounds, resolution):
         corners = np.array(np.meshgrid(*bounds)).reshape(3, -1).T @ basis.T
         texel = (corners.max(axis=0) - corners.min(axis=0)).max() / resolution
         return points @ basis.T / texel
-    # Of the unit sphere around the light; the maps of a lamp are half as wide.
+    # Positions on the unit sphere around the light. The six maps of an omnidirectional light are half as wide.
     cone = light.GetConeAngle() < 60
     texel = 2 * np.tan(np.radians(light.GetConeAngle())) / resolution if cone else 4 / resolution
     toward = points - origin
@@ -82,12 +82,12 @@ def across(light, points, bounds, resolution):
 
 
 def compare(rays, maps, lit, world, light, bounds, resolution, band=1.5, difference=0.5):
-    """Pixels in the light's reach, and of those the ones whose masks differ by more than a share of the
-    light, in all, and outside of a band of so many texels or pixels around where the rays' shadows end."""
+    """Number of pixels that face the light, number of those whose masks differ by more than a share of the light, those of
+    them outside a band (in texels or pixels) along the edges of ray-traced shadows, and the ray-traced shadows."""
     shadow = rays < 0.5
     edge = np.zeros_like(shadow)
     for axis in (0, 1):
-        # Depth breaks off there too: the texels behind the rim show the other surface.
+        # Depth is discontinuous there too: the texels beyond the edge show the other surface.
         change = np.diff(shadow.astype(int), axis=axis) != 0
         first = [slice(None)] * 2
         second = [slice(None)] * 2

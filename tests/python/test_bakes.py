@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of baked light: what Python writes it reads, and what was altered since it refuses."""
+"""Files of baked light: Python reads the files that it writes, and refuses files that were altered."""
 import pathlib
 import re
 import tempfile
@@ -71,12 +71,12 @@ class Probes(unittest.TestCase):
         self.assertFalse(technique.HasBake())
         self.assertFalse(technique.GetEnabled())
 
-    def test_no_more_than_can_be_shown(self):
+    def test_the_number_of_probes_is_limited(self):
         baker = penumbra.vtkGIProbeBaker()
         baker.SetProbes(2 ** 30)
         self.assertEqual(baker.GetProbes(), baker.MostProbes)
 
-    def test_what_was_written_is_read(self):
+    def test_written_files_are_read(self):
         for size in ((2, 2, 2), (1 / 3, 0.1, 2 ** 0.5), (1e-7 / 3, 7e-8, 9e-8), (1e6 / 7, 2e5 / 3, 1e6)):
             self.cube.SetXLength(size[0])
             self.cube.SetYLength(size[1])
@@ -100,7 +100,7 @@ class Probes(unittest.TestCase):
             values.flat[-1] = 1 - (values.flat[-1] != 0)
             write(field, altered)
             self.refused(altered, "checksum")
-        field.GetFieldData().RemoveArray("checksum")  # as earlier versions wrote them
+        field.GetFieldData().RemoveArray("checksum")  # as in files of earlier versions
         write(field, altered)
         self.assertTrue(penumbra.load_bake(self.gi, altered).HasBake())
 
@@ -120,7 +120,7 @@ class Probes(unittest.TestCase):
 
 
 class Lightmaps(unittest.TestCase):
-    """A floor whose light is made up, in memory and by way of a file."""
+    """A floor with random light, set directly and read from a file."""
 
     @classmethod
     def setUpClass(cls):
@@ -161,7 +161,7 @@ class Lightmaps(unittest.TestCase):
         self.assertTrue(file.Write(str(self.folder / name), bake), file.GetLastError())
         return self.folder / name
 
-    def test_what_was_written_is_read(self):
+    def test_written_files_are_read(self):
         for components in (3, 6, 12, 24):
             light, values = self.light(components)
             self.assertTrue(self.technique.SetBake(self.surfaces, light))

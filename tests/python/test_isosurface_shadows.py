@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shadow maps at their defaults on isosurfaces with smooth normals, against hard shadows by rays.
+"""Default shadow maps on isosurfaces with smooth normals, against hard ray-traced shadows.
 
-Where facets are coarse, their shading normals differ from their own, and a map that takes one for the
-other draws the facets as dirt on every slope. Three fields, each coarse, middle and fine, under three
-kinds of light.
+Normals of coarse facets differ from their shading normals, and maps that confuse the two draw acne on slopes. Tests three
+fields at coarse, middle and fine resolution, each with three kinds of light.
 
 usage: test_isosurface_shadows.py [--size WxH] [--pictures FOLDER] [FIELD...]
 """
@@ -25,14 +24,14 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
 LIMIT = 0.3  # percent of the pixels
-BAND = 1.5  # texels or pixels at edges left out
+BAND = 1.5  # texels or pixels along edges that are left out
 RESOLUTION = 2048  # the default
-# Light that is missing or too much: a filter's eighth is noise at an edge, a quarter is dirt on a slope.
+# Difference in light: an eighth is noise of the filter at an edge, a quarter is acne on a slope.
 DIFFERENCE = 0.25
 
 
 def wavelet(extent):
-    """ParaView's Wavelet, contoured where ParaView does."""
+    """ParaView's Wavelet and its default contour."""
     source = vtkRTAnalyticSource()
     source.SetWholeExtent(-extent, extent, -extent, extent, -extent, extent)
     contour = vtkFlyingEdges3D()
@@ -43,14 +42,14 @@ def wavelet(extent):
 
 
 def head(step):
-    """The demo's MRI head, every so many voxels of it."""
+    """The demo's MRI head, from every nth voxel."""
     volume = scenes.read_volume("ch2.nii.gz")
     skin = scenes.blur(np.where(scenes.filled(volume > 32), np.maximum(volume, 90), volume), 5) - 36
     return scenes.isosurface(skin[::step, ::step, ::step], 0, spacing=step)
 
 
 def gyroid(points):
-    """A thick sheet along a gyroid, cut by a ball."""
+    """A thick sheet along a gyroid, clipped by a ball."""
     axis = np.linspace(-1.5 * np.pi, 1.5 * np.pi, points)
     z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
     sheet = np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x) + 0.3
@@ -64,7 +63,7 @@ LIGHTS = ("directional", "positional", "spot")
 
 
 def stage(contour):
-    """A surface over a plane, seen from the side, and the cube that its lights are placed by."""
+    """A renderer with the surface above a plane, and the centre and size of the surface."""
     contour.Update()
     bounds = np.reshape(contour.GetOutput().GetBounds(), (3, 2))
     center = bounds.mean(axis=1)
@@ -89,7 +88,7 @@ def stage(contour):
 
 
 def place_light(renderer, kind, center, size):
-    """The only light of a stage, of a kind."""
+    """Replace the lights of a stage by one light of a kind."""
     renderer.RemoveAllLights()
     light = vtkLight()
     light.SetLightTypeToSceneLight()
@@ -102,7 +101,8 @@ def place_light(renderer, kind, center, size):
 
 
 def compare(renderer, window, light):
-    """Percent of the lit pixels that differ outside of the band at edges, and both masks."""
+    """Percentages of the pixels that face the light (differing ones, those outside the band along edges, too dark ones there),
+    both masks, and the pixels outside the band."""
     bare = shadow_masks.Shot(renderer, window).radiance
     world = shadow_masks.positions(renderer, window)
     lit = (bare > 0.02 * bare.max()) & ~np.isnan(world[..., 0])
@@ -124,7 +124,7 @@ def main():
                         help="folder for pictures of the masks")
     options = parser.parse_args()
     worst = 0.0
-    print("percent of the pixels that the light may reach:")
+    print("percent of the pixels that face the light:")
     print(f"{'field':8} {'facets':7} {'light':12} {'differ':>7} {'outside':>8} {'too dark':>9}")
     for name in options.fields:
         make, sizes = FIELDS[name]
@@ -142,7 +142,7 @@ def main():
                     picture[tuple(pixels.T)] = (255, 255, 0)
                     Image.fromarray(np.clip(picture, 0, 255).astype(np.uint8)).save(
                         pathlib.Path(options.pictures) / f"isosurface-{name}-{level}-{kind}.png")
-    print(f"worst outside of {BAND} texels or pixels at edges: {worst:.2f} %, at most {LIMIT} %")
+    print(f"worst outside {BAND} texels or pixels along edges: {worst:.2f} %, at most {LIMIT} %")
     return 0 if worst <= LIMIT else 1
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python package: what it switches, what it refuses, what it draws."""
+"""The Python package: switching techniques, errors, and drawing."""
 import pathlib
 import subprocess
 import sys
@@ -41,7 +41,7 @@ class Switching(unittest.TestCase):
                     self.assertLessEqual(parameter.minimum, parameter.default)
                     self.assertLessEqual(parameter.default, parameter.maximum)
 
-    def test_enable_sets_what_it_says(self):
+    def test_enable_sets_techniques_and_parameters(self):
         renderer = vtkRenderer()
         gi = penumbra.enable(renderer, "fast", on="shadow-maps", off=["ambient-occlusion"],
                              shadow_maps__resolution=512, **{"anti-aliasing.mode": "fxaa"})
@@ -52,14 +52,14 @@ class Switching(unittest.TestCase):
         self.assertEqual(gi.GetTechnique("shadow-maps").GetResolution(), 512)
         self.assertEqual(gi.GetTechnique("anti-aliasing").GetParameter("mode"), 2)
 
-    def test_enable_again_keeps_the_pass(self):
+    def test_second_enable_keeps_the_pass(self):
         renderer = vtkRenderer()
         self.assertIs(penumbra.enable(renderer), penumbra.enable(renderer, "high"))
         self.assertEqual(renderer.GetPass().GetPreset(), "high")
         penumbra.disable(renderer)
         self.assertIsNone(renderer.GetPass())
 
-    def test_window_means_its_renderers(self):
+    def test_enable_of_a_window(self):
         window, first, second, overlay = vtkRenderWindow(), vtkRenderer(), vtkRenderer(), vtkRenderer()
         window.SetNumberOfLayers(2)
         overlay.SetLayer(1)
@@ -70,7 +70,7 @@ class Switching(unittest.TestCase):
         self.assertIs(second.GetPass(), gi)
         self.assertIsNone(overlay.GetPass())
 
-    def test_saved_pictures_stand_alone(self):
+    def test_saved_pictures_do_not_depend_on_earlier_frames(self):
         def lit(colour):
             renderer = ball()
             other = ball().GetActors().GetLastActor()
@@ -148,7 +148,7 @@ class Drawing(unittest.TestCase):
             penumbra.radiance(penumbra.vtkGIPass(), renderer)
 
     def test_relative_error(self):
-        truth = np.array([1.0, 3.0])  # of mean 2: epsilon is 0.04
+        truth = np.array([1.0, 3.0])  # the mean is 2, so epsilon is 0.04
         error, mean = penumbra.relative_error([2.0, 3.0], truth)
         self.assertAlmostEqual(error, 0.5 / 1.04)
         self.assertAlmostEqual(mean, 0.25)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With direct light alone, rays draw the demo's scenes as the rasterizer does with hard shadows."""
+"""With direct light only, the path tracer and the rasterizer with hard shadows draw the same pictures of the demo's scenes."""
 import os
 import pathlib
 import sys
@@ -13,7 +13,7 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
-import scenes  # noqa: E402 the demo's
+import scenes  # noqa: E402 the demo's scenes
 
 WIDTH, HEIGHT = 480, 360
 
@@ -42,8 +42,8 @@ def parameters(gi, technique, **values):
 
 
 class Reference(unittest.TestCase):
-    def agrees(self, name, maps):
-        """maps: the least share of pixels for shadow maps; rays need no more than 99 %."""
+    def check_agreement(self, name, maps):
+        """maps: minimum share of equal pixels for shadow maps; for rays it is 99 %."""
         renderer = scenes.SCENES[name][1]()
         window = vtkRenderWindow()
         window.SetSize(WIDTH, HEIGHT)
@@ -53,10 +53,10 @@ class Reference(unittest.TestCase):
         parameters(rays, "path-tracing", bounces=0, samples=1)
         renderer.SetPass(rays)
         reference = grab(window, f"{name}-reference")
-        for technique, least, values in (
+        for technique, minimum, values in (
                 ("ray-traced-shadows", 0.99, {"light_angle": 0}),
-                # Rays arrive on the round surface that the normals stand for; maps this fine would show
-                # the shadows that its facets cast on themselves, but for a texel's bias.
+                # Rays end on the smooth surface of the shading normals. Maps of this resolution would show shadows
+                # of facets on themselves without a bias of one texel.
                 ("shadow-maps", maps, {"resolution": 8192, "filter_radius": 0, "constant_bias": 1,
                                        "slope_bias": 1, "normal_bias": 1})):
             raster = penumbra.vtkGIPass()
@@ -65,18 +65,17 @@ class Reference(unittest.TestCase):
             shadowed = grab(window, f"{name}-{technique}")
             within = (np.abs(shadowed - reference).max(axis=2) <= 2).mean()
             print(f"{name}, {technique}: {100 * within:.2f} % of the pixels within 2/255")
-            self.assertGreaterEqual(within, least)
+            self.assertGreaterEqual(within, minimum)
 
     def test_head(self):
-        self.agrees("head", 0.99)
+        self.check_agreement("head", 0.99)
 
     def test_protein(self):
-        self.agrees("protein", 0.99)
+        self.check_agreement("protein", 0.99)
 
     def test_terrain(self):
-        # One map for the whole landscape moves the rims of shadows by up to a pixel, and the picture
-        # is full of rims.
-        self.agrees("terrain", 0.96)
+        # A single map of the whole landscape moves edges of shadows by up to a pixel, and there are many edges.
+        self.check_agreement("terrain", 0.96)
 
 
 if __name__ == "__main__":

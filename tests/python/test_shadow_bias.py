@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The bias laboratory: its measures of masks made by hand, its numbers where they are known, its files, its sentences."""
+"""The bias laboratory: its measures of constructed masks, its results in scenes with known values, its files and messages."""
 import contextlib
 import io
 import json
@@ -20,18 +20,18 @@ from PIL import Image
 from vtkmodules.vtkRenderingCore import vtkLight
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "examples"))
-import shadow_bias as scenes  # noqa: E402 the example's
+import shadow_bias as scenes  # noqa: E402 the example's scene
 
 WIDTH, HEIGHT = 80, 40
-PIXEL, TEXELS = 0.25, 0.5  # a pixel's width in world units and in texels
-WALL, SHADOW_END = 20, 50  # the column of what stands on the floor and is turned away; the first lit one behind it
-THICKNESS = 0.02  # of the board
-# Maps as they are without what keeps depths of the receiver's own surface apart: the laboratory is to find acne there.
+PIXEL, TEXELS = 0.25, 0.5  # width of a pixel in world units and in texels
+WALL, SHADOW_END = 20, 50  # column of a wall that faces away from the light; first lit column behind its shadow
+THICKNESS = 0.02  # thickness of the board
+# Maps without the receiver's plane and without a filter, in which the laboratory must find acne.
 NAIVE = {"shadow-maps.receiver-plane": "off", "shadow-maps.filter-radius": 0}
 
 
 def floor():
-    """Seen from straight above: lit, then a wall of one column, then its shadow, then lit again."""
+    """A floor from above: from left to right lit floor, a wall of one column, its shadow, and lit floor."""
     y, x = np.mgrid[:HEIGHT, :WIDTH]
     place = np.stack([x * PIXEL, y * PIXEL, 0.0 * x], axis=2)
     truth = np.where((x >= WALL) & (x < SHADOW_END), 0.0, 1.0)
@@ -49,39 +49,39 @@ def errors(view, mask, band=1.5):
 
 
 class Measures(unittest.TestCase):
-    def test_the_truth_has_no_error(self):
+    def test_the_reference_has_no_error(self):
         judge = Judge(floor(), floor().truth)
         found = judge.measure(floor().truth)
         self.assertEqual((found["acne"], found["leak"], found["gap"], judge.lost), (0, 0, 0, 0))
         self.assertEqual((judge.contact_points, judge.outline_points), (HEIGHT, HEIGHT))
 
-    def test_acne_is_the_share_of_the_light(self):
+    def test_acne_is_the_missing_share_of_light(self):
         mask = floor().truth
         y, x = np.mgrid[:HEIGHT, :WIDTH]
-        mask[(x + y) % 2 == 0] *= 0.75  # a quarter of the light, from every second of the lit pixels
+        mask[(x + y) % 2 == 0] *= 0.75  # removes a quarter of the light in every second lit pixel
         found = errors(floor(), mask)
         self.assertAlmostEqual(found["acne"], 0.125, 9)
         self.assertEqual(found["leak"], 0)
 
-    def test_where_it_is_dimmer_errors_weigh_less(self):
+    def test_errors_are_weighted_by_light(self):
         view = floor()
         view.light[:, :WALL] = 0.25
-        # The columns in front of the wall but the last three, and those behind the shadow but the first four.
+        # All columns in front of the wall except the last three, and behind the shadow except the first four.
         before, behind = 0.25 * (WALL - 3), WIDTH - SHADOW_END - 4
         self.assertAlmostEqual(errors(view, filled(view.truth, 0, WALL, 0))["acne"], before / (before + behind), 9)
-        # Contact leaks at one of ten points, which are as good as dark: less than a twentieth of the light.
+        # Contact leaks at one of ten points, but these points hold less than a twentieth of the light.
         mask = view.truth.copy()
         mask[::10, WALL + 1] = 1
         view.light[:, WALL + 1] = 1
         view.light[::10, WALL + 1] = 0.1
         self.assertEqual(errors(view, mask)["contact-gap"]["world"], 0)
         view.light[:] = 1
-        # A pixel by itself is dark on both sides: nearest begins the shadow there.
+        # A single pixel has dark neighbours on both sides, and the nearest counts as the start of the shadow.
         self.assertAlmostEqual(errors(view, mask)["contact-gap"]["world"], math.hypot(0.5, 0.5) * PIXEL, 9)
 
-    def test_edges_are_no_acne(self):
+    def test_edges_do_not_count_as_acne(self):
         view = floor()
-        # Three pixels are one texel and a half: within the band.
+        # Three pixels are one and a half texels, which is within the band.
         self.assertEqual(errors(view, filled(view.truth, SHADOW_END, SHADOW_END + 3, 0))["acne"], 0)
         wide = filled(view.truth, SHADOW_END, SHADOW_END + 6, 0)
         self.assertGreater(errors(view, wide)["acne"], 0)
@@ -101,29 +101,29 @@ class Measures(unittest.TestCase):
         self.assertAlmostEqual(found["gap"], 6 * TEXELS, 9)
         self.assertGreater(found["leak"], 0)
 
-    def test_stray_pixels_are_no_gap(self):
+    def test_stray_pixels_do_not_count_as_a_gap(self):
         mask = floor().truth
-        mask[7, WALL + 1] = 1  # one of forty points of contact
+        mask[7, WALL + 1] = 1  # one of forty contact points
         self.assertEqual(errors(floor(), mask)["contact-gap"]["world"], 0)
 
-    def test_a_shadow_that_is_gone_is_as_wide_as_it_was(self):
+    def test_a_missing_shadow_is_a_gap_of_its_width(self):
         found = errors(floor(), np.ones((HEIGHT, WIDTH)))
-        # No dark pixel is left to measure to: the patch's diagonal, from pixel centre to pixel centre.
+        # Without dark pixels, the gap is the diagonal of the shadow, between pixel centres.
         self.assertAlmostEqual(found["contact-gap"]["world"], math.hypot(SHADOW_END - WALL - 2, HEIGHT - 1) * PIXEL, 9)
         self.assertEqual(found["leak"], 1)
 
-    def test_what_the_map_cannot_show_counts_for_nothing(self):
+    def test_details_finer_than_the_map_do_not_count(self):
         view, unbiased = floor(), floor().truth
-        view.truth[10:12, 70] = 0  # a speck that the map misses at any bias
+        view.truth[10:12, 70] = 0  # a speck that the map misses with any bias
         judge = Judge(view, unbiased)
         self.assertEqual(judge.outline_points, HEIGHT)
         self.assertAlmostEqual(judge.lost, 2 / ((SHADOW_END - WALL - 1) * HEIGHT + 2), 9)
         found = judge.measure(unbiased)
         self.assertEqual((found["gap"], found["leak"]), (0, 0))
 
-    def test_what_hangs_in_the_air_touches_nothing(self):
+    def test_objects_above_the_floor_have_no_contact(self):
         view = floor()
-        view.place[:, WALL, 2] = 5  # seen before the floor, high above it
+        view.place[:, WALL, 2] = 5  # high above the floor
         judge = Judge(view, view.truth)
         self.assertEqual((judge.contact_points, judge.outline_points), (0, HEIGHT))
 
@@ -152,22 +152,22 @@ class Windows(unittest.TestCase):
         self.assertEqual(safe_window(samples((0.4, 0), (0.0009, 0.2), (0.0002, 0.5), (0, 0.8), (0, 1.1))),
                          {"low": 0.5, "high": 1.5, "reaches-end": False, "choice": 1.0})
 
-    def test_the_choice_is_as_far_from_acne_as_from_gaps(self):
-        # The best sample, the first, is next to acne.
+    def test_the_choice_is_between_acne_and_gaps(self):
+        # The best safe sample, the first one, is too close to acne.
         sweep = samples((0.4, 0), (0, 0.1), (0, 0.4), (0, 0.7), (0, 1.2))
         self.assertEqual((safe_window(sweep)["choice"], best(sweep)["bias"]), (1.0, 1.0))
-        # Without acne at the smallest bias there is nothing to keep away from.
+        # Without acne at the smallest bias, the smallest bias is the choice.
         self.assertEqual(safe_window(samples((0, 0), (0, 0.4), (0, 0.7), (0, 1.2)))["choice"], 0)
 
-    def test_the_limits_are_within(self):
+    def test_the_limits_are_inclusive(self):
         window = safe_window(samples((0.001, 1), (0.0011, 1), (0.001, 1.01)))
         self.assertEqual((window["low"], window["high"]), (0, 0))
 
-    def test_the_widest_of_two(self):
+    def test_the_wider_of_two_windows(self):
         self.assertEqual(safe_window(samples((0, 0.3), (0, 2), (0, 0.5), (0, 0.4), (0, 0.9))),
                          {"low": 1, "high": 2, "reaches-end": True, "choice": 1.5})
 
-    def test_none_still_has_a_nearest(self):
+    def test_without_a_window_the_best_sample_remains(self):
         sweep = samples((0.5, 0), (0.003, 1.5), (0.0015, 6))
         self.assertIsNone(safe_window(sweep))
         self.assertEqual(best(sweep)["bias"], 0.5)
@@ -184,8 +184,8 @@ class Windows(unittest.TestCase):
         for share, words in ((0, "0 %"), (1e-7, "under 0.001 %"), (0.00123, "0.12 %"), (0.1234, "12 %"), (1, "100 %")):
             self.assertEqual(percent(share), words)
 
-    def test_resolution_whose_texels_are_seen(self):
-        for width, resolution in ((0.5, 2048), (0.51, 1024), (4, 256), (1e9, 64)):  # at 0.5 a texel is two pixels already
+    def test_resolution_with_visible_texels(self):
+        for width, resolution in ((0.5, 2048), (0.51, 1024), (4, 256), (1e9, 64)):  # at 0.5 a texel already covers two pixels
             self.assertEqual(coarse_enough(width, 2048), resolution)
 
     def test_kinds_come_from_the_declared_parameters(self):
@@ -195,7 +195,7 @@ class Windows(unittest.TestCase):
 
 
 def board(*more):
-    """On a floor; the light comes from straight behind it, at 45 degrees."""
+    """A board on a floor, with light at 45 degrees from behind it."""
     return scenes.view([scenes.plane(4, (0.8, 0.8, 0.8)), scenes.box((0, 0, 0.5), (1.6, THICKNESS, 1), (0.8, 0.8, 0.8)),
                         *more], toward=(0, 1, 1), position=(0.4, -2.6, 2.2), focal=(0, -0.35, 0.1))
 
@@ -212,28 +212,28 @@ class Laboratory(unittest.TestCase):
     FINE = {"size": (360, 240), "resolution": 256, "shadow-maps.filter-radius": 0}
 
     def test_gap_of_a_board(self):
-        """Along a ray the board's far side is x / cos 45 + thickness / cos 45 before the floor at x: light leaks in up to
-        where that is the bias."""
+        """Along a ray, the floor at x lies x / cos 45 + thickness / cos 45 behind the board's far side. Light leaks up to the
+        x where this equals the bias."""
         numbers, _ = studied(board(), 4, 12, kinds=["constant"], **self.FINE)
         texel = numbers["texel-world"]
         self.assertGreater(numbers["edge-points"]["contact"], 50)
         for sample in numbers["sweeps"][0]["samples"]:
             expected = sample["bias"] * texel * math.cos(math.radians(45)) - THICKNESS
-            # The map knows the board's depth to half a texel, and the picture the edge to half a pixel.
+            # The map's depth of the board is accurate to half a texel, and the picture's edge to half a pixel.
             off = texel * (0.5 + 0.5 * numbers["pixel-texels"]) * math.sqrt(2)
             self.assertAlmostEqual(sample["contact-gap"]["world"], expected, delta=off, msg=sample)
             self.assertAlmostEqual(sample["contact-gap"]["texels"],
                                    expected * math.sin(math.radians(45)) / texel, delta=1, msg=sample)
 
     def test_outline_of_a_board(self):
-        """A bias along the normal lifts the floor by its sine; across the light, by its sine again."""
+        """A normal bias lifts the floor by its product with the sine, and perpendicular to the light by the sine squared."""
         numbers, _ = studied(board(), 3, 9, kinds=["normal"], **self.FINE)
         for sample in numbers["sweeps"][0]["samples"]:
             expected = sample["bias"] * math.sin(math.radians(45)) ** 2
             self.assertAlmostEqual(sample["outline-gap"]["texels"], expected, delta=1, msg=sample)
             self.assertLess(sample["contact-gap"]["texels"], 1, sample)
 
-    def test_the_receivers_plane(self):
+    def test_receiver_plane(self):
         with_plane, _ = studied(board(), 0.5, 1, 2, ["slope"])
         without, _ = studied(board(), 0.5, 1, 2, ["slope"], **{"shadow-maps.receiver-plane": "off"})
         for a, b in zip(with_plane["sweeps"][0]["samples"], without["sweeps"][0]["samples"]):
@@ -275,7 +275,7 @@ class Laboratory(unittest.TestCase):
 
     def test_the_strongest_of_several_lights(self):
         quick = {"kinds": ["constant"]}
-        alone, _ = studied(board(), **quick)
+        single, _ = studied(board(), **quick)
         renderer = board()
         scenes.headlight(renderer, 0.5)
         weak = vtkLight()
@@ -284,11 +284,11 @@ class Laboratory(unittest.TestCase):
         renderer.AddLight(weak)
         lit, bench = studied(renderer, **quick)
         self.assertEqual(bench.other_lights, 1)
-        for a, b in zip(alone["sweeps"][0]["samples"], lit["sweeps"][0]["samples"]):
+        for a, b in zip(single["sweeps"][0]["samples"], lit["sweeps"][0]["samples"]):
             self.assertAlmostEqual(a["acne"], b["acne"], delta=1e-4)
             self.assertAlmostEqual(a["gap"], b["gap"], delta=0.01)
 
-    def test_what_is_translucent_is_left_out(self):
+    def test_translucent_props_are_left_out(self):
         glass = scenes.box((0, -1, 0.5), (1, 0.1, 0.5), (1, 1, 1))
         glass.GetProperty().SetOpacity(0.5)
         with_glass, bench = studied(board(glass), kinds=["constant"])
@@ -298,10 +298,10 @@ class Laboratory(unittest.TestCase):
     def test_materials_cancel_out(self):
         plain, _ = studied(board(), kinds=["constant"])
         renderer = board()
-        look = renderer.GetActors().GetItemAsObject(0).GetProperty()
-        look.SetInterpolationToPBR()
-        look.SetColor(0.2, 0.5, 0.1)
-        look.SetEmissiveFactor(0.3, 0.2, 0.1)
+        material = renderer.GetActors().GetItemAsObject(0).GetProperty()
+        material.SetInterpolationToPBR()
+        material.SetColor(0.2, 0.5, 0.1)
+        material.SetEmissiveFactor(0.3, 0.2, 0.1)
         other, _ = studied(renderer, kinds=["constant"])
         for a, b in zip(plain["sweeps"][0]["samples"], other["sweeps"][0]["samples"]):
             self.assertAlmostEqual(a["acne"], b["acne"], delta=0.01)
@@ -329,9 +329,9 @@ class Command(unittest.TestCase):
 
     def test_files(self):
         out = self.folder / "out"
-        status, printed, said = self.run_command(self.SCENE, "-o", out, "--bias", "slope", "--steps", 3, "--size", "240x160",
+        status, printed, errors = self.run_command(self.SCENE, "-o", out, "--bias", "slope", "--steps", 3, "--size", "240x160",
                                                  "--stats")
-        self.assertEqual(status, 0, said)
+        self.assertEqual(status, 0, errors)
         self.assertEqual(json.loads((out / "numbers.json").read_text()), json.loads(printed))
         for name in ("sheet.png", "strip-slope.png", "plot.png"):
             with Image.open(out / name) as picture:
@@ -341,16 +341,16 @@ class Command(unittest.TestCase):
         self.assertGreater(len(list(drawing.iter())), 50)
 
     def test_summary_and_notes(self):
-        status, printed, said = self.run_command(self.SCENE, "-o", self.folder / "words", "--bias", "constant", "--steps", 2,
+        status, printed, errors = self.run_command(self.SCENE, "-o", self.folder / "words", "--bias", "constant", "--steps", 2,
                                                  "--size", "120x80", "--resolution", 4096)
-        self.assertEqual(status, 0, said)
-        self.assertIn("note: a pixel is ", said)
+        self.assertEqual(status, 0, errors)
+        self.assertIn("note: a pixel is ", errors)
         lines = printed.splitlines()
         self.assertTrue(lines[0].startswith("constant bias: "), lines)
         self.assertTrue(lines[-1].startswith("as set (constant "), lines)
 
     def test_bad_options(self):
-        for options, says in (
+        for options, message in (
                 (("--bias", "sideways"), "invalid choice: 'sideways'"),
                 (("--from", "3", "--to", "1"), "from 3 to 1"),
                 (("--from", "-1"), "from -1 to 4"),
@@ -359,24 +359,24 @@ class Command(unittest.TestCase):
                 (("--resolution", "3"), "--resolution is 3"),
                 (("--size", "0x4"), "--size must be"),
                 (("--stpes", "3"), "--stpes")):
-            status, _, said = self.run_command(self.SCENE, "-o", self.folder / "bad", *options)
+            status, _, errors = self.run_command(self.SCENE, "-o", self.folder / "bad", *options)
             self.assertEqual(status, 2, options)
-            self.assertIn(says, said)
+            self.assertIn(message, errors)
 
     def test_nothing_to_study(self):
         (self.folder / "dark.py").write_text("import scenes\ndef scene():\n  return scenes.stage((1, 1, 1), (1, 1, 1))\n")
         (self.folder / "file").write_text("")
-        for scene, out, says in (
+        for scene, out, message in (
                 (self.folder / "none.py", "o", "there is no file"), (self.folder / "file", "o", "is no Python file"),
                 (f"{self.SCENE}:stool", "o", "has no function 'stool'"), (self.folder / "dark.py", "o", "no light"),
                 (self.SCENE, "file", "cannot be made")):
-            status, _, said = self.run_command(scene, "-o", self.folder / out, "--steps", 2)
-            self.assertEqual(status, 1, said)
-            self.assertIn(says, said)
-            self.assertEqual(len(said.splitlines()), 1, said)
-        status, _, said = self.run_command(self.SCENE, "-o", self.folder / "o", "--set", "shadow-maps.wrong=1")
+            status, _, errors = self.run_command(scene, "-o", self.folder / out, "--steps", 2)
+            self.assertEqual(status, 1, errors)
+            self.assertIn(message, errors)
+            self.assertEqual(len(errors.splitlines()), 1, errors)
+        status, _, errors = self.run_command(self.SCENE, "-o", self.folder / "o", "--set", "shadow-maps.wrong=1")
         self.assertEqual(status, 1)
-        self.assertIn("'wrong'", said)
+        self.assertIn("'wrong'", errors)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shadow maps against hard shadows by rays: the demo's scenes, each under four kinds of light.
+"""Shadow maps against hard ray-traced shadows in the demo's scenes, each with four kinds of light.
 
 usage: test_shadow_masks.py [--size WxH] [--resolution N] [--filter-radius R] [SCENE...]
 """
@@ -56,13 +56,13 @@ def main():
     parser.add_argument("--size", default="640x360")
     parser.add_argument("--resolution", type=int, default=2048)
     parser.add_argument("--filter-radius", type=float, default=0.0)
-    parser.add_argument("--band", type=float, default=1.5, help="texels or pixels at edges left out")
+    parser.add_argument("--band", type=float, default=1.5, help="texels or pixels along edges that are left out")
     parser.add_argument("--lights", nargs="*", default=shadow_masks.LIGHTS)
     parser.add_argument("--pictures", help="folder for pictures of the masks")
     parser.add_argument("--set", nargs="*", default=[], metavar="NAME=VALUE")
     options = parser.parse_args()
     options.set = {k: float(v) for k, v in (pair.split("=") for pair in options.set)}
-    print("percent of the pixels that the light may reach:")
+    print("percent of the pixels that face the light:")
     print(f"{'scene':8} {'light':16} {'pixels':>8} {'shadowed':>9} {'differ':>9} {'outside':>9} {'too dark':>9}")
     worst = max(measure(name, kind, options) for name in options.scenes for kind in options.lights)
     print(f"worst outside of {options.band} texels or pixels at edges: {worst:.3f} %, at most {LIMIT} %")

@@ -2,27 +2,27 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# ./run roots: the demo and the tests in bare Debian roots. Sourced by ./run, for step(), logged() and fail().
+# ./run roots: the demo and the tests in bare Debian roots. Sourced by ./run, whose step(), logged() and fail() it uses.
 
 roots_usage() {
   cat <<'TEXT'
 usage: ./run roots [OPTION...] [12|13|testing]...
 
-Makes a bare Debian of each release with debootstrap (all three where none is named), clones this
-repository's last commit into it, and runs ./run demo and ./run test there as a new user would: in one
-root against ParaView's VTK, in another against plain VTK, as they exclude each other. The last lines are
-a table. Needs root, and debootstrap. Nothing is mounted that outlives the command.
+Creates a bare Debian of each given release with debootstrap (by default of all three), clones this
+repository's last commit into it, and runs ./run demo and ./run test there as a new user: in one root
+against ParaView's VTK and in another against plain VTK, because the two exclude each other. Ends with a
+table of results. Needs root and debootstrap. All mounts end with the command.
 
 options
   --vtk=KIND      paraview, vtk or both (the default)
-  --folder=DIR    where the roots lie, outside of any source tree or in the ignored build-roots/
-                  (the default); they take about 4 GB each and are used again
+  --folder=DIR    folder of the roots, outside any source tree, or the ignored build-roots/ (the
+                  default); each takes about 4 GB and is reused
   --mirror=URL    Debian's archive; the default is the one that apt uses here
-  --snapshot      the mirror is a snapshot: take lists that are past their date
+  --snapshot      the mirror is a snapshot: accept expired package lists
   --jobs=N        compile N files at a time
   --ccache        keep compiled files in DIR/ccache, for all roots and runs
-  --fresh         make the roots again
-  --only=COMMAND  demo or test alone
+  --fresh         create the roots from scratch
+  --only=COMMAND  run only demo or test
   -- ARGUMENT...  the rest goes to ctest
 
 environment
@@ -67,7 +67,7 @@ parse_roots() {
 
 # ------------------------------------------------------------------------------------------ mirror
 
-# The archive that apt uses here: the first source with one of Debian's own suites. Both of apt's formats.
+# The archive that apt uses here: the first source with one of Debian's own suites, in either of apt's formats.
 host_mirror() {
   cat /etc/apt/sources.list /etc/apt/sources.list.d/*.list 2>/dev/null | sed 's/\[[^]]*\]//' |
     awk '$1 == "deb" { print $2, $3 }' >"$1"
@@ -79,7 +79,7 @@ host_mirror() {
   awk '$2 ~ /^(oldstable|stable|testing|unstable|bookworm|trixie|forky|sid)$/ && $1 ~ /^https?:/ { print $1; exit }' "$1"
 }
 
-# Proxies that apt is told of here, as lines for a root's own apt.
+# Configuration of apt's proxies here, for use in the roots.
 host_proxies() { apt-config dump 2>/dev/null | grep -E '^Acquire::https?::Proxy ' || true; }
 
 suite_of() {
@@ -92,8 +92,8 @@ suite_of() {
 
 # ------------------------------------------------------------------------------------------- roots
 
-# What is mounted is seen by the command alone and goes with it, as do the processes that it leaves behind.
-# in_root ROOT USER COMMAND: COMMAND in the root, in the user's home.
+# in_root ROOT USER COMMAND: run COMMAND in the root, in the user's home. Mounts are visible to the command only, and end
+# with it, as do processes that it leaves behind.
 in_root() {
   # shellcheck disable=SC2016 # expanded inside
   unshare --mount --pid --fork --kill-child --propagation private -- bash -euc '
@@ -136,12 +136,12 @@ in_root() {
 }
 
 roots_child=""
-# Ctrl-C reaches no process that is the first of its namespace: it is killed here, and all its mounts go with it.
+# Ctrl-C does not reach the first process of a namespace, so it is killed here. All its mounts end with it.
 stop_roots() {
   [ -z "$roots_child" ] || kill -KILL "$roots_child" 2>/dev/null || true
 }
 
-# A root with what a new user's machine has: git, sudo, and a user.
+# bare_root RELEASE ROOT: create a root like a new user's machine, with git, sudo, and a user.
 bare_root() {
   local root=$2 setup
   rm -rf "$root.part"
@@ -149,8 +149,8 @@ bare_root() {
     "$(suite_of "$1")" "$root.part" "$roots_mirror" || return
   host_proxies >"$root.part/etc/apt/apt.conf.d/90host"
   [ "$roots_snapshot" = no ] || echo 'Acquire::Check-Valid-Until "false";' >"$root.part/etc/apt/apt.conf.d/90snapshot"
-  echo force-unsafe-io >"$root.part/etc/dpkg/dpkg.cfg.d/90roots" # it can be made again
-  printf '#!/bin/sh\nexit 101\n' >"$root.part/usr/sbin/policy-rc.d" # no service is started
+  echo force-unsafe-io >"$root.part/etc/dpkg/dpkg.cfg.d/90roots" # faster; the root can be created again
+  printf '#!/bin/sh\nexit 101\n' >"$root.part/usr/sbin/policy-rc.d" # start no services
   chmod +x "$root.part/usr/sbin/policy-rc.d"
   setup='apt-get update && useradd --create-home --shell /bin/bash user &&
     echo "user ALL=(ALL) NOPASSWD: ALL" >/etc/sudoers.d/user'
@@ -163,7 +163,7 @@ copy_root() {
   cp -a --reflink=auto "$1" "$2.part" && mv "$2.part" "$2"
 }
 
-# A user's clone of the last commit, without what an earlier run left.
+# clone_into ROOT: clone the last commit to the user's home, without files of an earlier run.
 clone_into() {
   rm -rf "$1/home/user/penumbra"
   git -c safe.directory='*' clone --quiet --no-local "$PWD" "$1/home/user/penumbra" || return
@@ -181,7 +181,7 @@ version_in() { # ROOT PACKAGE: without epoch and Debian's own suffix
 
 roots_row() { printf '%-14s %-9s %-8s %-9s %-9s %-7s %7s %7s %8s %8s\n' "$@"; }
 
-# One line of the table: the release, what was found there, what came of it.
+# Add a row to the table: the release, the versions found there, and the results.
 judge_root() {
   local release=$1 kind=$2 root=$3 logs=$4 demo=$5 minutes=$6 clone=$3/home/user/penumbra
   local vtk_version paraview=- counts passed=- failed=- skipped=0
@@ -193,11 +193,11 @@ judge_root() {
   fi
   roots_row "Debian $release" "$kind" "${vtk_version:--}" "${paraview:--}" "$(version_in "$root" libgl1-mesa-dri)" \
     "$demo" "$passed" "$failed" "${skipped:-0}" "$minutes" >>"$roots_folder/table.txt"
-  # A release that was not tried to its end counts as failed.
+  # A release whose tests did not finish counts as failed.
   [ "$demo" != failed ] && [[ " $roots_commands " != *" test "* || $failed = 0 ]]
 }
 
-# try_root RELEASE KIND: demo and tests in a copy of the release's bare root.
+# try_root RELEASE KIND: run demo and tests in a copy of the release's bare root.
 try_root() {
   local release=$1 kind=$2 root="$roots_folder/$1-$2" logs="$roots_folder/logs/$1-$2" demo=- started=$SECONDS arguments
   local title="Debian $1, ParaView's VTK"
@@ -226,25 +226,25 @@ try_root() {
 
 run_roots() {
   parse_roots "$@"
-  [ "$(id -u)" = 0 ] || fail "./run roots needs root, to make Debian systems and to enter them."
+  [ "$(id -u)" = 0 ] || fail "./run roots needs root, to create Debian systems and to enter them."
   command -v debootstrap >/dev/null || fail "debootstrap is missing: apt-get install debootstrap."
   command -v git >/dev/null || fail "git is missing: apt-get install git."
   unshare --mount --pid --fork true 2>/dev/null ||
-    fail "this system lets nobody mount, as in a container without privileges: ./run roots works outside of it."
+    fail "this system does not allow mounts, like a container without privileges: use ./run roots outside it."
   mkdir -p "$roots_folder/logs"
   roots_folder=$(realpath "$roots_folder")
   [ -n "$roots_mirror" ] || roots_mirror=$(host_mirror "$roots_folder/logs/sources.txt")
-  [ -n "$roots_mirror" ] || fail "apt has no source of Debian here: name one with --mirror=URL."
+  [ -n "$roots_mirror" ] || fail "apt has no Debian source here: give one with --mirror=URL."
   trap stop_roots EXIT
   trap 'stop_roots; exit 130' INT TERM
   [ -z "$(git -c safe.directory='*' status --porcelain 2>/dev/null)" ] ||
-    say "There are changes that are not committed: the last commit is tried, without them."
+    say "There are uncommitted changes: the last commit is tested without them."
   roots_row release against VTK ParaView Mesa demo passed failed skipped minutes >"$roots_folder/table.txt"
   local release kind status=0
   for release in "${roots_releases[@]}"; do
     [ "$roots_fresh" = no ] || rm -rf "${roots_folder:?}/$release" "$roots_folder/$release"-*
     [ -d "$roots_folder/$release" ] ||
-      step "Debian $release: making a bare root" "$roots_folder/logs/$release.log" bare_root "$release" "$roots_folder/$release"
+      step "Debian $release: creating a bare root" "$roots_folder/logs/$release.log" bare_root "$release" "$roots_folder/$release"
     for kind in $roots_vtk; do
       try_root "$release" "$kind" || status=1
     done

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads what sanitizers wrote and prints what is not known.
+"""Print the reports of sanitizers that are not in known.txt.
 
-usage: reports.py FOLDER, with the sanitizers' log files. Status 1 where a report is not in known.txt.
+usage: reports.py FOLDER, with the sanitizers' log files. Exits with 1 if there are such reports.
 """
 import collections
 import pathlib
@@ -17,19 +17,19 @@ LINES_SHOWN = 40
 
 
 def known():
-    """(kind, name in the stack) of what others have to mend; each line gives its reason."""
+    """Rows of known.txt: (kind, name in the stack). Each line of the file must give a reason."""
     rows = []
     for line in KNOWN.read_text().splitlines():
         row, _, reason = line.partition("#")
         if row.strip():
             if not reason.strip():
-                raise SystemExit(f"{KNOWN.name}: no reason is given for: {line}")
+                raise SystemExit(f"{KNOWN.name}: the reason is missing in: {line}")
             rows.append(tuple(row.split()))
     return rows
 
 
 def reports(text):
-    """(kind, text) of each report in a log; of leaks, one for each place that allocates."""
+    """(kind, text) of each report in a log. Leaks give one report for each allocating stack."""
     begins = [found.start() for found in BEGIN.finditer(text)] + [len(text)]
     for begin, end in zip(begins, begins[1:]):
         report = text[begin:end]
@@ -44,7 +44,7 @@ def reports(text):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    rows, left, skipped = known(), [], collections.Counter()
+    rows, unknown, skipped = known(), [], collections.Counter()
     for path in sorted(folder.glob("*")):
         text = path.read_text(errors="replace")
         found = list(reports(text))
@@ -55,15 +55,15 @@ def main():
             if row:
                 skipped[row] += 1
             else:
-                left.append(report)
+                unknown.append(report)
     for (kind, name), count in sorted(skipped.items()):
         print(f"known: {count} of {kind} in {name}")
-    once = collections.Counter(re.sub(r"==\d+==|0x[0-9a-f]+", "", report) for report in left)
-    for report, count in once.most_common(MOST_SHOWN):
+    counts = collections.Counter(re.sub(r"==\d+==|0x[0-9a-f]+", "", report) for report in unknown)
+    for report, count in counts.most_common(MOST_SHOWN):
         print(f"---- {count} times")
         print("\n".join(report.splitlines()[:LINES_SHOWN]))
-    print(f"{len(left)} reports")
-    return 1 if left else 0
+    print(f"{len(unknown)} reports")
+    return 1 if unknown else 0
 
 
 if __name__ == "__main__":

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The mapper of composite data that knows its blocks' looks in every version of VTK: the second one, until it was merged
-// into the first.
+// The mapper of composite data that supports properties per block in every version of VTK:
+// vtkCompositePolyDataMapper2, until it was merged into vtkCompositePolyDataMapper.
 #if __has_include("vtkCompositePolyDataMapper2.h")
 #include "vtkCompositePolyDataMapper2.h"
 namespace penumbra_test

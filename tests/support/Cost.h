@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What something costs, by processor time of all threads. Other programs on the machine change the clock of its cores and
- * its caches meanwhile, and so what is compared takes turns, each measured beside its neighbours.
+ * Cost of a function in processor time of all threads. Other programs on the machine affect clock rates and caches, so
+ * the functions to be compared run in turns, and each run is compared with those before and after it.
  */
 #pragma once
 
@@ -12,12 +12,12 @@
 
 namespace penumbra_test
 {
-/// Processor seconds of a piece of work.
-template <typename Work>
-double SecondsOf(const Work& work)
+/// Processor seconds of a call.
+template <typename Function>
+double SecondsOf(const Function& function)
 {
   const std::clock_t start = std::clock();
-  work();
+  function();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
@@ -27,7 +27,7 @@ inline double MedianOf(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/// The median of what one takes, of what the other takes before and after it. Both return seconds.
+/// Median ratio of the seconds that the first function returns to those that the second returns before and after it.
 template <typename With, typename Without>
 double CostRatio(int turns, const With& with, const Without& without)
 {
@@ -43,16 +43,16 @@ double CostRatio(int turns, const With& with, const Without& without)
   return MedianOf(ratios);
 }
 
-/// The least of what several runs measure, until one is within the limit: what other programs do makes a cost look larger
-/// more often than smaller.
+/// Minimum of several measurements, which end with the first one within the limit. Other programs make a cost look
+/// larger more often than smaller.
 template <typename Measure>
-double LeastOf(int tries, double limit, const Measure& measure)
+double MinimumOf(int tries, double limit, const Measure& measure)
 {
-  double least = measure();
-  for (int i = 1; i < tries && least > limit; ++i)
+  double minimum = measure();
+  for (int i = 1; i < tries && minimum > limit; ++i)
   {
-    least = std::min(least, measure());
+    minimum = std::min(minimum, measure());
   }
-  return least;
+  return minimum;
 }
 }

@@ -14,7 +14,7 @@ namespace
 {
 std::vector<std::string> Messages;
 
-// The logger hears every message of the macros too; here they need not be shown a second time.
+// The logger records these messages too, so they are not shown here.
 class QuietOutput : public vtkOutputWindow
 {
 public:
@@ -24,8 +24,8 @@ public:
 };
 vtkStandardNewMacro(QuietOutput);
 
-// VTK 9.4 and later pass on what the driver's compiler says, and Mesa warns of this variable of VTK's volume shader, in
-// stock VTK too.
+// VTK 9.4 and later forward messages of the driver's compiler, and Mesa warns of this variable in VTK's volume shader,
+// with stock VTK too.
 bool IsStockWarning(const std::string& message)
 {
   return message.find("SOURCE_SHADER_COMPILER") != std::string::npos &&

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK complains about. Each test fails on a warning or error that it did not expect.
+// Warnings and errors of VTK. A test fails on each that it does not expect.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace penumbra_test
 {
-/// Collect VTK's warnings and errors instead of printing them, and fail the test that leaves one
-/// behind. Call once, before the tests run.
+/// Collect VTK's warnings and errors instead of printing them, and fail any test that does not take all of its own.
+/// Call once, before the tests run.
 void WatchMessages();
 
-/// The warnings and errors since the test began or since the last call; they count as expected.
+/// Take the warnings and errors since the start of the test or the last call. They count as expected.
 std::vector<std::string> TakeMessages();
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Registers VTK's OpenGL classes in a test program, whatever the program's own definitions.
+// Registers VTK's OpenGL classes in a test program, regardless of the program's own definitions.
 #include "vtkAutoInit.h"
 
 VTK_MODULE_INIT(vtkRenderingOpenGL2);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of windows, and how far two of them differ.
+// Pictures of windows, and differences between two of them.
 #pragma once
 
 #include <array>
@@ -29,14 +29,14 @@ struct Picture
     const auto p = this->At(x, y);
     return (p[0] + p[1] + p[2]) / 3.0;
   }
-  /// Mean of Grey() over a rectangle, its upper bounds left out.
+  /// Mean of Grey() over a rectangle without its right and top bounds.
   double MeanGrey(int left, int bottom, int right, int top) const;
 };
 
 /// Render the window and read it back.
 Picture Shoot(vtkRenderWindow* window);
 
-/// Read back what the window shows.
+/// Read back the window's current content.
 Picture Read(vtkRenderWindow* window);
 
 struct Difference
@@ -47,7 +47,7 @@ struct Difference
   double Mean = 255.0;
 };
 
-/// Pictures of different sizes differ everywhere.
+/// Compare two pictures. If their sizes differ, all pixels count as different.
 Difference Compare(const Picture& a, const Picture& b, int tolerance);
 
 /// Relative mean squared error: the mean of (x - r)^2 / (r^2 + 0.01).
@@ -69,9 +69,9 @@ private:
 /// Share of pixels that do not have the most frequent colour: 0 for a constant picture.
 double Busyness(const Picture& picture);
 
-/// Write a PNG file for people, into the folder named by PENUMBRA_TEST_OUTPUT; nothing without it.
+/// Write a PNG file for inspection to the folder PENUMBRA_TEST_OUTPUT. Does nothing if the variable is not set.
 void Save(const Picture& picture, const std::string& name);
 
-/// A picture of 16 times the absolute difference.
+/// The absolute difference of two pictures times 16.
 Picture Amplified(const Picture& a, const Picture& b);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// For programs whose tests listen to VTK's messages themselves, or draw nothing.
+// Main function of programs whose tests check VTK's messages themselves, or draw nothing.
 #include "Skips.h"
 
 #include <gtest/gtest.h>

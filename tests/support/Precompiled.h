@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Headers that most tests read.
+// Headers that most tests include.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace penumbra_test
 {
 namespace
 {
-// The reasons of a case, in one line.
+// The reasons why a case was skipped, in one line.
 std::string Reason(const testing::TestResult& result)
 {
   std::string text;
@@ -24,7 +24,8 @@ std::string Reason(const testing::TestResult& result)
       text += (text.empty() ? "" : "; ") + std::string(part.message());
     }
   }
-  text.erase(text.find_last_not_of('\n') + 1); // later GoogleTests end a message with one
+  text.erase(
+    text.find_last_not_of('\n') + 1); // newer versions of GoogleTest end a message with one
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
@@ -47,7 +48,7 @@ int RunTests()
       }
     }
   }
-  const bool ranNone = all.skipped_test_count() > 0 && all.successful_test_count() == 0;
-  return status == 0 && ranNone ? AllSkipped : status;
+  const bool skippedAll = all.skipped_test_count() > 0 && all.successful_test_count() == 0;
+  return status == 0 && skippedAll ? AllSkipped : status;
 }
 }

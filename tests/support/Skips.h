@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of tests that skipped some, or all, says so: nobody takes them for passed.
+// Reports of skipped tests, so that they are not taken for passed ones.
 #pragma once
 
 namespace penumbra_test
 {
-/// What a program returns whose cases were all skipped; ctest knows it by SKIP_RETURN_CODE.
+/// Exit status of a program that skipped all of its cases: ctest's SKIP_RETURN_CODE.
 constexpr int AllSkipped = 77;
 
-/// RUN_ALL_TESTS(), then a line "Skipped: NAME: REASON" for each case that was skipped, which ./run test lists and counts.
+/// Call RUN_ALL_TESTS(), then print a line "Skipped: NAME: REASON" for each skipped case, which ./run test lists and
+/// counts.
 int RunTests();
 }

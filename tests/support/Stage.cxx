@@ -10,9 +10,9 @@ namespace penumbra_test
 {
 namespace
 {
-// VTK 9.1 leaves what a renderer remembers of its last aspect uninitialised: at a deleted one's
-// address it can find its own size there, and keep an aspect of one. Another aspect overwrites it.
-void ForgetAspect(vtkRenderer* renderer)
+// VTK 9.1 does not initialize a renderer's memory of its last size and aspect. At the address of a deleted renderer it
+// may find its own size there and keep the wrong aspect. Another pixel aspect makes it compute the aspect again.
+void ResetAspect(vtkRenderer* renderer)
 {
   renderer->SetPixelAspect(2.0, 1.0);
   renderer->ComputeAspect();
@@ -29,7 +29,7 @@ Stage::Stage(int backend)
   this->Window->SetMultiSamples(0);
   this->Renderer->SetBackground(0.2, 0.3, 0.4);
   this->Window->AddRenderer(this->Renderer);
-  ForgetAspect(this->Renderer);
+  ResetAspect(this->Renderer);
 }
 
 Stage::~Stage() = default;
@@ -39,7 +39,7 @@ vtkRenderer* Stage::AddRenderer()
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(0.4, 0.3, 0.2);
   this->Window->AddRenderer(renderer);
-  ForgetAspect(renderer);
+  ResetAspect(renderer);
   return renderer;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A headless window with a scene in it, built in a few words.
+// A headless window and functions that build a scene in it.
 #pragma once
 
 #include "vtkGIPass.h"
@@ -21,7 +21,7 @@ namespace penumbra_test
 class Stage
 {
 public:
-  /// The window has no multisampling; the first renderer has a plain background.
+  /// Create a window without multisampling, with one renderer that has a plain background.
   explicit Stage(int backend = vtkHeadlessRenderWindow::AUTO);
   ~Stage();
   Stage(const Stage&) = delete;
@@ -30,22 +30,21 @@ public:
   vtkSmartPointer<vtkHeadlessRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer; ///< the first one
 
-  /// Another renderer of the window.
+  /// Add another renderer to the window.
   vtkRenderer* AddRenderer();
 
-  /// Show geometry with a polydata mapper, in a colour of its own.
+  /// Show geometry in a colour other than white, with a polydata mapper unless another one is given.
   vtkActor* Add(vtkAlgorithm* source);
   vtkActor* Add(vtkPolyData* data);
   vtkActor* Add(vtkMapper* mapper);
 
-  /// Look at everything from a little above and from the right. Cases that place a renderer's
-  /// camera themselves leave this alone.
+  /// Look at the whole scene from the right and slightly from above.
   static void LookAround(vtkRenderer* renderer);
 
-  /// Put a pass on every renderer, and say which.
+  /// Set a new pass on every renderer. Returns the passes.
   std::vector<vtkSmartPointer<vtkGIPass>> SetPasses();
 };
 
-/// True where the backend that the environment chooses (or the given one) has a context here.
+/// Whether a context can be created with the given backend, by default the one that the environment chooses.
 bool HasBackend(int backend = vtkHeadlessRenderWindow::AUTO);
 }

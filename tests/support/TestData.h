@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Files that tests read: beside their sources, or where the environment says that they lie.
+ * Files that tests read: in the source folder of the tests, or in the folder PENUMBRA_TEST_DATA.
  */
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace penumbra_test
 {
-/// The path of a file or folder below tests/.
-inline std::string TestData(const std::string& below)
+/// Full path of a file or folder, from its path relative to tests/.
+inline std::string TestData(const std::string& relative)
 {
-  const char* moved = std::getenv("PENUMBRA_TEST_DATA");
-  return std::string(moved ? moved : PENUMBRA_TEST_SOURCES) + "/" + below;
+  const char* folder = std::getenv("PENUMBRA_TEST_DATA");
+  return std::string(folder ? folder : PENUMBRA_TEST_SOURCES) + "/" + relative;
 }
 }

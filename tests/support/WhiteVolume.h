@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A matte white shaded volume of 33 x 33 x 33 points about the origin, with a step and an opacity in proportion to its size.
+ * A matte white, shaded volume of 33 x 33 x 33 points around the origin. Sample distance and opacity scale with its
+ * size.
  */
 #pragma once
 
@@ -19,7 +20,7 @@
 
 namespace penumbra_test
 {
-/// A cube of the half width radius. value: of the distance from the origin, in radii.
+/// Create a cube of width 2 * radius. value: function of the distance from the origin in units of the radius.
 template <typename Value>
 vtkSmartPointer<vtkVolume> WhiteVolume(
   double radius, const Value& value, vtkPiecewiseFunction* opacity)
@@ -34,8 +35,8 @@ vtkSmartPointer<vtkVolume> WhiteVolume(
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
     const double* p = image->GetPoint(i);
-    const double away = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / radius;
-    image->GetPointData()->GetScalars()->SetTuple1(i, value(away));
+    const double distance = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / radius;
+    image->GetPointData()->GetScalars()->SetTuple1(i, value(distance));
   }
   vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   mapper->SetInputData(image);

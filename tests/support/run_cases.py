@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a file of unittest cases and says which it skipped.
+"""Run a file of unittest cases and list the skipped ones.
 
-usage: run_cases.py FILE [ARGUMENT...], the arguments of unittest. A line "Skipped: NAME: REASON" tells of each case that
-was skipped, for ./run test to list and count; status 77 that there were no others.
+usage: run_cases.py FILE [ARGUMENT...], with unittest's arguments. Prints a line "Skipped: NAME: REASON" for each skipped
+case, which ./run test lists and counts. Exits with 77 if all cases were skipped.
 """
 import importlib
 import pathlib
@@ -22,7 +22,7 @@ def main():
         print(f"Skipped: {case.id()}: {' '.join(reason.split())}")
     if not result.wasSuccessful():
         return 1
-    # A class that is skipped as a whole counts no run.
+    # The cases of a class that is skipped as a whole are not counted as run.
     return ALL_SKIPPED if result.skipped and result.testsRun <= len(result.skipped) else 0
 
 

@@ -4,7 +4,7 @@
  * Baked light on surfaces: where it appears, and that it goes when its scene changes.
  */
 #include "LightmapStage.h"
-#include "Work.h"
+#include "FrameCounts.h"
 
 #include <vtkPlane.h>
 
@@ -356,10 +356,10 @@ protected:
   // bytes per pixel.
   void ExpectCost(double pixels)
   {
-    const FrameWork with = WorkOfFrame(this->Scene, this->Pass);
+    const FrameCounts with = CountFrame(this->Scene, this->Pass);
     EXPECT_EQ(this->Notes(), "");
     this->Map->EnabledOff();
-    FrameWork without = WorkOfFrame(this->Scene, this->Pass);
+    FrameCounts without = CountFrame(this->Scene, this->Pass);
     const long samples = with.Samples - without.Samples;
     std::printf("the map adds %ld bytes and %ld shaded pixels, of %.0f\n",
       with.Bytes - without.Bytes, samples, pixels);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where finer grids of probes go, by where errors are.
+ * Placement of finer probe grids by the distribution of errors.
  */
 #include "techniques/sh_probes/AdaptiveGrids.h"
 
@@ -19,29 +19,29 @@ constexpr Bounds Hall = { 0.0, 40.0, 0.0, 30.0, 0.0, 10.0 };
 class Errors
 {
 public:
-  /// So much error in a box, in many places.
-  Errors& In(const Bounds& box, double error, int places = 500)
+  /// Add an error, spread evenly over random points in a box.
+  Errors& In(const Bounds& box, double error, int points = 500)
   {
-    for (int i = 0; i < places; ++i)
+    for (int i = 0; i < points; ++i)
     {
-      PointError at;
+      PointError point;
       for (int axis = 0; axis < 3; ++axis)
       {
         std::uniform_real_distribution<double> along(box[2 * axis], box[2 * axis + 1]);
-        at.Position[axis] = along(this->Chance);
+        point.Position[axis] = along(this->Random);
       }
-      at.Error = error / places;
-      this->List.push_back(at);
+      point.Error = error / points;
+      this->List.push_back(point);
     }
     return *this;
   }
-  /// What chance adds to each, zero on the average.
-  Errors& Shaken(double deviation)
+  /// Add noise of mean zero to the error of each point.
+  Errors& WithNoise(double deviation)
   {
     std::normal_distribution<double> noise(0.0, deviation);
-    for (PointError& at : this->List)
+    for (PointError& point : this->List)
     {
-      at.Error += noise(this->Chance);
+      point.Error += noise(this->Random);
     }
     return *this;
   }
@@ -49,10 +49,10 @@ public:
   std::vector<PointError> List;
 
 private:
-  std::mt19937 Chance{ 7 };
+  std::mt19937 Random{ 7 };
 };
 
-/// All light of the box's points is told by the grid.
+/// Whether the grid alone lights all points of the box.
 bool Covers(const ProbeGrid& grid, const Bounds& box)
 {
   bool covers = true;
@@ -60,15 +60,15 @@ bool Covers(const ProbeGrid& grid, const Bounds& box)
   {
     const double low = box[2 * axis] - Hall[2 * axis] > 1e-6 ? grid.Spacing[axis] : 0.0;
     const double high = Hall[2 * axis + 1] - box[2 * axis + 1] > 1e-6 ? grid.Spacing[axis] : 0.0;
-    const double slack = 0.1 * grid.Spacing[axis];
-    covers = covers && grid.First[axis] + low < box[2 * axis] + slack &&
-      grid.Last()[axis] - high > box[2 * axis + 1] - slack;
+    const double tolerance = 0.1 * grid.Spacing[axis];
+    covers = covers && grid.First[axis] + low < box[2 * axis] + tolerance &&
+      grid.Last()[axis] - high > box[2 * axis + 1] - tolerance;
   }
   return covers;
 }
 
-/// Nine tenths of a box along each axis: little errs in its outermost part.
-Bounds Middle(Bounds box)
+/// The inner nine tenths of a box along each axis. Its margin may be left out, as it contains little error.
+Bounds Inner(Bounds box)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -93,11 +93,11 @@ void Print(const ProbeGrids& grids)
 
 }
 
-TEST(AdaptiveGrids, ErrorsSpreadEvenlyNeedNoOthers)
+TEST(AdaptiveGrids, UniformErrorsNeedOneGrid)
 {
   for (const double noise : { 0.0, 0.004 })
   {
-    const Errors errors = Errors().In(Hall, 1.0, 2000).Shaken(noise);
+    const Errors errors = Errors().In(Hall, 1.0, 2000).WithNoise(noise);
     const ProbeGrids grids = AdaptiveGrids(Hall, 1000, errors.List);
     EXPECT_EQ(grids.Count(), 1);
     EXPECT_EQ(grids.Size(), ProbeGrid::Around(Hall, 1000).Size());
@@ -106,13 +106,13 @@ TEST(AdaptiveGrids, ErrorsSpreadEvenlyNeedNoOthers)
   EXPECT_EQ(AdaptiveGrids(Hall, 27, Errors().In(Hall, 1.0).List).Count(), 1);
 }
 
-TEST(AdaptiveGrids, AFinerOneStandsAroundASmallRoom)
+TEST(AdaptiveGrids, AFinerGridEnclosesASmallRoom)
 {
   const Bounds room = { 30.0, 34.0, 5.0, 10.0, 0.0, 3.0 };
   const double cell = ProbeGrid::Around(Hall, 1000).CellSize();
   for (const double noise : { 0.0, 0.001 })
   {
-    const Errors errors = Errors().In(Hall, 0.2).In(room, 0.8).Shaken(noise);
+    const Errors errors = Errors().In(Hall, 0.2).In(room, 0.8).WithNoise(noise);
     const ProbeGrids grids = AdaptiveGrids(Hall, 1000, errors.List);
     ASSERT_GT(grids.Count(), 1);
     EXPECT_LE(grids.Size(), 1000);
@@ -124,35 +124,35 @@ TEST(AdaptiveGrids, AFinerOneStandsAroundASmallRoom)
     bool covered = false;
     for (int i = 1; i < grids.Count(); ++i)
     {
-      covered = covered || Covers(grids.Get(i), Middle(room));
+      covered = covered || Covers(grids.Get(i), Inner(room));
       EXPECT_LE(grids.Get(i).Detail(), grids.Get(i - 1).Detail());
     }
     EXPECT_TRUE(covered);
   }
 }
 
-TEST(AdaptiveGrids, SeveralPlacesGetOneEach)
+TEST(AdaptiveGrids, SeveralRegionsGetAGridEach)
 {
-  const Bounds places[2] = { { 2.0, 5.0, 2.0, 5.0, 0.0, 3.0 },
+  const Bounds regions[2] = { { 2.0, 5.0, 2.0, 5.0, 0.0, 3.0 },
     { 33.0, 37.0, 22.0, 26.0, 5.0, 9.0 } };
-  const Errors errors = Errors().In(Hall, 0.1).In(places[0], 0.5).In(places[1], 0.4);
+  const Errors errors = Errors().In(Hall, 0.1).In(regions[0], 0.5).In(regions[1], 0.4);
   const ProbeGrids grids = AdaptiveGrids(Hall, 2000, errors.List);
   ASSERT_GT(grids.Count(), 2);
   EXPECT_LE(grids.Count(), ProbeGrids::Most);
   EXPECT_LE(grids.Size(), 2000);
   Print(grids);
-  for (const Bounds& place : places)
+  for (const Bounds& region : regions)
   {
     bool covered = false;
     for (int i = 1; i < grids.Count(); ++i)
     {
-      covered = covered || Covers(grids.Get(i), Middle(place));
+      covered = covered || Covers(grids.Get(i), Inner(region));
     }
     EXPECT_TRUE(covered);
   }
 }
 
-// A thing on a plane that has no height of its own.
+// A scene whose bounds have no height.
 TEST(AdaptiveGrids, FlatScenes)
 {
   const Bounds flat = { -50.0, 50.0, -50.0, 50.0, 0.0, 0.0 };
@@ -167,12 +167,12 @@ TEST(AdaptiveGrids, FlatScenes)
   }
 }
 
-// Places that are worth too few probes for a grid of their own leave them to the others.
-TEST(AdaptiveGrids, NoProbesAreLostToPlacesThatGetNone)
+// A region whose share of the probes is too small for a grid leaves them to the other grids.
+TEST(AdaptiveGrids, RegionsWithoutAGridTakeNoProbes)
 {
-  const Bounds places[2] = { { 2.0, 6.0, 2.0, 6.0, 0.0, 4.0 },
+  const Bounds regions[2] = { { 2.0, 6.0, 2.0, 6.0, 0.0, 4.0 },
     { 33.0, 35.0, 22.0, 24.0, 5.0, 7.0 } };
-  const Errors errors = Errors().In(Hall, 0.1).In(places[0], 0.7).In(places[1], 0.2);
+  const Errors errors = Errors().In(Hall, 0.1).In(regions[0], 0.7).In(regions[1], 0.2);
   ASSERT_EQ(AdaptiveGrids(Hall, 2000, errors.List).Count(), 3);
   for (const int probes : { 250, 275 })
   {
@@ -183,7 +183,7 @@ TEST(AdaptiveGrids, NoProbesAreLostToPlacesThatGetNone)
   }
 }
 
-TEST(AdaptiveGrids, ErrorsAreClearlyLessUnlessByChance)
+TEST(AdaptiveGrids, ClearlyLessMeansBeyondNoise)
 {
   const auto less = [](Errors others, Errors errors) {
     return AreClearlyLess(others.List, errors.List);
@@ -193,23 +193,23 @@ TEST(AdaptiveGrids, ErrorsAreClearlyLessUnlessByChance)
   EXPECT_FALSE(less(even(0.95), even(1.0)));
   EXPECT_FALSE(less(even(1.0), even(1.0)));
   EXPECT_FALSE(less(even(1.5), even(1.0)));
-  // No sign turns it round: there is nothing to gain where nothing errs.
+  // Sums that are not positive do not reverse the comparison: without an error there is nothing to gain.
   EXPECT_FALSE(less(even(0.0), even(0.0)));
   EXPECT_FALSE(less(even(-1.1), even(-1.0)));
   EXPECT_FALSE(less(even(-0.95), even(-1.0)));
   EXPECT_FALSE(less(even(-2.0), even(-1.0)));
   EXPECT_TRUE(less(even(-0.1), even(1.0)));
-  // A deviation of 0.002 at each of 400 places makes one of 0.04 of all, one of 0.05 makes one of 1.
-  EXPECT_TRUE(less(even(0.7).Shaken(0.002), even(1.0)));
-  EXPECT_FALSE(less(even(0.85).Shaken(0.05), even(1.0)));
-  // What errs alike in both says nothing against the difference.
-  const Errors shaken = even(1.0).Shaken(0.05);
-  Errors half = shaken;
-  for (PointError& at : half.List)
+  // A standard deviation of 0.002 at each of 400 points gives one of 0.04 for their sum; 0.05 gives 1.
+  EXPECT_TRUE(less(even(0.7).WithNoise(0.002), even(1.0)));
+  EXPECT_FALSE(less(even(0.85).WithNoise(0.05), even(1.0)));
+  // Noise that both have in common does not count.
+  const Errors noisy = even(1.0).WithNoise(0.05);
+  Errors half = noisy;
+  for (PointError& point : half.List)
   {
-    at.Error *= 0.5;
+    point.Error *= 0.5;
   }
-  EXPECT_TRUE(less(half, shaken));
+  EXPECT_TRUE(less(half, noisy));
   EXPECT_FALSE(less(Errors(), Errors()));
   EXPECT_FALSE(less(Errors().In(Hall, 0.0, 1), Errors().In(Hall, 1.0, 1)));
 }

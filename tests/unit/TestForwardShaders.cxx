@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is inserted into the shaders of what VTK draws itself.
+// Code that is inserted into the shaders of props that VTK draws itself.
 #include "light/ForwardShaders.h"
 
 #include <cstdlib>
@@ -53,7 +53,7 @@ bool Has(const std::string& text, const char* what)
   return text.find(what) != std::string::npos;
 }
 
-// In the words of a version, where the colour of a shaded sample is made.
+// VTK's lighting function of volumes, with the names that a version uses.
 std::string VolumeText(const char* signature, const char* gradient, const char* component)
 {
   return std::string("//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(") +
@@ -93,8 +93,7 @@ TEST(ForwardShaders, ReferenceCompilerAcceptsEveryCombination)
         }
         for (const auto& example : ForwardShaders(library, light).Examples())
         {
-          const bool none = !Has(example.second, "#version");
-          EXPECT_FALSE(none) << example.first << " was left as it is";
+          EXPECT_TRUE(Has(example.second, "#version")) << example.first << " was not changed";
           std::ofstream(folder / (std::to_string(count++) + ".frag")) << example.second;
         }
       }
@@ -144,7 +143,7 @@ TEST(ForwardShaders, VolumesOfEveryVersionAreLit)
   }
 }
 
-TEST(ForwardShaders, UnshadedVolumesStayAsTheyAre)
+TEST(ForwardShaders, UnshadedVolumesAreNotChanged)
 {
   const std::string plain =
     "//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(vec4 color)\n{\n"
@@ -154,7 +153,7 @@ TEST(ForwardShaders, UnshadedVolumesStayAsTheyAre)
   EXPECT_EQ(LitVolume(Light(true, { DDGI }), plain), marked);
 }
 
-TEST(ForwardShaders, UnlitSurfacesStayAsTheyAre)
+TEST(ForwardShaders, UnlitSurfacesAreNotChanged)
 {
   const std::string plain =
     "//VTK::System::Dec\n//VTK::Light::Dec\nvoid main()\n{\n  //VTK::Light::Impl\n"
@@ -170,8 +169,8 @@ TEST(ForwardShaders, UnlitSurfacesStayAsTheyAre)
   EXPECT_EQ(lit, marked);
 }
 
-// Only what a mapper does tells whether a pixel lies on a flat piece, not what its template says of it.
-TEST(ForwardShaders, ShapesOfMappersAreKnown)
+// Statements of a mapper's shaders tell whether pixels lie on flat facets; comments of the template do not count.
+TEST(ForwardShaders, FlatAndSmoothMappersAreDistinguished)
 {
   const std::string head = "in vec3 normalVCVSOutput;\nin vec4 vertexVCVSOutput;\nvoid main()\n{\n"
                            "  // Set gl_FragDepth here (gl_FragCoord.z by default)\n"
@@ -187,18 +186,19 @@ TEST(ForwardShaders, ShapesOfMappersAreKnown)
   };
   EXPECT_EQ(shape(smooth, "", head + "}\n"), "11");
   EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = gl_FragCoord.z + 0.01;\n}\n"), "11");
-  EXPECT_EQ(shape(smooth, "void main() {}\n", head + "}\n"), "10") << "nothing passes it on";
+  EXPECT_EQ(shape(smooth, "void main() {}\n", head + "}\n"), "10")
+    << "the geometry shader does not pass the normal on";
   EXPECT_EQ(shape(smooth,
               "in vec3 normalVCVSOutput[];\nout vec3 normalVCGSOutput;\nvoid main()\n{\n"
               "normalVCGSOutput = normalVCVSOutput[i];\n}\n",
               head + "}\n"),
     "11");
-  EXPECT_EQ(shape("void main()\n{\n}\n", "", head + "}\n"), "10") << "no normals at points";
+  EXPECT_EQ(shape("void main()\n{\n}\n", "", head + "}\n"), "10") << "no point normals";
   EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;\n}\n"), "00")
     << "an impostor";
 }
 
-// Each part's names are its own; those of others stay.
+// Names of a part are made unique, other names are not changed.
 TEST(ForwardShaders, PartsDoNotShareNames)
 {
   const std::string text = LitVolume(Light(false, { DDGI, Baked }),

@@ -36,7 +36,7 @@ std::string ErrorOf(FrameGraph& graph)
   return "";
 }
 
-TEST(FrameGraph, WritersBeforeReadersWhateverTheirOrder)
+TEST(FrameGraph, WritersRunBeforeReaders)
 {
   FrameGraph graph;
   graph.AddPass("present").Read("color").SideEffect();
@@ -58,7 +58,7 @@ TEST(FrameGraph, IndependentPassesKeepTheDeclaredOrder)
   EXPECT_EQ(Order(graph), (Names{ "c", "a", "b" }));
 }
 
-TEST(FrameGraph, WhatNobodyNeedsIsCulled)
+TEST(FrameGraph, UnusedPassesAreCulled)
 {
   FrameGraph graph;
   graph.AddPass("capture").Write("normal", Small);
@@ -69,7 +69,7 @@ TEST(FrameGraph, WhatNobodyNeedsIsCulled)
   EXPECT_EQ(Order(graph), (Names{ "capture", "light" }));
 }
 
-TEST(FrameGraph, NothingIsNeededWithoutSideEffects)
+TEST(FrameGraph, WithoutSideEffectsAllPassesAreCulled)
 {
   FrameGraph graph;
   graph.AddPass("capture").Write("normal", Small);
@@ -100,7 +100,7 @@ TEST(FrameGraph, ModifiersRunByOrderBeforeReaders)
   graph.AddPass("light").Write("color", Small);
   graph.Compile();
   EXPECT_EQ(Order(graph), (Names{ "light", "denoise", "sharpen", "present" }));
-  // Each modifier reads one version and writes the next; the last is the final one.
+  // Each modifier reads a version of the resource and writes the next one; the last is final.
   int finals = 0;
   for (const auto& version : graph.Versions())
   {
@@ -115,7 +115,7 @@ TEST(FrameGraph, ModifiersRunByOrderBeforeReaders)
   EXPECT_TRUE(graph.Versions()[graph.Steps()[2].Outputs.at("color")].IsFinal);
 }
 
-TEST(FrameGraph, WhatIsDrawnOverKeepsItsTexture)
+TEST(FrameGraph, DrawOverKeepsTheTexture)
 {
   FrameGraph graph;
   graph.AddPass("present").Read("light").SideEffect();
@@ -140,7 +140,7 @@ TEST(FrameGraph, WhatIsDrawnOverKeepsItsTexture)
   EXPECT_EQ(ErrorOf(nothing), "frame graph: the pass 'map' needs 'light', which no pass writes");
 }
 
-TEST(FrameGraph, KnowsHowLongEachVersionLives)
+TEST(FrameGraph, VersionsHaveLifetimes)
 {
   FrameGraph graph;
   graph.AddPass("capture").Write("normal", Small);
@@ -148,14 +148,14 @@ TEST(FrameGraph, KnowsHowLongEachVersionLives)
   graph.AddPass("light").Read("mask").Write("color", Small);
   graph.AddPass("present").Read("color").SideEffect();
   graph.Compile();
-  std::map<std::string, std::pair<int, int>> life;
+  std::map<std::string, std::pair<int, int>> lifetimes;
   for (const auto& version : graph.Versions())
   {
-    life[version.Resource] = { version.First, version.Last };
+    lifetimes[version.Resource] = { version.First, version.Last };
   }
-  EXPECT_EQ(life["normal"], std::make_pair(0, 1));
-  EXPECT_EQ(life["mask"], std::make_pair(1, 2));
-  EXPECT_EQ(life["color"], std::make_pair(2, 3));
+  EXPECT_EQ(lifetimes["normal"], std::make_pair(0, 1));
+  EXPECT_EQ(lifetimes["mask"], std::make_pair(1, 2));
+  EXPECT_EQ(lifetimes["color"], std::make_pair(2, 3));
 }
 
 TEST(FrameGraph, ErrorsNamePassAndResource)
@@ -174,13 +174,13 @@ TEST(FrameGraph, ErrorsNamePassAndResource)
   EXPECT_EQ(
     ErrorOf(nothingToModify), "frame graph: the pass 'blur' needs 'color', which no pass writes");
 
-  FrameGraph circle;
-  circle.AddPass("hen").Read("egg").Write("chicken", Small).SideEffect();
-  circle.AddPass("nest").Read("chicken").Write("egg", Small);
-  EXPECT_NE(ErrorOf(circle).find("waits for a pass that waits for it"), std::string::npos);
+  FrameGraph cycle;
+  cycle.AddPass("hatch").Read("egg").Write("chicken", Small).SideEffect();
+  cycle.AddPass("lay").Read("chicken").Write("egg", Small);
+  EXPECT_NE(ErrorOf(cycle).find("waits for a pass that waits for it"), std::string::npos);
 }
 
-TEST(FrameGraph, CompilesAgain)
+TEST(FrameGraph, CompilingTwiceChangesNothing)
 {
   FrameGraph graph;
   graph.AddPass("light").Write("color", Small).SideEffect();
@@ -190,8 +190,8 @@ TEST(FrameGraph, CompilesAgain)
   EXPECT_EQ(graph.Versions().size(), 1u);
 }
 
-// Histories are used in the order of declaration, whatever else would let passes run earlier.
-TEST(FrameGraph, HistoriesAreUsedAsDeclared)
+// Passes use a history in the order of declaration, even if one of them could run earlier.
+TEST(FrameGraph, HistoriesAreUsedInDeclaredOrder)
 {
   History sums{ Texture::Borrow(1, Small), false };
   FrameGraph graph;
@@ -203,21 +203,21 @@ TEST(FrameGraph, HistoriesAreUsedAsDeclared)
   EXPECT_EQ(Order(graph), (Names{ "show before", "early", "late", "show after" }));
 }
 
-TEST(FrameGraph, WhoWritesAHistoryIsNeededByWhoReadsItLater)
+TEST(FrameGraph, WritersOfAHistoryThatIsReadLaterAreKept)
 {
   History read{ Texture::Borrow(1, Small), false };
   History unread{ Texture::Borrow(2, Small), false };
   FrameGraph graph;
   graph.AddPass("fill").WriteHistory(read);
-  graph.AddPass("go on").UpdateHistory(read);
-  graph.AddPass("in vain").WriteHistory(unread);
+  graph.AddPass("continue").UpdateHistory(read);
+  graph.AddPass("unused").WriteHistory(unread);
   graph.AddPass("show").ReadHistory(read, "read").SideEffect();
   graph.AddPass("too late").UpdateHistory(read);
   graph.Compile();
-  EXPECT_EQ(Order(graph), (Names{ "fill", "go on", "show" }));
+  EXPECT_EQ(Order(graph), (Names{ "fill", "continue", "show" }));
 }
 
-TEST(FrameGraph, PassesThatWaitForEachOthersHistoriesAreAnError)
+TEST(FrameGraph, CyclesThroughHistoriesAreAnError)
 {
   History kept{ Texture::Borrow(1, Small), false };
   FrameGraph graph;
@@ -237,7 +237,7 @@ TEST(FrameGraph, APassMayReadAndOverwriteAHistory)
   EXPECT_EQ(Order(graph), (Names{ "first", "both", "both again" }));
 }
 
-TEST(FrameGraph, ShadersGetWhatIsDeclaredByItsName)
+TEST(FrameGraph, DeclaredInputsAreBoundByName)
 {
   History kept{ Texture::Borrow(1, Small), false };
   FrameGraph graph;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Spherical harmonics of light: what is known of them in closed form.
+// Spherical harmonics of light, against closed-form values.
 #include "techniques/sh_probes/Harmonics.h"
 
 #include <glm/gtc/constants.hpp>
@@ -16,7 +16,7 @@ namespace
 {
 using namespace penumbra;
 
-// A Gauss-Legendre rule would need tables; midpoints are exact enough here.
+// The midpoint rule is accurate enough here; a Gauss-Legendre rule would need tables.
 double OverSphere(const std::function<double(const glm::dvec3&)>& function, int steps = 400)
 {
   double sum = 0.0;
@@ -73,15 +73,15 @@ double Evaluate(const std::vector<float>& colors, const glm::dvec3& d)
 
 double Legendre(int band, double x)
 {
-  double before = 1.0;
-  double now = x;
+  double previous = 1.0;
+  double current = x;
   for (int l = 1; l < band; ++l)
   {
-    const double next = ((2.0 * l + 1.0) * x * now - l * before) / (l + 1.0);
-    before = now;
-    now = next;
+    const double next = ((2.0 * l + 1.0) * x * current - l * previous) / (l + 1.0);
+    previous = current;
+    current = next;
   }
-  return band == 0 ? 1.0 : now;
+  return band == 0 ? 1.0 : current;
 }
 
 TEST(Harmonics, AreOrthonormal)
@@ -103,7 +103,7 @@ TEST(Harmonics, CosineKernel)
   const double expected[5] = { pi, 2.0 * pi / 3.0, pi / 4.0, 0.0, -pi / 24.0 };
   for (int band = 0; band < 5; ++band)
   {
-    double integral = 0.0; // 2 pi times that of P_l(x) x from 0 to 1
+    double integral = 0.0; // 2 pi times the integral of P_l(x) x from 0 to 1
     constexpr int steps = 20000;
     for (int i = 0; i < steps; ++i)
     {
@@ -122,29 +122,29 @@ TEST(Harmonics, OneDirectionalLight)
   std::vector<float> light = Directional(from);
   ToIrradiance(light.data());
   const double pi = glm::pi<double>();
-  double least = 1.0;
-  double where = 0.0;
+  double minimum = 1.0;
+  double minimumCosine = 0.0;
   double squares = 0.0;
   const glm::dvec3 side = glm::normalize(glm::cross(from, glm::dvec3(1.0, 0.0, 0.0)));
   constexpr int steps = 3000;
   for (int i = 0; i < steps; ++i)
   {
-    const double cosine = (2.0 * i + 1.0) / steps - 1.0; // even over the sphere
+    const double cosine = (2.0 * i + 1.0) / steps - 1.0; // uniform over the sphere
     const glm::dvec3 n = cosine * from + std::sqrt(1.0 - cosine * cosine) * side;
     const double value = pi * Evaluate(light, n);
-    where = value < least ? cosine : where;
-    least = std::min(least, value);
+    minimumCosine = value < minimum ? cosine : minimumCosine;
+    minimum = std::min(minimum, value);
     const double error = value - std::max(cosine, 0.0);
     squares += error * error / steps;
   }
   const double peak = pi * Evaluate(light, from);
   const double opposite = pi * Evaluate(light, -from);
-  std::printf("peak %.4f, opposite %.4f, least %.5f at %.4f, root mean square error %.4f\n", peak,
-    opposite, least, where, std::sqrt(squares));
+  std::printf("peak %.4f, opposite %.4f, minimum %.5f at %.4f, root mean square error %.4f\n", peak,
+    opposite, minimum, minimumCosine, std::sqrt(squares));
   EXPECT_NEAR(peak, 1.0625, 5e-5);
   EXPECT_NEAR(opposite, 0.0625, 5e-5);
-  EXPECT_NEAR(least, -0.03958, 5e-6);
-  EXPECT_NEAR(where, -8.0 / 15.0, 1e-3);
+  EXPECT_NEAR(minimum, -0.03958, 5e-6);
+  EXPECT_NEAR(minimumCosine, -8.0 / 15.0, 1e-3);
   EXPECT_NEAR(std::sqrt(squares), 0.0361, 5e-5);
 }
 
@@ -159,7 +159,7 @@ TEST(Harmonics, AConstantEnvironmentIsExact)
   }
 }
 
-TEST(Harmonics, RotationMakesNoDifference)
+TEST(Harmonics, RotationInvariance)
 {
   const auto radiance = [](const glm::dvec3& d) {
     return 1.0 + d.x + 0.5 * d.y * d.z + std::max(d.z, 0.0);
@@ -177,7 +177,7 @@ TEST(Harmonics, RotationMakesNoDifference)
   }
 }
 
-TEST(Harmonics, TheWindowTakesWhatItMust)
+TEST(Harmonics, TheWindowIsAsStrongAsNecessary)
 {
   std::vector<float> light = Directional({ 0.0, 0.0, 1.0 });
   ToIrradiance(light.data());
@@ -185,11 +185,11 @@ TEST(Harmonics, TheWindowTakesWhatItMust)
   const double strength = WindowHarmonics(light.data());
   EXPECT_GT(strength, 0.0);
   EXPECT_EQ(light[0], mean);
-  double least = 1.0;
+  double minimum = 1.0;
   for (int i = 0; i <= 2000; ++i)
   {
     const double z = i / 1000.0 - 1.0;
-    least = std::min(least, Evaluate(light, { std::sqrt(std::max(0.0, 1.0 - z * z)), 0.0, z }));
+    minimum = std::min(minimum, Evaluate(light, { std::sqrt(std::max(0.0, 1.0 - z * z)), 0.0, z }));
   }
   const double peak = glm::pi<double>() * Evaluate(light, { 0.0, 0.0, 1.0 });
   double squares = 0.0;
@@ -200,10 +200,10 @@ TEST(Harmonics, TheWindowTakesWhatItMust)
     const double value = glm::pi<double>() * Evaluate(light, { std::sqrt(1.0 - z * z), 0.0, z });
     squares += std::pow(value - std::max(z, 0.0), 2.0) / steps;
   }
-  std::printf("strength %.4f: least %.6f, peak %.4f, root mean square error %.4f\n", strength,
-    least, peak, std::sqrt(squares));
-  EXPECT_GT(least, -0.0005); // of 1 / pi
-  EXPECT_LT(least, 0.002);   // no more than it takes
+  std::printf("strength %.4f: minimum %.6f, peak %.4f, root mean square error %.4f\n", strength,
+    minimum, peak, std::sqrt(squares));
+  EXPECT_GT(minimum, -0.0005); // in units of 1 / pi
+  EXPECT_LT(minimum, 0.002);   // no stronger than necessary
   EXPECT_GT(peak, 0.5);
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where grids of probes stand within each other, and that probes stay where they are when grids move.
+ * Positions of nested probe grids, and that probes keep their storage when grids move.
  */
 #include "techniques/ddgi/NestedGrids.h"
 
@@ -17,7 +17,7 @@ namespace
 {
 const ProbeGrid Around = ProbeGrid::Around({ { -4.0, 4.0, -2.0, 2.0, 0.0, 3.0 } }, 300);
 
-// As glsl/probes/field.glsl has it.
+// As in glsl/probes/field.glsl.
 glm::ivec3 Stored(const NestedGrids& grids, int number, const glm::ivec3& cell)
 {
   return (cell + grids.Get(number).Wrap) % grids.Get(number).Counts;
@@ -34,7 +34,7 @@ void ForCells(const ProbeGrid& grid, Visit visit)
 }
 }
 
-TEST(NestedGrids, FinerOnesStayWithinTheFirst)
+TEST(NestedGrids, FinerGridsStayWithinTheFirst)
 {
   for (const double refinement : { 2.0, 2.8, 8.0 })
   {
@@ -59,7 +59,7 @@ TEST(NestedGrids, FinerOnesStayWithinTheFirst)
         for (int axis = 0; axis < 3; ++axis)
         {
           EXPECT_NEAR(grid.Spacing[axis], Around.Spacing[axis] / scale, 1e-12);
-          // The first ends half a cell out of the scene, each other at most one and a half of its own.
+          // The first grid ends half a cell outside the scene, each other grid at most one and a half of its own cells.
           const double scene = 0.5 * Around.Spacing[axis];
           const double outside = number > 0 ? 1.5001 * grid.Spacing[axis] - scene : 1e-9;
           EXPECT_GE(grid.First[axis], Around.First[axis] - outside);
@@ -77,7 +77,7 @@ TEST(NestedGrids, FollowAPointByWholeCells)
   grids.Follow(1, 0.5 * (Around.First + Around.Last()), true);
   const glm::dvec3 spacing = grids.Get(1).Spacing;
   const glm::dvec3 start = 0.5 * (grids.Get(1).First + grids.Get(1).Last());
-  EXPECT_EQ(grids.Follow(1, start + 1.2 * spacing, false), glm::ivec3(0)); // near enough
+  EXPECT_EQ(grids.Follow(1, start + 1.2 * spacing, false), glm::ivec3(0)); // still close enough
   EXPECT_EQ(grids.Follow(1, start + 1.2 * spacing, true), glm::ivec3(1));
   const glm::dvec3 before = grids.Get(1).First;
   EXPECT_EQ(
@@ -92,35 +92,35 @@ TEST(NestedGrids, ProbesStayInTheirStorage)
   grids.SetRefinement(3);
   const ProbeGrid before = grids.Get(2);
   grids.Follow(2, 0.5 * (Around.First + Around.Last()), true);
-  std::map<std::tuple<long, long, long>, glm::ivec3> places; // by storage
-  const auto place = [&](const glm::ivec3& cell) {
+  std::map<std::tuple<long, long, long>, glm::ivec3> gridPoints; // by storage
+  const auto gridPoint = [&](const glm::ivec3& cell) {
     const ProbeGrid grid = grids.Get(2);
     return glm::ivec3(glm::round((grid.First - Around.First) / grid.Spacing)) + cell;
   };
   const auto key = [](const glm::ivec3& at) { return std::make_tuple(at.x, at.y, at.z); };
-  ForCells(
-    before, [&](const glm::ivec3& cell) { places[key(Stored(grids, 2, cell))] = place(cell); });
-  EXPECT_EQ(static_cast<int>(places.size()), before.Size()); // one for each
+  ForCells(before,
+    [&](const glm::ivec3& cell) { gridPoints[key(Stored(grids, 2, cell))] = gridPoint(cell); });
+  EXPECT_EQ(static_cast<int>(gridPoints.size()), before.Size()); // no two share storage
   const glm::dvec3 middle = 0.5 * (Around.First + Around.Last());
   const glm::ivec3 moved =
     grids.Follow(2, middle + glm::dvec3(3.0, -1.0, 1.0) * before.Spacing, false);
   EXPECT_NE(moved, glm::ivec3(0));
   int kept = 0;
   ForCells(before, [&](const glm::ivec3& cell) {
-    const glm::ivec3 old = cell + moved;
-    if (glm::all(glm::greaterThanEqual(old, glm::ivec3(0))) &&
-      glm::all(glm::lessThan(old, before.Counts)))
+    const glm::ivec3 previous = cell + moved;
+    if (glm::all(glm::greaterThanEqual(previous, glm::ivec3(0))) &&
+      glm::all(glm::lessThan(previous, before.Counts)))
     {
       ++kept;
-      EXPECT_EQ(places[key(Stored(grids, 2, cell))], place(cell));
+      EXPECT_EQ(gridPoints[key(Stored(grids, 2, cell))], gridPoint(cell));
     }
   });
   EXPECT_GT(kept, 0);
   EXPECT_LT(kept, before.Size());
 }
 
-// Along a long scene the finer grids are about as wide as long.
-TEST(NestedGrids, FinerOnesAreNotAsLongAsTheScene)
+// In a long scene the finer grids are about as wide as they are long.
+TEST(NestedGrids, FinerGridsAreNotAsLongAsTheScene)
 {
   const ProbeGrid first = ProbeGrid::Around({ { 0.0, 1.0, -20.0, 0.0, 0.0, 1.0 } }, 500);
   const NestedGrids grids(first, 2, 500);
@@ -130,7 +130,7 @@ TEST(NestedGrids, FinerOnesAreNotAsLongAsTheScene)
   EXPECT_LT(size.y, 15.0);
 }
 
-TEST(NestedGrids, AreAsFineAsTheyCanBeAroundWhatIsShown)
+TEST(NestedGrids, RefinementFollowsTheSizeOfTheView)
 {
   NestedGrids grids(Around, 3, 280);
   for (const double size : { 1.2, 0.5, 0.2 })
@@ -142,7 +142,7 @@ TEST(NestedGrids, AreAsFineAsTheyCanBeAroundWhatIsShown)
     EXPECT_GT(longest, 0.8 * size);
     EXPECT_LT(longest, 3.0 * size);
   }
-  // Not forth and back for a little nearer and farther.
+  // Hysteresis: slightly smaller and larger views do not change the refinement.
   grids.SetRefinement(3.0);
   const ProbeGrid finest = grids.Get(2);
   const glm::dvec3 sides = finest.Last() - finest.First;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameter table of every technique, as scripts and the command line see it.
+// The parameter tables of all techniques, as scripts and the command line use them.
 #include "vtkGIPass.h"
 #include "vtkGIShadowMaps.h"
 #include "vtkGITechnique.h"
@@ -39,7 +39,7 @@ TEST(Parameters, TechniquesDescribeThemselves)
   });
 }
 
-TEST(Parameters, EachIsDescribedAndStartsAtItsDefault)
+TEST(Parameters, EachHasADocumentationAndItsDefault)
 {
   const std::regex kebab("[a-z]+(-[a-z0-9]+)*");
   ForEachTechnique([&](vtkGITechnique* technique) {
@@ -63,7 +63,7 @@ TEST(Parameters, EachIsDescribedAndStartsAtItsDefault)
   });
 }
 
-TEST(Parameters, BoundsAreTakenAndWhatLiesBeyondIsRefused)
+TEST(Parameters, BoundsAreAcceptedAndValuesBeyondAreRefused)
 {
   ForEachTechnique([](vtkGITechnique* technique) {
     for (int i = 0; i < technique->GetNumberOfParameters(); ++i)
@@ -132,10 +132,10 @@ TEST(Parameters, PresetsStartFromDefaults)
     pass->GetTechnique("shadow-maps")->SetParameter("slope-bias", 7.0);
     EXPECT_TRUE(pass->SetPreset(preset));
     EXPECT_EQ(pass->GetTechnique("shadow-maps")->GetParameter("slope-bias"), 0.4) << preset;
-    // The path tracer finds itself what the others approximate.
+    // The path tracer needs none of the techniques that approximate its light.
     const bool reference = std::string(preset) == "reference";
-    EXPECT_EQ(pass->GetTechnique("shadow-maps")->GetEnabled(),
-      !reference && std::string(preset) != "off");
+    EXPECT_EQ(
+      pass->GetTechnique("shadow-maps")->GetEnabled(), !reference && std::string(preset) != "off");
     EXPECT_EQ(pass->GetTechnique("path-tracing")->GetEnabled(), reference);
   }
   EXPECT_EQ(vtkGIPass::GetPresetName(-1), nullptr);
@@ -151,7 +151,7 @@ TEST(Parameters, TypedSettersClamp)
   EXPECT_EQ(shadows->GetSlopeBias(), 0.0);
 }
 
-TEST(Parameters, ChangesMoveTheModificationTime)
+TEST(Parameters, ChangesUpdateTheModificationTime)
 {
   ForEachTechnique([](vtkGITechnique* technique) {
     for (int i = 0; i < technique->GetNumberOfParameters(); ++i)
@@ -167,8 +167,8 @@ TEST(Parameters, ChangesMoveTheModificationTime)
   });
 }
 
-// Messages of VTK's macros reach the tests, so that an unexpected one can fail them.
-TEST(Parameters, TheTestsHearErrors)
+// Messages of VTK's macros are recorded, so that unexpected ones fail the tests.
+TEST(Parameters, TestsRecordErrors)
 {
   vtkNew<vtkGIPass> pass;
   pass->SetPreset("none such");

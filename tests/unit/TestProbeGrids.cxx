@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Grids of probes, parts of them, and how their maps lie in textures.
+ * Probe grids, parts of them, and the layout of their maps in textures.
  */
 #include "probes/ProbeUniforms.h"
 
@@ -11,7 +11,7 @@
 
 using namespace penumbra;
 
-TEST(ProbeGrids, KnowWhichOneAProbeIsOf)
+TEST(ProbeGrids, FindTheGridOfAProbe)
 {
   ProbeGrid grid;
   grid.Counts = { 2, 3, 4 };
@@ -29,7 +29,7 @@ TEST(ProbeGrids, KnowWhichOneAProbeIsOf)
   }
 }
 
-// The outermost probes of a part stand a cell outside of its box, or half a cell outside of the scene.
+// The outermost probes of a part lie one cell outside its box, or half a cell outside the scene.
 TEST(ProbeGrids, APartEndsWhereTheSceneDoes)
 {
   const std::array<double, 6> scene = { -3.0, 5.0, 0.0, 7.0, 10.0, 16.0 };
@@ -37,7 +37,7 @@ TEST(ProbeGrids, APartEndsWhereTheSceneDoes)
   const glm::dvec3 high(scene[1], scene[3], scene[5]);
   const ProbeGrid grid = ProbeGrid::Around(scene, 200);
   const glm::dvec3 size = high - low;
-  constexpr double off = 0.06; // that places are off, of a cell
+  constexpr double off = 0.06; // tolerance of positions in cells
   for (int side = 0; side < 27; ++side)
   {
     const glm::ivec3 where(side % 3, side / 3 % 3, side / 9);
@@ -47,13 +47,13 @@ TEST(ProbeGrids, APartEndsWhereTheSceneDoes)
     for (int axis = 0; axis < 3; ++axis)
     {
       const double before = (from[axis] - part.First[axis]) / part.Spacing[axis];
-      const double behind = (part.Last()[axis] - to[axis]) / part.Spacing[axis];
+      const double after = (part.Last()[axis] - to[axis]) / part.Spacing[axis];
       EXPECT_NEAR(before, (where[axis] == 0 ? 0.5 : 1.0) - 0.5 * off, 0.5 * off) << side;
-      // The scene's upper sides are taken to be as far up as its places are off, in larger cells.
+      // At the scene's upper sides the tolerance is that of the grid's larger cells.
       const double farther = where[axis] == 2 ? off * grid.Spacing[axis] / part.Spacing[axis] : 0.0;
-      EXPECT_GT(behind, where[axis] == 2 ? 0.5 : 1.0) << side;
-      EXPECT_LT(behind, (where[axis] == 2 ? 0.5 : 1.0) + off + farther) << side;
-      // As glsl/probes/field.glsl tells it.
+      EXPECT_GT(after, where[axis] == 2 ? 0.5 : 1.0) << side;
+      EXPECT_LT(after, (where[axis] == 2 ? 0.5 : 1.0) + off + farther) << side;
+      // The same test as in glsl/probes/field.glsl.
       EXPECT_EQ(part.First[axis] <= grid.First[axis] + 0.5 * grid.Spacing[axis], where[axis] == 0);
       EXPECT_EQ(
         part.Last()[axis] >= grid.Last()[axis] - 0.5 * grid.Spacing[axis], where[axis] == 2);
@@ -61,13 +61,14 @@ TEST(ProbeGrids, APartEndsWhereTheSceneDoes)
   }
 }
 
-TEST(ProbeLayout, HoldsEveryMapInATextureThatAllCardsHave)
+TEST(ProbeLayout, EveryMapFitsIntoATextureOfTheGuaranteedSize)
 {
   constexpr int texels = 18; // across a map of distances
   constexpr int widest = 16384;
   for (const int probes : { 1, 2, 27, 64, 65, 58240, 58241, 60000, 828099, 828100 })
   {
-    for (const int maps : { probes, 2 * probes }) // live probes keep those of places they left
+    for (const int maps :
+      { probes, 2 * probes }) // live probes also keep the maps of their vacated grid points
     {
       const int columns = ProbeUniforms::Columns(probes);
       const int rows = ProbeUniforms::Rows(maps, columns);

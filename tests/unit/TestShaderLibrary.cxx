@@ -56,16 +56,16 @@ TEST(ShaderLibrary, IncludesEachFileOnce)
 TEST(ShaderLibrary, DefinesFollowTheVersion)
 {
   Folder folder;
-  folder.Write("a.glsl", "// what it is\n#version 430 core\nbody\n");
+  folder.Write("a.glsl", "// a comment\n#version 430 core\nbody\n");
   folder.Write("b.glsl", "body\n");
   ShaderLibrary library;
   library.SetOverrideFolder(folder.Path.string());
   EXPECT_EQ(library.Source("a.glsl", { { "B", "2" }, { "A", "1" } }),
-    "// what it is\n#version 430 core\n#define A 1\n#define B 2\nbody\n");
+    "// a comment\n#version 430 core\n#define A 1\n#define B 2\nbody\n");
   EXPECT_EQ(library.Source("b.glsl", { { "A", "1" } }), "#define A 1\nbody\n");
 }
 
-TEST(ShaderLibrary, OverridesByFolder)
+TEST(ShaderLibrary, AFolderReplacesShaders)
 {
   Folder folder;
   folder.Write("lib/phong.glsl", "replaced\n");
@@ -80,7 +80,7 @@ TEST(ShaderLibrary, OverridesByFolder)
   EXPECT_EQ(library.Source("lib/phong.glsl"), embedded);
 }
 
-TEST(ShaderLibrary, NamesWhatIsMissing)
+TEST(ShaderLibrary, ErrorsNameTheMissingShader)
 {
   ShaderLibrary library;
   try
@@ -107,7 +107,7 @@ TEST(ShaderLibrary, NamesWhatIsMissing)
   }
 }
 
-TEST(ShaderLibrary, EmbeddedTextIsTheFile)
+TEST(ShaderLibrary, EmbeddedTextEqualsTheFile)
 {
   const fs::path root = PENUMBRA_GLSL_DIR;
   int files = 0;
@@ -128,8 +128,7 @@ TEST(ShaderLibrary, EmbeddedTextIsTheFile)
   EXPECT_EQ(files, static_cast<int>(EmbeddedShaders().size()));
 }
 
-// What a shader can be built with or without: the names after #ifdef, #ifndef and defined, and
-// those that an #if takes for 0 or 1.
+// Names of the options of a shader: those after #ifdef, #ifndef and defined, and those that #if tests as 0 or 1.
 std::vector<std::string> Flags(const std::string& text)
 {
   std::vector<std::string> flags;
@@ -144,16 +143,16 @@ std::vector<std::string> Flags(const std::string& text)
   return flags;
 }
 
-// All permutations of a few flags; of many, those with at most two set, and those with at most one
-// not set.
-bool IsTried(unsigned int bits, std::size_t flags)
+// Whether a permutation is tested: all of up to six flags; of more flags, those with at most two set or at most one
+// unset.
+bool IsTested(unsigned int bits, std::size_t flags)
 {
   const std::size_t set = std::bitset<32>(bits).count();
   return flags <= 6 || set <= 2 || set + 1 >= flags;
 }
 
-// Every whole shader in its permutations, by the reference compiler. What is in capture/ goes into
-// VTK's templates; rendering covers it.
+// All complete shaders in their permutations. The snippets in capture/ are parts of VTK's templates, and are tested by
+// rendering.
 TEST(ShaderLibrary, ReferenceCompilerAcceptsPermutations)
 {
   if (std::system("glslangValidator --version > /dev/null 2>&1") != 0)
@@ -177,7 +176,7 @@ TEST(ShaderLibrary, ReferenceCompilerAcceptsPermutations)
     ASSERT_LE(flags.size(), 16u) << shader.first << " has too many permutations";
     for (unsigned int bits = 0; bits < 1u << flags.size(); ++bits)
     {
-      if (!IsTried(bits, flags.size()))
+      if (!IsTested(bits, flags.size()))
       {
         continue;
       }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cascades: fine near the camera, steady while it moves, and over all that it sees.
+// Shadow cascades: fine near the camera, stable while it moves, and complete.
 #include "graph/View.h"
 #include "light/LightTable.h"
 #include "techniques/shadow_maps/ShadowAtlas.h"
@@ -14,7 +14,7 @@ namespace
 {
 using namespace penumbra;
 
-// A hundred times as deep as wide.
+// A scene a hundred times as deep as wide.
 const Bounds Corridor = { { -5.0, 5.0, 0.0, 1000.0, 0.0, 3.0 } };
 const CascadeOptions Options = { 4, 2048, 3.5, 0.95 };
 
@@ -49,7 +49,7 @@ std::vector<ShadowView> Maps(const View& view)
   return maps;
 }
 
-// Where a point of the world lies between the texels of a map.
+// Position of a world point between the texels of a map.
 glm::dvec2 Fraction(const ShadowView& map, const glm::dvec3& point)
 {
   const glm::dvec4 clip = map.ViewToClip * map.WorldToView * glm::dvec4(point, 1.0);
@@ -57,7 +57,7 @@ glm::dvec2 Fraction(const ShadowView& map, const glm::dvec3& point)
   return texel - glm::floor(texel);
 }
 
-// By how much the grids of two maps are shifted, in texels.
+// Shift between the texel grids of two maps, in texels.
 double Shift(const ShadowView& a, const ShadowView& b)
 {
   const glm::dvec3 point(1.234, 20.5, 0.77);
@@ -71,7 +71,7 @@ TEST(ShadowCascades, TexelsNearTheCameraAreAtLeastFourTimesFinerAtEqualMemory)
   const View view = Look({ 0.0, -1.0, 1.7 }, { 0.0, 100.0, 1.0 }, Corridor);
   const auto maps = Maps(view);
   ASSERT_GE(maps.size(), 2u);
-  ASSERT_LE(maps.size(), 4u); // of half the width: the memory of one map
+  ASSERT_LE(maps.size(), 4u); // of half the width each: together the memory of one map
   const double whole = FitShadowViews(Sun(), Corridor, Options.Resolution, Options.Margin)[0].Texel;
   std::printf("one map: texels of %.4f; cascades:", whole);
   for (const auto& map : maps)
@@ -82,14 +82,14 @@ TEST(ShadowCascades, TexelsNearTheCameraAreAtLeastFourTimesFinerAtEqualMemory)
   EXPECT_GE(whole / maps[0].Texel, 4.0);
 }
 
-TEST(ShadowCascades, GridsStandStillWhileTheCameraMovesAndTurns)
+TEST(ShadowCascades, TexelGridsAreStableWhileTheCameraMovesAndTurns)
 {
   const glm::dvec3 from(0.0, 5.0, 1.7);
   const View start = Look(from, from + glm::dvec3(0.0, 1.0, 0.0), Corridor);
   const auto before = Maps(start);
   const double step = 0.37 * before[0].Texel;
   double worst = 0.0;
-  int drawn = 0;
+  int redrawn = 0;
   auto last = before;
   for (int i = 1; i <= 400; ++i)
   {
@@ -105,17 +105,16 @@ TEST(ShadowCascades, GridsStandStillWhileTheCameraMovesAndTurns)
       EXPECT_EQ(maps[k].Texel, before[k].Texel) << "frame " << i << ", cascade " << k;
       EXPECT_EQ(maps[k].Near, before[k].Near);
       worst = std::max(worst, Shift(maps[k], before[k]));
-      drawn += maps[k].WorldToView != last[k].WorldToView;
+      redrawn += maps[k].WorldToView != last[k].WorldToView;
     }
     last = maps;
   }
-  std::printf(
-    "200 translations, 200 turns: grids shifted by %.2g texels, %d of %zu maps drawn anew\n", worst,
-    drawn, 400 * before.size());
+  std::printf("200 translations, 200 turns: grids shifted by %.2g texels, %d of %zu maps redrawn\n",
+    worst, redrawn, 400 * before.size());
   EXPECT_LT(worst, 1e-6);
 }
 
-TEST(ShadowCascades, HoldWhatIsSeen)
+TEST(ShadowCascades, CoverAllVisiblePoints)
 {
   for (const glm::dvec3& from :
     { glm::dvec3(0.0, -1.0, 1.7), glm::dvec3(30.0, -20.0, 15.0), glm::dvec3(2.0, 500.0, 1.0) })
@@ -123,7 +122,7 @@ TEST(ShadowCascades, HoldWhatIsSeen)
     const View view = Look(from, { 1.0, 300.0, 1.0 }, Corridor);
     const ShadowCascades cascades = ChooseCascades(Sun(), view, Options);
     const auto maps = Maps(view);
-    int seen = 0;
+    int visible = 0;
     for (int i = 0; i < 40000; ++i)
     {
       const glm::dvec3 point(-5.0 + 10.0 * (i % 10) / 9.0, 1000.0 * std::pow(i / 40000.0, 3.0),
@@ -133,7 +132,7 @@ TEST(ShadowCascades, HoldWhatIsSeen)
       {
         continue;
       }
-      ++seen;
+      ++visible;
       const double distance = glm::length(point - from);
       std::size_t k = 0;
       while (k + 1 < cascades.Ends.size() && distance > cascades.Ends[k])
@@ -144,11 +143,11 @@ TEST(ShadowCascades, HoldWhatIsSeen)
       EXPECT_LT(std::max({ std::abs(there.x), std::abs(there.y), std::abs(there.z) }), 1.0)
         << "cascade " << k << ", distance " << distance;
     }
-    EXPECT_GT(seen, 100);
+    EXPECT_GT(visible, 100);
   }
 }
 
-TEST(ShadowCascades, OneMapWhereTheSceneIsAsDeepAsWide)
+TEST(ShadowCascades, OneMapIfTheSceneIsAsDeepAsWide)
 {
   const Bounds head = { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } };
   for (double angle = 0.0; angle < 6.2; angle += 0.3)
@@ -159,8 +158,8 @@ TEST(ShadowCascades, OneMapWhereTheSceneIsAsDeepAsWide)
   }
 }
 
-// No two squares of an atlas overlap, and none leaves it.
-TEST(ShadowAtlas, SquaresLieApart)
+// No two tiles of an atlas overlap, and all lie inside it.
+TEST(ShadowAtlas, TilesDoNotOverlap)
 {
   for (const int largest : { 100, 64, 2048 })
   {
@@ -185,15 +184,15 @@ TEST(ShadowAtlas, SquaresLieApart)
   }
 }
 
-TEST(ShadowAtlas, IsSharedByImportance)
+TEST(ShadowAtlas, IsDistributedByImportance)
 {
-  // All fit.
+  // All maps fit.
   EXPECT_EQ(
     DistributeShadowAtlas({ { 1, 0, 1.0 }, { 6, 1, 1.0 } }, 3.0, 4), (std::vector<int>{ 0, 1 }));
   // The weaker light's map is made smaller.
   EXPECT_EQ(
     DistributeShadowAtlas({ { 1, 0, 1.0 }, { 1, 0, 0.3 } }, 1.5, 4), (std::vector<int>{ 0, 1 }));
-  // Not even the smallest maps of all fit.
+  // Not all of the maps fit, even at the smallest size.
   EXPECT_EQ(DistributeShadowAtlas({ { 1, 0, 1.0 }, { 1, 0, 1.0 }, { 1, 0, 1.0 } }, 0.6, 1),
     (std::vector<int>{ 1, 1 }));
 }

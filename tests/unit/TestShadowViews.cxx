@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The views of a light hold all that may cast a shadow.
+// The views of a light contain all occluders.
 #include "light/LightTable.h"
 #include "techniques/shadow_maps/ShadowViews.h"
 
@@ -21,7 +21,7 @@ Light MakeLight(bool positional, double cone, const glm::dvec3& position)
   return light;
 }
 
-// In how many views a point lies, with what is left to the edge in clip units.
+// Number of views that contain a point.
 int CountViews(const std::vector<ShadowView>& fitted, const glm::dvec3& point)
 {
   int count = 0;
@@ -59,12 +59,12 @@ TEST(ShadowViews, DirectionalLightSeesEverything)
   }
 }
 
-TEST(ShadowViews, LampSeesEverythingAroundIt)
+TEST(ShadowViews, OmnidirectionalLightSeesEverything)
 {
   for (const glm::dvec3& at : { glm::dvec3(0.4, 0.1, 2.1), glm::dvec3(10, 4, 20) })
   {
     const auto fitted = FitShadowViews(MakeLight(true, 180.0, at), Box, 1024, 3.5);
-    // From afar one map sees it all.
+    // A distant light needs only one map.
     ASSERT_EQ(fitted.size(), at.x > 5.0 ? 1u : 6u);
     EXPECT_EQ(CountShadowViews(MakeLight(true, 180.0, at), Box), static_cast<int>(fitted.size()));
     ForEachPoint([&](const glm::dvec3& p) {
@@ -76,7 +76,7 @@ TEST(ShadowViews, LampSeesEverythingAroundIt)
   }
 }
 
-TEST(ShadowViews, ConeSeesWhatItLights)
+TEST(ShadowViews, ConeSeesEverythingThatItLights)
 {
   const Light light = MakeLight(true, 20.0, glm::dvec3(6, 3, 9));
   const auto fitted = FitShadowViews(light, Box, 1024, 3.5);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A case: what a scene must come to, and how it is measured.
+// A case: a scene, its expected value, and how it is measured.
 #pragma once
 
 #include "Studio.h"
@@ -15,20 +15,19 @@ namespace validate
 struct Outcome
 {
   double Measured = NAN;
-  double StandardError = NAN; ///< NAN where it is not known
-  double Expected = NAN;      ///< where it is only known by measuring
+  double StandardError = NAN; ///< NAN if not known
+  double Expected = NAN;      ///< if the expected value is measured too
   std::vector<std::string> Notes;
 };
 
-/// What Measured must be. In a full run a standard error of more than a third of the tolerance fails
-/// too, as it could not tell.
+/// Condition on the measured value. In a full run, a standard error of more than a third of the tolerance fails too.
 struct Rule
 {
   enum Kind
   {
     Relative, ///< within Value times Expected
     Absolute, ///< within Value of Expected
-    Chance,   ///< within three standard errors of Expected, and those within Value times Expected
+    Chance,   ///< within three standard errors of Expected, which are at most Value times Expected
     AtLeast,  ///< Expected or more
     AtMost,   ///< Expected or less
   };
@@ -43,12 +42,12 @@ struct Case
   double Expected; ///< NAN: Outcome::Expected
   Rule Limit;
   int Samples; ///< per pixel
-  int Quick;   ///< the same for the quick run, which leaves the case out where it is 0
+  int Quick;   ///< samples per pixel in the quick run; 0 leaves the case out
   std::function<Outcome(Studio&, int samples)> Measure;
-  std::string Picture; ///< name of the picture that is kept of it
+  std::string Picture; ///< name of the case's picture; empty: none
   Vec3 Eye = { { 0.0, 0.0, 0.0 } };
   Vec3 Target = { { 0.0, 0.0, 0.0 } };
-  std::string Remark = ""; ///< what a reader of its group should know
+  std::string Remark = ""; ///< remark on the group
 };
 
 std::vector<Case> EnergyCases();
@@ -59,12 +58,13 @@ std::vector<Case> FormFactorCases();
 std::vector<Case> StrategyCases();
 std::vector<Case> ConvergenceCases();
 
-/// Mean of a picture whose pixels all expect the same value; they have sequences of their own, so
-/// that their spread is the error's.
+/// Mean of a picture whose pixels all have the same expected value. Their sequences are independent, so their spread
+/// gives the standard error.
 Outcome MeanOfEqual(const Film& film, double unit = 1.0);
-/// Mean over the surfaces seen, where pixels differ; the standard error is that of random samples,
-/// and the samples are spread more evenly.
+/// Mean over the visible surfaces, whose pixels differ. The standard error is that of random samples, an upper bound
+/// because the samples are spread more evenly.
 Outcome MeanOfSurface(const Film& film, double unit = 1.0);
-/// Mean of one picture, which expects that of another one of the same size, pixel by pixel.
-Outcome MeanBeside(const Film& film, const Film& other);
+/// Mean of a picture, with the mean of another one of the same size as the expected value. The standard error is that
+/// of the difference per pixel.
+Outcome MeanComparedTo(const Film& film, const Film& other);
 }

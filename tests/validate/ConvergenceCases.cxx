@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast the error falls, and what a picture of indirect light costs.
+// Convergence of the error, and the cost of a picture of indirect light.
 #include "Case.h"
 #include "Cornell.h"
 #include "TestData.h"
@@ -22,7 +22,7 @@ double RootMeanSquare(const Film& film, const Film& reference)
   return std::sqrt(squares / static_cast<double>(film.Luminance.size()));
 }
 
-/// Slope of a line through points, by least squares, and its standard error.
+/// Slope of the least-squares line through points, and its standard error.
 Outcome Fit(const std::vector<double>& x, const std::vector<double>& y)
 {
   const double count = static_cast<double>(x.size());
@@ -47,14 +47,14 @@ Outcome Fit(const std::vector<double>& x, const std::vector<double>& y)
   return outcome;
 }
 
-/// Errors of 4 to samples / 16 paths a pixel against a reference of `samples`. It contains those
-/// paths, which makes the slope of random samples steeper by 0.006.
+/// Slope of the errors of 4 to samples / 16 paths per pixel against a reference of `samples` paths. The reference
+/// contains these paths, which makes the slope of random samples steeper by 0.006.
 Outcome ErrorSlope(Studio& studio, int samples, const std::string& shaders)
 {
   constexpr int pixels = 48;
   BuildCornellBox(studio, pixels);
-  // The lamp is out of sight: the pixels on its rim, a thousand times as bright as the rest's error,
-  // would show how evenly a pixel's area is covered and hide how light is found.
+  // The lamp is out of view. The pixels on its edge, a thousand times as bright as the error of the others, would
+  // measure anti-aliasing instead of light transport.
   studio.Look({ { 0.0, -3.9, 0.0 } }, { { 0.0, 0.0, -0.3 } }, 25.0);
   studio.SetShaders(shaders);
   const Film reference = studio.Trace(samples);
@@ -75,14 +75,14 @@ Outcome ErrorSlope(Studio& studio, int samples, const std::string& shaders)
   return outcome;
 }
 
-/// Red over green light on the floor's left and right rim.
-Outcome Bleeding(Studio& studio, int samples)
+/// Ratio of red to green light along the floor's left edge, relative to that along its right edge.
+Outcome ColorBleeding(Studio& studio, int samples)
 {
   constexpr int pixels = 128;
   BuildCornellBox(studio, pixels);
   const Film film = studio.Trace(samples);
   double colors[2][2] = { { 0.0, 0.0 }, { 0.0, 0.0 } };
-  // In row y the floor reaches from column y to column 127 - y.
+  // In row y the floor extends from column y to column 127 - y.
   for (int y = 4; y < 12; ++y)
   {
     for (int side = 0; side < 2; ++side)
@@ -100,8 +100,7 @@ Outcome Bleeding(Studio& studio, int samples)
   char text[160];
   std::snprintf(text, sizeof(text),
     "mean luminance %.4f (standard error at most %.4f) of surfaces; %.2f s for a million paths of "
-    "up to 8 "
-    "reflections",
+    "up to 8 reflections",
     mean.Measured, mean.StandardError, film.Seconds / (1e-6 * pixels * pixels * (samples - 1)));
   Outcome outcome;
   outcome.Measured = colors[0][0] / colors[0][1] / (colors[1][0] / colors[1][1]);
@@ -115,19 +114,21 @@ std::vector<Case> ConvergenceCases()
   const auto slope = [](const std::string& shaders) {
     return [shaders](Studio& studio, int n) { return ErrorSlope(studio, n, shaders); };
   };
-  const std::string group = "error against samples, a Cornell box: slope in a log-log diagram";
+  const std::string group = "error over samples in a Cornell box: slope in a log-log diagram";
   return {
     { group, "independent random numbers", -0.5, { Rule::Absolute, 0.05 }, 4096, 0,
       slope(penumbra_test::TestData("validate/independent")), "", {}, {},
-      "4096 paths a pixel are the reference. Random errors fall as the square root of the samples. "
-      "The "
-      "path tracer's own numbers are spread evenly over those of a pixel (Owen-scrambled Sobol "
-      "points), and their errors fall faster; for the first row one shader is replaced "
-      "(`tests/validate/independent/`)." },
-    { group, "the path tracer's own, evenly spread", -0.45, { Rule::AtMost, 0.0 }, 4096, 0,
-      slope(""), "", {}, {} },
-    { "Cornell box", "red over green, the floor's left rim over its right one", 1.0,
-      { Rule::AtLeast, 0.0 }, 256, 0, Bleeding, "cornell", { { 0.0, -3.9, 0.0 } }, {} },
+      "The reference has 4096 paths per pixel. With independent random numbers, the error falls "
+      "with "
+      "the square root of the number of samples. The path tracer's own sequence (Owen-scrambled "
+      "Sobol "
+      "points) is spread evenly over a pixel's samples, and the error falls faster. For the first "
+      "row, "
+      "one shader is replaced (`tests/validate/independent/`)." },
+    { group, "the path tracer's own low-discrepancy sequence", -0.45, { Rule::AtMost, 0.0 }, 4096,
+      0, slope(""), "", {}, {} },
+    { "Cornell box", "red over green, left edge of the floor over right edge", 1.0,
+      { Rule::AtLeast, 0.0 }, 256, 0, ColorBleeding, "cornell", { { 0.0, -3.9, 0.0 } }, {} },
   };
 }
 }

@@ -13,8 +13,8 @@ void BuildCornellBox(Studio& studio, int pixels)
   const Material red = Painted({ { 0.65, 0.05, 0.05 } });
   const Material green = Painted({ { 0.12, 0.45, 0.15 } });
   studio.Add(Floor(-1.0, 1.0, -1.0, 1.0, -1.0), white);
-  // The lamp fills a hole: between it and a ceiling above it light would be trapped, and found by
-  // few paths of great weight.
+  // The lamp fills a hole in the ceiling. Below a closed ceiling, light would be trapped between the two and found by
+  // few paths with large weights.
   constexpr double lamp = 0.25;
   studio.Add(Ceiling(-lamp, lamp, -lamp, lamp, 1.0), Matte(0.0, 12.0));
   studio.Add(Ceiling(-1.0, 1.0, -1.0, -lamp, 1.0), white);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No light is lost or made: closed boxes, and white objects in white surroundings.
+// Conservation of energy: closed boxes, and white objects in white surroundings.
 #include "Case.h"
 #include "Shapes.h"
 
@@ -8,12 +8,12 @@ namespace validate
 {
 namespace
 {
-constexpr int Pixels = 64; // a picture's width and height
-// Light is followed to its end: Russian roulette ends each path, without bias.
-constexpr int Endless = 1000;
-constexpr double Far = 50.0; // the surroundings' distance
+constexpr int Pixels = 64; // width and height of a picture
+// Practically unlimited: Russian roulette ends each path earlier, without bias.
+constexpr int UnlimitedBounces = 1000;
+constexpr double Far = 50.0; // distance of the surroundings
 
-/// Reflections after which a share of less than 0.0001 is left.
+/// Number of reflections after which less than 0.0001 of the light remains.
 int Reflections(double reflectance)
 {
   return static_cast<int>(std::ceil(std::log(1e-4) / std::log(reflectance)));
@@ -31,7 +31,7 @@ Outcome ClosedBox(Studio& studio, int samples, double reflectance)
 
 enum class Surroundings
 {
-  Walls,  ///< that shine, far away
+  Walls,  ///< distant glowing walls
   Picture ///< an environment texture
 };
 
@@ -48,20 +48,20 @@ Outcome Furnace(Studio& studio, int samples, const Shape& object, double reflect
     studio.SetEnvironmentTexture(1.0);
   }
   studio.Add(object, Matte(reflectance));
-  studio.SetBounces(Endless);
+  studio.SetBounces(UnlimitedBounces);
   studio.LookParallel(
     { { 0.0, -4.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, { { 0.0, 0.0, 1.0 } }, half, 0.1);
   return MeanOfEqual(studio.Trace(samples));
 }
 
-Case Enclosed(double reflectance, const std::string& name, int samples, int quick)
+Case ClosedBoxCase(double reflectance, const std::string& name, int samples, int quick)
 {
   return { "closed box: emission 1 and reflectance ρ of every wall give 1 / (1 − ρ)", name,
     1.0 / (1.0 - reflectance), { Rule::Relative, 0.005 }, samples, quick,
     [reflectance](Studio& studio, int n) { return ClosedBox(studio, n, reflectance); } };
 }
 
-Case Furnaced(const std::string& name, const std::function<Shape()>& make, double reflectance,
+Case FurnaceCase(const std::string& name, const std::function<Shape()>& make, double reflectance,
   double half, int samples, int quick, Surroundings surroundings = Surroundings::Walls)
 {
   return { "furnace: a diffuse object in surroundings of radiance 1", name,
@@ -77,15 +77,15 @@ std::vector<Case> EnergyCases()
   const auto ball = [] { return Sphere(1.0, 0.0); };
   const auto ring = [] { return Torus(1.0, 0.5); };
   std::vector<Case> cases = {
-    Enclosed(0.2, "ρ = 0.2", 256, 32),
-    Enclosed(0.5, "ρ = 0.5", 256, 32),
-    Enclosed(0.8, "ρ = 0.8", 256, 32),
-    Furnaced("sphere, ρ = 0.5, its disc alone", ball, 0.5, 0.65, 64, 8),
-    Furnaced("sphere, ρ = 1: cannot be seen", ball, 1.0, 1.3, 64, 8),
-    Furnaced("torus (concave), ρ = 1: cannot be seen", ring, 1.0, 1.6, 64, 8),
-    Furnaced("sphere, ρ = 1, in an environment texture", ball, 1.0, 1.3, 64, 8,
-      Surroundings::Picture),
-    Furnaced("torus (concave), ρ = 1, in an environment texture", ring, 1.0, 1.6, 64, 8,
+    ClosedBoxCase(0.2, "ρ = 0.2", 256, 32),
+    ClosedBoxCase(0.5, "ρ = 0.5", 256, 32),
+    ClosedBoxCase(0.8, "ρ = 0.8", 256, 32),
+    FurnaceCase("sphere, ρ = 0.5, only its disc", ball, 0.5, 0.65, 64, 8),
+    FurnaceCase("sphere, ρ = 1: invisible", ball, 1.0, 1.3, 64, 8),
+    FurnaceCase("torus (concave), ρ = 1: invisible", ring, 1.0, 1.6, 64, 8),
+    FurnaceCase(
+      "sphere, ρ = 1, in an environment texture", ball, 1.0, 1.3, 64, 8, Surroundings::Picture),
+    FurnaceCase("torus (concave), ρ = 1, in an environment texture", ring, 1.0, 1.6, 64, 8,
       Surroundings::Picture),
   };
   cases[2].Picture = "closed-box";

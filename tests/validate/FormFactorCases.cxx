@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Form factors as what a white receiver sends, over its emitter's radiance: Howell, Mengüç,
-// Daun, Siegel 2020, "Thermal Radiation Heat Transfer", appendix C.
+// Form factors: radiance of a white receiver over that of its emitter. Expected values: Howell, Mengüç, Daun, Siegel
+// 2020, "Thermal Radiation Heat Transfer", appendix C.
 #include "Case.h"
 #include "Shapes.h"
 
@@ -15,10 +15,10 @@ constexpr double Pi = 3.14159265358979323846;
 struct Squares
 {
   bool Above = false; ///< an emitter at height 1
-  int Beside = 0;     ///< emitters that share an edge
+  int Beside = 0;     ///< number of emitters that share an edge with the receiver
 };
 
-/// The mean over the unit square on the floor, seen from below the upper emitter.
+/// Mean over the unit square on the floor, as seen from below the upper emitter.
 Outcome Received(Studio& studio, int samples, const Squares& squares)
 {
   studio.Clear(Pixels, Pixels);
@@ -65,7 +65,7 @@ Outcome UnderSquare(Studio& studio, int samples)
   return MeanOfEqual(studio.Trace(samples));
 }
 
-/// The two factors measured apart, summed up as a cube's.
+/// Sum of a cube's form factors, from separate measurements of the two kinds.
 Outcome CubeSum(Studio& studio, int samples)
 {
   const Outcome above = Received(studio, samples, { true, 0 });
@@ -86,7 +86,7 @@ Case Factor(const std::string& name, double expected, int samples, int quick,
 
 std::vector<Case> FormFactorCases()
 {
-  // The formulas beside the published digits.
+  // Formulas of the published values.
   const double parallel = 2.0 / Pi *
     (std::log(std::sqrt(4.0 / 3.0)) + 2.0 * std::sqrt(2.0) * std::atan(1.0 / std::sqrt(2.0)) -
       0.5 * Pi);
@@ -103,7 +103,7 @@ std::vector<Case> FormFactorCases()
     Factor("unit squares, perpendicular, sharing an edge (0.200044)", perpendicular, 256, 64,
       with({ false, 1 }), "form-factor-perpendicular"),
     Factor("F∥ + 4 F⊥ of a cube", 1.0, 256, 0, CubeSum),
-    Factor("floor of a cube whose other sides shine", 1.0, 256, 0, with({ true, 4 }),
+    Factor("floor of a cube whose other sides emit light", 1.0, 256, 0, with({ true, 4 }),
       "form-factor-cube"),
     Factor("coaxial discs, r = h = 1 (0.381966)", discs, 256, 32, Discs, "form-factor-discs"),
     Factor("point under a unit square at height 1 (0.239456)", below, 128, 32, UnderSquare,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Light of emitting surfaces on a point: a disc on its axis, by each strategy.
+// Irradiance at a point on the axis of an emitting disc, with each strategy.
 #include "Case.h"
 #include "Shapes.h"
 
@@ -20,13 +20,13 @@ Outcome UnderDisc(Studio& studio, int samples, double radius, const char* strate
   studio.Add(Disc(radius, 1.0, false), Matte(0.0, radiance));
   studio.SetBounces(0);
   studio.SetStrategy(strategy);
-  // From under the disc on a spot small enough for the irradiance to be the centre's.
+  // Look from below the disc at a spot so small that its irradiance equals that of the centre.
   studio.LookParallel(
     { { 0.0, 0.0, 1.0 } }, { { 0.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, 0.01, 0.95);
   return MeanOfEqual(studio.Trace(samples), radiance);
 }
 
-Case Disced(double radius, const char* strategy, int samples, int quick)
+Case DiscCase(double radius, const char* strategy, int samples, int quick)
 {
   char name[80];
   std::snprintf(name, sizeof(name), "radius %g at height 1, strategy %s", radius, strategy);
@@ -41,12 +41,12 @@ Case Disced(double radius, const char* strategy, int samples, int quick)
 std::vector<Case> LightCases()
 {
   return {
-    Disced(1.0, "both", 128, 32),
-    Disced(1.0, "lights", 128, 32),
-    Disced(1.0, "surfaces", 256, 64),
-    Disced(0.25, "both", 64, 0),
-    Disced(0.25, "lights", 64, 0),
-    Disced(0.25, "surfaces", 2048, 0),
+    DiscCase(1.0, "both", 128, 32),
+    DiscCase(1.0, "lights", 128, 32),
+    DiscCase(1.0, "surfaces", 256, 64),
+    DiscCase(0.25, "both", 64, 0),
+    DiscCase(0.25, "lights", 64, 0),
+    DiscCase(0.25, "surfaces", 2048, 0),
   };
 }
 }

@@ -50,7 +50,7 @@ Outcome MeanOfSurface(const Film& film, double unit)
   return outcome;
 }
 
-Outcome MeanBeside(const Film& film, const Film& other)
+Outcome MeanComparedTo(const Film& film, const Film& other)
 {
   std::vector<double> differences;
   for (std::size_t i = 0; i < film.Luminance.size(); ++i)

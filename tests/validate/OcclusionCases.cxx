@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Visibility of uniform surroundings from a white surface among black ones, with one reflection.
+// Visibility of uniform surroundings from a white surface among black ones, with one reflection of light.
 #include "Case.h"
 #include "Shapes.h"
 
@@ -12,10 +12,10 @@ namespace
 {
 constexpr int Pixels = 64;
 constexpr double Pi = 3.14159265358979323846;
-constexpr double Long = 4000.0; // stands for infinite: a wedge sees 0.00006 more
+constexpr double Long = 4000.0; // approximates infinity: visibility in a wedge is 0.00006 too high
 
-/// Looks straight down on a spot of 0.02 by 0.02, from below whatever hides it.
-Outcome Spot(Studio& studio, int samples, double x)
+/// Measure a spot of 0.02 by 0.02 from straight above, below all occluders.
+Outcome MeasureSpot(Studio& studio, int samples, double x)
 {
   studio.SetBounces(1);
   studio.LookParallel({ { x, 0.0, 1.0 } }, { { x, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, 0.01, 0.95);
@@ -28,7 +28,7 @@ Outcome UnderSphere(Studio& studio, int samples, double x)
   studio.AddEnvironment(1.0, 50.0);
   studio.Add(Floor(-3.0, 3.0, -3.0, 3.0, 0.0), Matte(1.0));
   studio.Add(Sphere(1.0, 1.0), Matte(0.0));
-  return Spot(studio, samples, x);
+  return MeasureSpot(studio, samples, x);
 }
 
 Outcome BesideWall(Studio& studio, int samples, double height)
@@ -39,7 +39,7 @@ Outcome BesideWall(Studio& studio, int samples, double height)
   studio.Add(Quad({ { { { 0.0, -Long, 0.0 } }, { { 0.0, Long, 0.0 } }, { { 0.0, Long, height } },
                { { 0.0, -Long, height } } } }),
     Matte(0.0));
-  return Spot(studio, samples, 1.0);
+  return MeasureSpot(studio, samples, 1.0);
 }
 
 Outcome InWedge(Studio& studio, int samples, double degrees)
@@ -52,7 +52,7 @@ Outcome InWedge(Studio& studio, int samples, double degrees)
   studio.Add(Quad({ { { { 0.0, -Long, 0.0 } }, { { 0.0, Long, 0.0 } }, { { x, Long, z } },
                { { x, -Long, z } } } }),
     Matte(0.0));
-  return Spot(studio, samples, 0.5);
+  return MeasureSpot(studio, samples, 0.5);
 }
 
 Outcome InPit(Studio& studio, int samples)
@@ -61,42 +61,43 @@ Outcome InPit(Studio& studio, int samples)
   studio.AddEnvironment(1.0, 50.0);
   studio.Add(Sphere(1.0, 0.0, 90.0, 180.0), Matte(1.0));
   studio.SetBounces(1);
-  // The square within the pit's rim.
+  // The largest square inside the rim of the pit.
   studio.LookParallel(
     { { 0.0, 0.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }, 0.7, 0.1);
   return MeanOfEqual(studio.Trace(samples));
 }
 
-Case Seen(const std::string& name, double visibility, int samples, int quick,
+Case VisibilityCase(const std::string& name, double visibility, int samples, int quick,
   const std::function<Outcome(Studio&, int)>& measure, const std::string& picture, const Vec3& eye)
 {
-  return { "ambient occlusion: what a point sees of uniform surroundings", name, visibility,
+  return { "ambient occlusion: visibility of uniform surroundings", name, visibility,
     { Rule::Relative, 0.005 }, samples, quick, measure, picture, eye, { { 0.5, 0.0, 0.5 } } };
 }
 
-Case Sphered(double x, int samples, int quick)
+Case SphereCase(double x, int samples, int quick)
 {
   char name[80];
   std::snprintf(name, sizeof(name), "%g from the foot of a unit sphere: 1 − (x² + 1)^(−3/2)", x);
-  return Seen(name, 1.0 - std::pow(x * x + 1.0, -1.5), samples, quick,
+  return VisibilityCase(name, 1.0 - std::pow(x * x + 1.0, -1.5), samples, quick,
     [x](Studio& studio, int n) { return UnderSphere(studio, n, x); },
     x < 1.0 ? "occlusion-sphere" : "", { { 3.0, -6.0, 3.0 } });
 }
 
-Case Walled(double height, int quick)
+Case WallCase(double height, int quick)
 {
   char name[80];
   std::snprintf(name, sizeof(name), "1 from a wall %g high: 1 − ½ (1 − d / √(d² + h²))", height);
-  return Seen(name, 0.5 + 0.5 / std::sqrt(1.0 + height * height), 256, quick,
+  return VisibilityCase(name, 0.5 + 0.5 / std::sqrt(1.0 + height * height), 256, quick,
     [height](Studio& studio, int n) { return BesideWall(studio, n, height); },
     height > 1.0 ? "occlusion-wall" : "", { { 5.0, -6.0, 3.0 } });
 }
 
-Case Wedged(double degrees, int quick)
+Case WedgeCase(double degrees, int quick)
 {
   char name[80];
   std::snprintf(name, sizeof(name), "between planes that open by %g°: ½ (1 − cos φ)", degrees);
-  return Seen(name, 0.5 - 0.5 * std::cos(degrees * Pi / 180.0), degrees < 60.0 ? 1024 : 256, quick,
+  return VisibilityCase(name, 0.5 - 0.5 * std::cos(degrees * Pi / 180.0),
+    degrees < 60.0 ? 1024 : 256, quick,
     [degrees](Studio& studio, int n) { return InWedge(studio, n, degrees); },
     degrees > 100.0 ? "occlusion-wedge" : "", { { 6.0, -6.0, 2.0 } });
 }
@@ -105,15 +106,15 @@ Case Wedged(double degrees, int quick)
 std::vector<Case> OcclusionCases()
 {
   return {
-    Sphered(0.5, 512, 64),
-    Sphered(1.0, 256, 0),
-    Sphered(2.0, 128, 0),
-    Walled(1.0, 32),
-    Walled(3.0, 0),
-    Wedged(45.0, 0),
-    Wedged(90.0, 32),
-    Wedged(135.0, 0),
-    Seen("anywhere in a hemispherical pit: ½", 0.5, 256, 32, InPit, "occlusion-pit",
+    SphereCase(0.5, 512, 64),
+    SphereCase(1.0, 256, 0),
+    SphereCase(2.0, 128, 0),
+    WallCase(1.0, 32),
+    WallCase(3.0, 0),
+    WedgeCase(45.0, 0),
+    WedgeCase(90.0, 32),
+    WedgeCase(135.0, 0),
+    VisibilityCase("anywhere in a hemispherical pit: ½", 0.5, 256, 32, InPit, "occlusion-pit",
       { { 0.5, -4.0, 4.0 } }),
   };
 }

@@ -10,7 +10,7 @@ namespace validate
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr int Steps = 1000; // a side; doubling it changes no result here by 0.01 %
+constexpr int Steps = 1000; // per axis; doubling it changes no result here by more than 0.01 %
 
 /// Mean of a function over the unit square.
 template <typename Function>
@@ -36,14 +36,14 @@ double Fresnel(double f0, double f90, double cosine)
 double PhongAlbedo(double diffuse, double specular, double power, double cosView)
 {
   const double sinView = std::sqrt(1.0 - cosView * cosView);
-  // Directions by the angle to the mirrored view: cos^n dω = 2π / (n + 1) du dv with cos = u^(1/(n+1)).
-  const double above = MeanOverSquare([&](double u, double v) {
+  // Directions are sampled by the angle to the mirrored view: cos^n dω = 2π / (n + 1) du dv with cos = u^(1/(n+1)).
+  const double visibleShare = MeanOverSquare([&](double u, double v) {
     const double cosine = std::pow(u, 1.0 / (power + 1.0));
     const double sine = std::sqrt(1.0 - cosine * cosine);
     const double up = cosine * cosView + sine * std::cos(2.0 * Pi * v) * sinView;
     return up > 0.0 ? 1.0 : 0.0;
   });
-  return diffuse + specular * 2.0 / (power + 1.0) * above;
+  return diffuse + specular * 2.0 / (power + 1.0) * visibleShare;
 }
 
 double PhysicalAlbedo(double color, double metallic, double roughness, double cosView)
@@ -51,11 +51,11 @@ double PhysicalAlbedo(double color, double metallic, double roughness, double co
   const double sinView = std::sqrt(1.0 - cosView * cosView);
   const double base = 0.04; // ((1.5 - 1) / (1.5 + 1))^2
   const double f0 = base + (color - base) * metallic;
-  const double edge = std::min(1.0, 3.0 * f0 * 50.0 * 0.33); // the sum over three equal colours
+  const double edge = std::min(1.0, 3.0 * f0 * 50.0 * 0.33); // sum of three equal colour channels
   const double f90 = edge + (1.0 - edge) * metallic;
-  const double width = roughness * roughness; // of the distribution
+  const double width = roughness * roughness; // width of the distribution
   const double smith = roughness * roughness; // squared width of the visibility
-  // Highlight: normals H by their density D cos, light directions by mirroring the view in them.
+  // Highlight: normals H are sampled with density D cos; light directions are the view mirrored in them.
   const double highlight = MeanOverSquare([&](double u, double v) {
     const double cosine2 = (1.0 - u) / (1.0 + (width * width - 1.0) * u);
     const double NdH = std::sqrt(cosine2);
@@ -70,7 +70,7 @@ double PhysicalAlbedo(double color, double metallic, double roughness, double co
         cosView * std::sqrt(smith + NdL * NdL * (1.0 - smith)));
     return visibility * Fresnel(f0, f90, VdH) * NdL * 4.0 * VdH / NdH;
   });
-  // Diffuse part: by the light's cosine.
+  // Diffuse part: sampled by the light's cosine.
   const double matte = MeanOverSquare([&](double u, double v) {
     const double NdL = std::sqrt(1.0 - u);
     const double VdL = NdL * cosView + std::sqrt(u) * std::cos(2.0 * Pi * v) * sinView;

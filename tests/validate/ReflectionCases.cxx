@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What each surface model keeps of uniform light: a flat piece in surroundings of radiance 1, seen
-// at an angle, against the same model integrated on the processor.
+// Share of uniform light that each surface model reflects: a flat surface in surroundings of radiance 1, seen at an
+// angle, against the same model integrated on the CPU.
 #include "Case.h"
 #include "Reflectance.h"
 #include "Shapes.h"
@@ -22,7 +22,8 @@ Outcome Albedo(Studio& studio, int samples, const Material& material, double deg
   studio.Add(Floor(-1.0, 1.0, -1.0, 1.0, 0.0), material);
   studio.SetBounces(1);
   const double angle = degrees * Pi / 180.0;
-  // VTK looks from the camera's place in a parallel projection too: far away and at little.
+  // VTK computes view directions from the camera's position even in a parallel projection, so the camera is far away
+  // and the picture small.
   const Vec3 eye = { { 0.0, -20.0 * std::sin(angle), 20.0 * std::cos(angle) } };
   studio.LookParallel(eye, { { 0.0, 0.0, 0.0 } }, { { 0.0, 1.0, 1.0 } }, 0.005, 1.0);
   return MeanOfEqual(studio.Trace(samples));
@@ -33,7 +34,7 @@ Case Phong(double diffuse, double specular, double power, double degrees, int qu
   char name[80];
   std::snprintf(name, sizeof(name), "diffuse %g, specular %g, power %g, seen at %g°", diffuse,
     specular, power, degrees);
-  return { "what Phong keeps of uniform light", name,
+  return { "share of uniform light that VTK's Phong model reflects", name,
     PhongAlbedo(diffuse, specular, power, std::cos(degrees * Pi / 180.0)),
     { Rule::Relative, 0.005 }, 128, quick, [=](Studio& studio, int n) {
       return Albedo(studio, n, Shiny(diffuse, specular, power), degrees);
@@ -45,11 +46,14 @@ Case Physics(double metallic, double roughness, double degrees, int quick)
   char name[80];
   std::snprintf(name, sizeof(name), "white %s, roughness %g, seen at %g°",
     metallic > 0.5 ? "metal" : "dielectric", roughness, degrees);
-  return { "what VTK's metallic-roughness model (one scattering) keeps of uniform light", name,
+  return {
+    "share of uniform light that VTK's metallic-roughness model (single scattering) reflects", name,
     PhysicalAlbedo(1.0, metallic, roughness, std::cos(degrees * Pi / 180.0)),
-    { Rule::Relative, 0.005 }, 256, quick, [=](Studio& studio, int n) {
+    { Rule::Relative, 0.005 }, 256, quick,
+    [=](Studio& studio, int n) {
       return Albedo(studio, n, Physical(1.0, metallic, roughness), degrees);
-    } };
+    }
+  };
 }
 }
 
@@ -57,13 +61,14 @@ std::vector<Case> ReflectionCases()
 {
   std::vector<Case> cases;
   const std::string phong =
-    "The expected values are the same formulas, reimplemented in C++ and integrated by the midpoint "
-    "rule. VTK's highlight has no factor of normalization, so that its share fades as its power "
-    "grows.";
+    "The expected values come from the same formulas, reimplemented in C++ and integrated by the "
+    "midpoint rule. VTK's highlight has no normalization factor, so its share decreases as its "
+    "power increases.";
   const std::string physical =
-    "Expected as above. Light that is scattered more than once between the facets is not in the "
-    "model, so that rough metals are dark; dielectrics at a slant send back up to 2.4 % more than "
-    "they receive. Penumbra keeps VTK's look.";
+    "Expected values as above. The model has no multiple scattering between facets, so rough "
+    "metals "
+    "are dark. Dielectrics seen at an angle reflect up to 2.4 % more light than they receive. "
+    "Penumbra keeps VTK's look.";
   for (double power : { 1.0, 10.0, 100.0 })
   {
     for (double degrees : { 0.0, 60.0 })

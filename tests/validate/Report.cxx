@@ -22,7 +22,7 @@ std::string Text(const char* format, double value)
 
 std::string ExpectedText(const Result& result)
 {
-  switch (result.Of->Limit.Is)
+  switch (result.Source->Limit.Is)
   {
     case Rule::AtLeast:
       return "≥ " + Text("%.2f", result.Expected);
@@ -35,10 +35,12 @@ std::string ExpectedText(const Result& result)
 
 std::string ErrorText(const Result& result)
 {
-  return std::isnan(result.Found.StandardError) ? "" : Text("%.5f", result.Found.StandardError);
+  return std::isnan(result.Measurement.StandardError)
+    ? ""
+    : Text("%.5f", result.Measurement.StandardError);
 }
 
-/// printf counts bytes, a terminal's columns are characters.
+/// Pad with spaces to a width in characters. printf counts bytes.
 std::string Padded(std::string text, std::size_t width)
 {
   const auto columns = static_cast<std::size_t>(std::count_if(text.begin(), text.end(),
@@ -52,76 +54,80 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-constexpr const char* Explanation =
-  "Scenes whose light is known, path traced, with the measured values. A row passes if the measured\n"
-  "value is within the tolerance of the expected one, and three standard errors are at most the\n"
-  "tolerance, so that chance neither passes nor fails it. Standard errors are estimated from the\n"
-  "pictures: from the spread of pixels that expect the same value, else from the spread of each\n"
-  "pixel's samples, which overestimates it. The scenes are in `tests/validate/`; the test `validate`\n"
-  "measures some of them with fewer samples.\n";
+constexpr const char* Explanation = "Measured values of path-traced scenes with known light. A row "
+                                    "passes if the measured value is within\n"
+                                    "the tolerance of the expected one, and three standard errors "
+                                    "are at most the tolerance, so that noise\n"
+                                    "does not decide. Standard errors are estimated from the "
+                                    "pictures: from the spread of pixels with the\n"
+                                    "same expected value, otherwise from the spread of each "
+                                    "pixel's samples, which overestimates them. The\n"
+                                    "scenes are in `tests/validate/`; the test `validate` measures "
+                                    "some of them with fewer samples.\n";
 }
 
-Result Judge(const Case& asked, int samples, const Outcome& found, bool quick)
+Result Judge(const Case& source, int samples, const Outcome& measurement, bool quick)
 {
-  Result result = { &asked, samples, found,
-    std::isnan(asked.Expected) ? found.Expected : asked.Expected, false, "" };
-  const double off = found.Measured - result.Expected;
-  const double chance = std::isnan(found.StandardError) ? 0.0 : 3.0 * found.StandardError;
-  const Rule& rule = asked.Limit;
+  Result result = { &source, samples, measurement,
+    std::isnan(source.Expected) ? measurement.Expected : source.Expected, false, "" };
+  const double off = measurement.Measured - result.Expected;
+  const double chance =
+    std::isnan(measurement.StandardError) ? 0.0 : 3.0 * measurement.StandardError;
+  const Rule& rule = source.Limit;
   const bool relative = rule.Is == Rule::Relative || rule.Is == Rule::Chance;
   const double tolerance = rule.Value * (relative ? std::abs(result.Expected) : 1.0);
   const std::string limit = relative ? Text("%g %%", 100.0 * rule.Value) : Text("%g", rule.Value);
-  bool tells = quick || chance <= tolerance;
+  bool conclusive = quick || chance <= tolerance;
   switch (rule.Is)
   {
     case Rule::Relative:
-      result.Good = std::abs(off) <= (quick ? std::max(tolerance, chance) : tolerance);
+      result.Passed = std::abs(off) <= (quick ? std::max(tolerance, chance) : tolerance);
       result.Verdict = quick && chance > tolerance
         ? Text("within 3 standard errors, %.2g %%", 100.0 * chance / std::abs(result.Expected))
         : "within " + limit;
       break;
     case Rule::Absolute:
-      result.Good = std::abs(off) <= tolerance;
+      result.Passed = std::abs(off) <= tolerance;
       result.Verdict = "within " + limit;
       break;
     case Rule::Chance:
-      result.Good = std::abs(off) <= chance;
+      result.Passed = std::abs(off) <= chance;
       result.Verdict = "within 3 standard errors";
       break;
     case Rule::AtLeast:
-      result.Good = off >= 0.0;
-      tells = true;
+      result.Passed = off >= 0.0;
+      conclusive = true;
       break;
     case Rule::AtMost:
-      result.Good = off <= 0.0;
-      tells = true;
+      result.Passed = off <= 0.0;
+      conclusive = true;
       break;
   }
-  if (result.Good && !tells)
+  if (result.Passed && !conclusive)
   {
     result.Verdict = "3 standard errors are more than " + limit;
   }
-  else if (!result.Good && !result.Verdict.empty())
+  else if (!result.Passed && !result.Verdict.empty())
   {
     result.Verdict = "not " + result.Verdict;
   }
-  result.Good = result.Good && tells;
+  result.Passed = result.Passed && conclusive;
   return result;
 }
 
-void Print(const Result& result, const std::string& groupBefore)
+void Print(const Result& result, const std::string& previousGroup)
 {
-  if (result.Of->Group != groupBefore)
+  if (result.Source->Group != previousGroup)
   {
-    std::printf("\n%s\n", result.Of->Group.c_str());
+    std::printf("\n%s\n", result.Source->Group.c_str());
     std::printf(
       "  %s expected   measured   std. error  samples  verdict\n", Padded("", 64).c_str());
   }
-  std::printf("  %s %s %10.5f   %s %7d  %s%s%s\n", Padded(result.Of->Name, 64).c_str(),
-    Padded(ExpectedText(result), 9).c_str(), result.Found.Measured,
-    Padded(ErrorText(result), 10).c_str(), result.Samples, result.Good ? "pass" : "FAIL",
+  std::printf("  %s %s %10.5f   %s %7d  %s%s%s\n", Padded(result.Source->Name, 64).c_str(),
+    Padded(ExpectedText(result), 9).c_str(), result.Measurement.Measured,
+    Padded(ErrorText(result), 10).c_str(), result.Samples, result.Passed ? "pass" : "FAIL",
     result.Verdict.empty() ? "" : ": ", result.Verdict.c_str());
-  for (const std::string& note : result.Found.Notes)
+  for (const std::string& note : result.Measurement.Notes)
   {
     std::printf("    %s\n", note.c_str());
   }
@@ -133,31 +139,32 @@ void WritePage(
 {
   std::ofstream page(file);
   page << "# Validation\n\n<!-- generated by ./run validate: do not edit -->\n"
-       << Explanation << "\n`./run validate` repeats the measurements and writes this page. Rendered by "
+       << Explanation
+       << "\n`./run validate` repeats the measurements and writes this page. Rendered by "
        << renderer << ".\n";
   std::string group;
-  std::string remarks; // below a group's table
+  std::string remarks; // for the end of a group
   for (const Result& result : results)
   {
-    if (result.Of->Group != group)
+    if (result.Source->Group != group)
     {
-      group = result.Of->Group;
+      group = result.Source->Group;
       page << "\n## " << static_cast<char>(std::toupper(group[0])) << group.substr(1) << "\n\n"
            << "| case | expected | measured | standard error | samples per pixel | verdict |\n"
            << "| --- | --- | --- | --- | --- | --- |\n";
     }
-    page << "| " << result.Of->Name << " | " << ExpectedText(result) << " | "
-         << Text("%.5f", result.Found.Measured) << " | " << ErrorText(result) << " | "
-         << result.Samples << " | " << (result.Good ? "pass" : "**fails**")
+    page << "| " << result.Source->Name << " | " << ExpectedText(result) << " | "
+         << Text("%.5f", result.Measurement.Measured) << " | " << ErrorText(result) << " | "
+         << result.Samples << " | " << (result.Passed ? "pass" : "**fails**")
          << (result.Verdict.empty() ? "" : ": ") << result.Verdict << " |\n";
-    if (!result.Of->Remark.empty())
+    if (!result.Source->Remark.empty())
     {
-      remarks += "\n" + result.Of->Remark + "\n";
+      remarks += "\n" + result.Source->Remark + "\n";
     }
-    const bool last = &result == &results.back() || (&result)[1].Of->Group != group;
-    for (const std::string& note : result.Found.Notes)
+    const bool last = &result == &results.back() || (&result)[1].Source->Group != group;
+    for (const std::string& note : result.Measurement.Notes)
     {
-      remarks += "\n" + result.Of->Name + ": " + note + ".\n";
+      remarks += "\n" + result.Source->Name + ": " + note + ".\n";
     }
     if (last)
     {
@@ -180,15 +187,15 @@ Progress::Progress()
 
 void Progress::Show(double fraction, const std::string& what)
 {
-  constexpr double between = 0.1;
-  if (!this->Terminal || Now() - this->Drawn < between)
+  constexpr double interval = 0.1;
+  if (!this->Terminal || Now() - this->LastShown < interval)
   {
     return;
   }
-  this->Drawn = Now();
+  this->LastShown = Now();
   constexpr int cells = 30;
   const int filled = static_cast<int>(cells * fraction);
-  const double spent = this->Drawn - this->Started;
+  const double spent = this->LastShown - this->Started;
   const int left = fraction > 0.01 ? static_cast<int>(spent * (1.0 - fraction) / fraction) : -1;
   std::printf("\r[%s%s] %3.0f %%", std::string(filled, '#').c_str(),
     std::string(cells - filled, '.').c_str(), 100.0 * fraction);

@@ -10,26 +10,26 @@ namespace validate
 {
 struct Result
 {
-  const Case* Of;
+  const Case* Source;
   int Samples;
-  Outcome Found;
+  Outcome Measurement;
   double Expected;
-  bool Good;
+  bool Passed;
   std::string Verdict;
 };
 
-/// quick: fewer samples, so that three standard errors are allowed where they are more than the
+/// Compare the measurement of a case with its rule. quick: three standard errors are allowed if they are more than the
 /// tolerance.
-Result Judge(const Case& asked, int samples, const Outcome& found, bool quick);
+Result Judge(const Case& source, int samples, const Outcome& measurement, bool quick);
 
-/// One line, below the group's heading where that is new.
-void Print(const Result& result, const std::string& groupBefore);
+/// Print one line, with a heading if the group is not that of the previous line.
+void Print(const Result& result, const std::string& previousGroup);
 
-/// A page of documentation.
+/// Write the page of documentation.
 void WritePage(
   const std::string& file, const std::vector<Result>& results, const std::string& renderer);
 
-/// A bar on a terminal with the time left; silent elsewhere.
+/// A progress bar with the remaining time. Shown on terminals only.
 class Progress
 {
 public:
@@ -39,7 +39,7 @@ public:
 
 private:
   double Started;
-  double Drawn = 0.0;
+  double LastShown = 0.0;
   bool Terminal;
 };
 }

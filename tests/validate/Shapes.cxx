@@ -21,11 +21,11 @@ constexpr double Pi = 3.14159265358979323846;
 Shape Make(const std::vector<std::array<double, 3>>& points,
   const std::vector<std::vector<vtkIdType>>& faces)
 {
-  vtkNew<vtkPoints> at;
-  at->SetDataTypeToDouble();
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
   for (const auto& point : points)
   {
-    at->InsertNextPoint(point.data());
+    positions->InsertNextPoint(point.data());
   }
   vtkNew<vtkCellArray> cells;
   for (const auto& face : faces)
@@ -33,7 +33,7 @@ Shape Make(const std::vector<std::array<double, 3>>& points,
     cells->InsertNextCell(static_cast<vtkIdType>(face.size()), face.data());
   }
   Shape shape = Shape::New();
-  shape->SetPoints(at);
+  shape->SetPoints(positions);
   shape->SetPolys(cells);
   return shape;
 }
@@ -56,12 +56,12 @@ Shape Ceiling(double xMin, double xMax, double yMin, double yMax, double z)
     { { xMax, yMin, z } } } });
 }
 
-Shape Box(const std::array<double, 3>& low, const std::array<double, 3>& high, double turn)
+Shape Box(const std::array<double, 3>& low, const std::array<double, 3>& high, double angle)
 {
   std::vector<std::array<double, 3>> points;
   const double middle[2] = { 0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1]) };
-  const double c = std::cos(turn * Pi / 180.0);
-  const double s = std::sin(turn * Pi / 180.0);
+  const double c = std::cos(angle * Pi / 180.0);
+  const double s = std::sin(angle * Pi / 180.0);
   for (int i = 0; i < 8; ++i)
   {
     const double x = (i & 1 ? high : low)[0] - middle[0];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Light found by points on emitters, by the directions surfaces reflect to, and by both: one mean.
+// Sampling points on emitters, sampling directions of reflection, and both have the same mean.
 #include "Case.h"
 #include "Shapes.h"
 
@@ -26,18 +26,19 @@ Film UnderLamp(Studio& studio, int samples, const Material& material, const char
   return studio.Trace(samples);
 }
 
-Case Alike(const std::string& name, const Material& material, const std::shared_ptr<Film>& both,
-  const char* strategy, int quick, const std::string& picture = "")
+Case SameMeanCase(const std::string& name, const Material& material,
+  const std::shared_ptr<Film>& both, const char* strategy, int quick,
+  const std::string& picture = "")
 {
-  // The picture with both is the same for the two cases of a material.
-  return { "each strategy gives the mean of both together", name + ", " + strategy, NAN,
+  // The two cases of a material share the picture with both strategies.
+  return { "each strategy has the mean of both together", name + ", " + strategy, NAN,
     { Rule::Chance, 0.01 }, 256, quick,
     [=](Studio& studio, int n) {
       if (both->Samples != n)
       {
         *both = UnderLamp(studio, n, material, "both");
       }
-      return MeanBeside(UnderLamp(studio, n, material, strategy), *both);
+      return MeanComparedTo(UnderLamp(studio, n, material, strategy), *both);
     },
     picture, { { 1.0, -5.0, 2.2 } }, { { 0.0, 0.0, 0.7 } } };
 }
@@ -48,7 +49,7 @@ std::vector<Case> StrategyCases()
   struct Surface
   {
     const char* Name;
-    Material Of;
+    Material Appearance;
     int QuickLights;
     int QuickSurfaces;
     const char* Picture;
@@ -63,9 +64,10 @@ std::vector<Case> StrategyCases()
   for (const Surface& surface : surfaces)
   {
     const auto both = std::make_shared<Film>();
-    cases.push_back(Alike(surface.Name, surface.Of, both, "lights", surface.QuickLights));
     cases.push_back(
-      Alike(surface.Name, surface.Of, both, "surfaces", surface.QuickSurfaces, surface.Picture));
+      SameMeanCase(surface.Name, surface.Appearance, both, "lights", surface.QuickLights));
+    cases.push_back(SameMeanCase(
+      surface.Name, surface.Appearance, both, "surfaces", surface.QuickSurfaces, surface.Picture));
   }
   return cases;
 }

@@ -94,7 +94,7 @@ void Studio::Clear(int width, int height)
   this->Renderer->UseImageBasedLightingOff();
   this->Renderer->SetBackground(0.0, 0.0, 0.0);
   this->Window->SetSize(width, height);
-  // Without any lamp VTK draws surfaces in flat colours; this one sheds no light.
+  // Without a light VTK draws surfaces in their plain colours, so add one of intensity zero.
   vtkNew<vtkLight> dark;
   dark->SetLightTypeToSceneLight();
   dark->SetIntensity(0.0);
@@ -148,11 +148,11 @@ void Studio::SetEnvironmentTexture(double radiance)
   texture->SetInputData(image);
   texture->SetColorModeToDirectScalars();
   texture->InterpolateOn();
-  texture->MipmapOn(); // VTK insists
+  texture->MipmapOn(); // required by VTK
   this->Renderer->SetEnvironmentTexture(texture);
   this->Renderer->UseImageBasedLightingOn();
   this->Renderer->SetBackground(radiance, radiance, radiance);
-  // Small: VTK's filtering for its own shaders takes longer than the rays otherwise.
+  // Minimal settings, because otherwise VTK's filtering for its own shaders takes longer than the rays.
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
   renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
   renderer->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
@@ -183,7 +183,7 @@ void Studio::Look(const Vec3& eye, const Vec3& target, double angle)
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetViewAngle(angle);
   const double distance = camera->GetDistance();
-  camera->SetClippingRange(0.01 * distance, 1e5 * distance); // surroundings may be far away
+  camera->SetClippingRange(0.01 * distance, 1e5 * distance); // the surroundings may be far away
 }
 
 void Studio::SetBounces(int bounces)
@@ -208,7 +208,7 @@ Film Studio::Trace(int samples)
 {
   using Clock = std::chrono::steady_clock;
   this->Tracer->SetSamples(samples);
-  this->Tracer->Modified(); // starts from scratch though nothing changed
+  this->Tracer->Modified(); // to start from scratch even if nothing changed
   this->Window->Render();
   const auto begin = Clock::now();
   while (!this->Tracer->IsFinished(this->Renderer))
@@ -236,21 +236,21 @@ Film Studio::Trace(int samples)
     !this->Pass->GetBuffer(this->Renderer, "path-tracing.encoded", squares) ||
     !this->Pass->GetBuffer(this->Renderer, "path-tracing.albedo", surfaces))
   {
-    throw std::runtime_error("the pass kept no radiance of the frames it drew.");
+    throw std::runtime_error("the pass did not keep the radiance of its frames.");
   }
   const int* size = radiance->GetDimensions();
   film.Width = size[0];
   film.Height = size[1];
   const auto* colors = static_cast<const float*>(radiance->GetScalarPointer());
   const auto* squared = static_cast<const float*>(squares->GetScalarPointer());
-  const auto* met = static_cast<const float*>(surfaces->GetScalarPointer());
+  const auto* coverage = static_cast<const float*>(surfaces->GetScalarPointer());
   for (std::size_t i = 0; i < static_cast<std::size_t>(size[0]) * size[1]; ++i)
   {
     const float* color = colors + 4 * i;
     film.Color.insert(film.Color.end(), color, color + 3);
     film.Luminance.push_back(0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]);
     film.SquareMean.push_back(squared[4 * i + 3] / film.Samples);
-    film.Coverage.push_back(met[4 * i + 3] / film.Samples);
+    film.Coverage.push_back(coverage[4 * i + 3] / film.Samples);
   }
   return film;
 }
@@ -264,9 +264,9 @@ void SavePng(const Film& film, const std::string& file)
   for (float linear : film.Color)
   {
     const double value = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-    const double curved =
+    const double encoded =
       value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1.0 / 2.4) - 0.055;
-    *bytes++ = static_cast<unsigned char>(std::lround(255.0 * curved));
+    *bytes++ = static_cast<unsigned char>(std::lround(255.0 * encoded));
   }
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(file.c_str());

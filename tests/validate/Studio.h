@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A window in which small scenes are path traced through the public classes, and their pictures
-// read back as numbers.
+// A window that path traces small scenes with the public classes, and returns their pictures as numbers.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -43,17 +42,17 @@ Material Painted(const Vec3& reflectance);
 Material Shiny(double diffuse, double specular, double power);
 Material Physical(double color, double metallic, double roughness);
 
-/// What a sequence of still frames came to.
+/// Result of a sequence of still frames.
 struct Film
 {
   int Width = 0;
   int Height = 0;
-  int Samples = 0;                ///< per pixel
-  std::vector<float> Color;       ///< mean linear radiance, three values a pixel, bottom row first
-  std::vector<double> Luminance;  ///< of the mean
+  int Samples = 0;               ///< per pixel
+  std::vector<float> Color;      ///< mean linear radiance, three values per pixel, bottom row first
+  std::vector<double> Luminance; ///< luminance of the mean
   std::vector<double> SquareMean; ///< mean of the samples' squared luminance
-  std::vector<double> Coverage;   ///< part of the pixel in which the eye met a surface
-  double Seconds = 0.0;           ///< of all frames after the first, which compiles shaders
+  std::vector<double> Coverage;   ///< fraction of the pixel that surfaces cover
+  double Seconds = 0.0;           ///< time of all frames after the first, which compiles shaders
 };
 
 class Studio
@@ -66,28 +65,28 @@ public:
 
   std::string Description() const;
 
-  /// An empty black scene without lamps; eight reflections and every strategy; an own picture size.
+  /// Start an empty black scene without light, with eight reflections and both strategies.
   void Clear(int width, int height);
   void Add(vtkPolyData* shape, const Material& material, bool culled = false);
-  /// Uniform light from everywhere: a cube that shows its colour, the scene in its middle.
+  /// Add uniform light from all directions: a cube around the scene that shows its plain colour.
   void AddEnvironment(double radiance, double halfSize);
-  /// The same by an environment texture, before a background of that value.
+  /// Set uniform light from all directions by an environment texture, with a background of the same value.
   void SetEnvironmentTexture(double radiance);
 
-  /// Parallel rays from `eye` on, a square picture of the given half width. What lies nearer to the
-  /// eye than `nearest` is not seen, though it casts shadows and shines.
+  /// Set a parallel projection, as a square picture of the given half width. Surfaces nearer to the eye than `nearest`
+  /// are not visible, but cast shadows and emit light.
   void LookParallel(
     const Vec3& eye, const Vec3& target, const Vec3& up, double half, double nearest);
   void Look(const Vec3& eye, const Vec3& target, double angle);
 
   void SetBounces(int bounces);
   void SetStrategy(const char* strategy);
-  /// A folder of shaders in place of the built-in ones of the same name; "" for the environment's.
+  /// Set a folder whose shaders replace the built-in ones; "" for the folder of the environment variable.
   void SetShaders(const std::string& folder);
 
-  /// Trace so many paths through every pixel, from the first one on.
+  /// Trace a number of paths per pixel, starting from scratch.
   Film Trace(int samples);
-  /// Called with the part that is done of a Trace().
+  /// Called during Trace() with the finished fraction.
   std::function<void(double)> OnProgress;
 
 private:
@@ -95,9 +94,9 @@ private:
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkGIPass> Pass;
   vtkGIPathTracing* Tracer;
-  std::string Shaders; ///< the environment's folder
+  std::string Shaders; ///< folder of the environment variable
 };
 
-/// A PNG file for people, with sRGB's curve.
+/// Write a PNG file for inspection, in sRGB.
 void SavePng(const Film& film, const std::string& file);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The path tracer on scenes whose light is known. Prints expected and measured values; exit code 1
- * where a case fails. With --quick, fewer cases and samples, for the tests.
+ * Path traces scenes with known light, and prints expected and measured values. Exits with 1 if a case fails. With
+ * --quick, fewer cases and samples, for the tests.
  */
 #include "Report.h"
 
@@ -34,28 +34,28 @@ std::vector<Case> AllCases()
   return all;
 }
 
-bool Asked(const Case& one, const Options& options)
+bool IsSelected(const Case& candidate, const Options& options)
 {
-  const bool named = (one.Group + ": " + one.Name).find(options.Filter) != std::string::npos;
-  return named && (!options.Quick || one.Quick > 0);
+  const std::string name = candidate.Group + ": " + candidate.Name;
+  return name.find(options.Filter) != std::string::npos && (!options.Quick || candidate.Quick > 0);
 }
 
-/// The scene that the case left in the studio, for people.
-void KeepPicture(Studio& studio, const Case& one, const std::string& folder)
+/// Save a picture of the scene that the case left in the studio.
+void SavePicture(Studio& studio, const Case& each, const std::string& folder)
 {
   constexpr int samples = 64;
   constexpr double angle = 40.0;
-  studio.Look(one.Eye, one.Target, angle);
-  SavePng(studio.Trace(samples), folder + "/" + one.Picture + ".png");
+  studio.Look(each.Eye, each.Target, angle);
+  SavePng(studio.Trace(samples), folder + "/" + each.Picture + ".png");
 }
 
 bool Run(const Options& options)
 {
   const std::vector<Case> all = AllCases();
   double planned = 0.0;
-  for (const Case& one : all)
+  for (const Case& each : all)
   {
-    planned += Asked(one, options) ? (options.Quick ? one.Quick : one.Samples) : 0;
+    planned += IsSelected(each, options) ? (options.Quick ? each.Quick : each.Samples) : 0;
   }
   if (planned == 0.0)
   {
@@ -71,25 +71,25 @@ bool Run(const Options& options)
   double done = 0.0;
   std::string group;
   int failed = 0;
-  for (const Case& one : all)
+  for (const Case& each : all)
   {
-    if (!Asked(one, options))
+    if (!IsSelected(each, options))
     {
       continue;
     }
-    const int samples = options.Quick ? one.Quick : one.Samples;
+    const int samples = options.Quick ? each.Quick : each.Samples;
     studio.OnProgress = [&](double part) {
-      progress.Show((done + part * samples) / planned, one.Name);
+      progress.Show((done + part * samples) / planned, each.Name);
     };
-    results.push_back(Judge(one, samples, one.Measure(studio, samples), options.Quick));
+    results.push_back(Judge(each, samples, each.Measure(studio, samples), options.Quick));
     done += samples;
     progress.Clear();
     Print(results.back(), group);
-    group = one.Group;
-    failed += results.back().Good ? 0 : 1;
-    if (!options.Pictures.empty() && !one.Picture.empty())
+    group = each.Group;
+    failed += results.back().Passed ? 0 : 1;
+    if (!options.Pictures.empty() && !each.Picture.empty())
     {
-      KeepPicture(studio, one, options.Pictures);
+      SavePicture(studio, each, options.Pictures);
     }
   }
   std::printf(
@@ -105,10 +105,10 @@ bool Run(const Options& options)
 int main(int argc, char* argv[])
 {
   Options options;
-  CLI::App app(
-    "Path traces scenes whose light is known, and compares. Exit code 1 where one fails.");
-  app.add_flag("--quick", options.Quick, "fewer cases and samples; chance is allowed for");
-  app.add_option("--filter", options.Filter, "only cases with this in their group's or own name");
+  CLI::App app("Path traces scenes with known light, and compares measured with expected values. "
+               "Exits with 1 if a case fails.");
+  app.add_flag("--quick", options.Quick, "fewer cases and samples, with wider limits for noise");
+  app.add_option("--filter", options.Filter, "only cases whose group or name contains this text");
   app.add_option("--page", options.Page, "also write the table to this file, as Markdown");
   app.add_option(
     "--pictures", options.Pictures, "also write pictures of the scenes to this folder");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Times of the last change of what is drawn, more complete than VTK's own modification times.
+ * Times of the last change of props, more complete than VTK's own modification times.
  */
 #pragma once
 

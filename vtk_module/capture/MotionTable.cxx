@@ -68,10 +68,10 @@ MaterialTable::Owner MotionTable::Find(vtkActor* actor)
 {
   const glm::dmat4 propToWorld = ToMatrix(actor->GetMatrix());
   Track& track = this->CurrentTracks[actor];
-  const auto place = std::find(track.Transforms.begin(), track.Transforms.end(), propToWorld);
-  if (place != track.Transforms.end())
+  const auto transform = std::find(track.Transforms.begin(), track.Transforms.end(), propToWorld);
+  if (transform != track.Transforms.end())
   {
-    return { track.Rows[place - track.Transforms.begin()], track.Number };
+    return { track.Rows[transform - track.Transforms.begin()], track.Number };
   }
   const auto found = this->PreviousTracks.find(actor);
   const Track* previous = found == this->PreviousTracks.end() ? nullptr : &found->second;

@@ -91,9 +91,9 @@ bool SceneCapture::MayHaveAmbient() const
 bool SceneCapture::StartForAmbient(const char* resource)
 {
   // Blending would use the target's alpha as coverage.
-  const bool free = !this->Table.HasPartialCoverage() && !this->MayHaveAmbient();
-  this->Outputs.AmbientTarget = free ? resource : resource::Ambient;
-  return free;
+  const bool available = !this->Table.HasPartialCoverage() && !this->MayHaveAmbient();
+  this->Outputs.AmbientTarget = available ? resource : resource::Ambient;
+  return available;
 }
 
 bool SceneCapture::CastsPartialShadows() const

@@ -57,7 +57,7 @@ public:
   /// was captured, and undefined elsewhere. Returns false and changes nothing if some prop may have an ambient term.
   bool StartForAmbient(const char* resource);
 
-  /// Whether any occluder may cover what is behind it only partly.
+  /// Whether any occluder may cover pixels only partly.
   bool CastsPartialShadows() const;
 
   /// Add the pass that writes the G-buffer.

@@ -13,9 +13,9 @@
 
 namespace penumbra
 {
-inline bool Contains(const std::string& text, const char* what)
+inline bool Contains(const std::string& text, const char* part)
 {
-  return text.find(what) != std::string::npos;
+  return text.find(part) != std::string::npos;
 }
 
 /// Texts of a mapper's shaders, to be changed.

@@ -14,7 +14,7 @@
 
 namespace penumbra
 {
-void BakedLight::Tell(const std::string& problem)
+void BakedLight::Report(const std::string& problem)
 {
   this->Problem = problem;
   if (!problem.empty())
@@ -43,7 +43,7 @@ void BakedLight::Update(vtkGITechnique* technique)
   {
     file->Load(this->File.c_str(), technique);
   }
-  this->Tell(file->GetLastError());
+  this->Report(file->GetLastError());
 }
 
 void BakedLight::Bake(vtkGISHProbes* technique, vtkRenderer* renderer, int probes, int samples)
@@ -56,17 +56,17 @@ void BakedLight::Bake(vtkGISHProbes* technique, vtkRenderer* renderer, int probe
   baker->ReleaseGraphicsResources(renderer->GetRenderWindow());
   if (!baked)
   {
-    this->Tell(std::string("the probes cannot be baked: ") + baker->GetLastError());
+    this->Report(std::string("the probes cannot be baked: ") + baker->GetLastError());
     return;
   }
   if (!technique->SetBake(field))
   {
-    this->Tell(std::string("the probes cannot be used: ") + technique->GetBakeError());
+    this->Report(std::string("the probes cannot be used: ") + technique->GetBakeError());
     return;
   }
   this->FileIsNew = false;
   vtkNew<vtkGIBakeFile> file;
-  const bool kept = this->File.empty() || file->Write(this->File.c_str(), field);
-  this->Tell(kept ? "" : std::string("the probes are baked, but ") + file->GetLastError());
+  const bool saved = this->File.empty() || file->Write(this->File.c_str(), field);
+  this->Report(saved ? "" : std::string("the probes are baked, but ") + file->GetLastError());
 }
 }

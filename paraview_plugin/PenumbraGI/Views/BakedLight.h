@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Baked light of one technique in one render view: read from a file, or probes baked from what the view shows.
+ * Baked light of one technique in one render view: read from a file, or probes baked from the view's scene.
  */
 #pragma once
 
@@ -16,19 +16,20 @@ namespace penumbra
 class BakedLight
 {
 public:
-  /// Where the bake is, or is written to once it is baked; "" keeps what is baked in memory alone.
+  /// Set the file that the bake is read from, and that Bake() writes; "" keeps new bakes in memory only.
   void SetFile(const std::string& path);
 
-  /// Gives the technique what the file holds, unless it has it. A file that cannot be used is told to the user.
+  /// Load the file into the technique if the file has changed since. Reports a file that cannot be used.
   void Update(vtkGITechnique* technique);
 
-  /// Bakes what a renderer shows, and writes the file if one is named. probes: at most; samples: paths from each.
+  /// Bake probes in a renderer's scene, and write the file if one is set. probes: maximum number of probes; samples:
+  /// number of paths from each.
   void Bake(vtkGISHProbes* technique, vtkRenderer* renderer, int probes, int samples);
 
-  /// Tells the user why light cannot be had, in a sentence; "" where all is well.
-  void Tell(const std::string& problem);
+  /// Report to the user, in one sentence, why there is no baked light; "" if all is well.
+  void Report(const std::string& problem);
 
-  /// What was told last.
+  /// The last report.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:

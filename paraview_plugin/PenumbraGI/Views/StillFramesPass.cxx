@@ -27,7 +27,7 @@ void StillFramesPass::SetPass(vtkGIPass* pass)
 void StillFramesPass::Render(const vtkRenderState* state)
 {
   vtkRenderer* renderer = state->GetRenderer();
-  // ParaView asks for 5 frames a second while it interacts, and for 0.002 of a still picture.
+  // ParaView's desired update rate is 5 frames per second during interaction, and 0.002 for a still picture.
   const bool still =
     renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1.0 && !renderer->GetSelector();
   const bool captured = still && this->View && IsCaptured(this->View);
@@ -35,20 +35,21 @@ void StillFramesPass::Render(const vtkRenderState* state)
   {
     this->Pass->Restart();
   }
-  const bool alone = IsAlone();
-  this->Pass->SetJoinTiles(captured && alone);
+  const bool single = IsSingleProcess();
+  this->Pass->SetJoinTiles(captured && single);
   const int frames = still ? std::max(this->Frames, 1) : 1;
   for (int i = 0; i == 0 || (i < frames && !this->Pass->GetCopiedTile()); ++i)
   {
     this->Pass->Render(state);
   }
   this->NumberOfRenderedProps = this->Pass->GetNumberOfRenderedProps();
-  if (still && alone && this->Told != this->Pass->GetNotes())
+  if (still && single && this->ReportedNotes != this->Pass->GetNotes())
   {
-    this->Told = this->Pass->GetNotes();
-    if (!this->Told.empty())
+    this->ReportedNotes = this->Pass->GetNotes();
+    if (!this->ReportedNotes.empty())
     {
-      vtkOutputWindow::GetInstance()->DisplayText(("Penumbra: " + this->Told + "\n").c_str());
+      vtkOutputWindow::GetInstance()->DisplayText(
+        ("Penumbra: " + this->ReportedNotes + "\n").c_str());
     }
   }
 }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws several frames of a vtkGIPass for one still picture of ParaView, which draws each once: light
- * that techniques collect over frames arrives, and edges are smoothed. One frame while the camera is
- * moved, and for a selection.
+ * Draws several frames of a vtkGIPass for each still picture, which ParaView draws only once, so that techniques can
+ * accumulate light and smooth edges. Draws one frame while the camera moves, and for a selection.
  */
 #pragma once
 
@@ -35,6 +34,6 @@ private:
   vtkSmartPointer<vtkGIPass> Pass;
   vtkWeakPointer<vtkPVView> View;
   int Frames = 1;
-  std::string Told; ///< of the pass's notes, each once until they change
+  std::string ReportedNotes; ///< the pass's notes, reported once until they change
 };
 }

@@ -24,14 +24,14 @@ namespace penumbra
 {
 namespace
 {
-// A derived class may name its base's protected members.
+// A derived class may access its base's protected members.
 struct ViewMembers : public vtkPVRenderView
 {
-  static vtkPVSynchronizedRenderer* Passes(vtkPVRenderView* view)
+  static vtkPVSynchronizedRenderer* SynchronizedRenderer(vtkPVRenderView* view)
   {
     return view->*(&ViewMembers::SynchronizedRenderers);
   }
-  static bool Captured(vtkPVView* view)
+  static bool InCapture(vtkPVView* view)
   {
     return (view->*(&ViewMembers::GetInCaptureScreenshot))();
   }
@@ -53,17 +53,17 @@ struct WindowMembers : public vtkOpenGLRenderWindow
 #endif
 }
 
-vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view)
+vtkPVSynchronizedRenderer* SynchronizedRendererOf(vtkPVRenderView* view)
 {
-  return ViewMembers::Passes(view);
+  return ViewMembers::SynchronizedRenderer(view);
 }
 
 bool IsCaptured(vtkPVView* view)
 {
-  return ViewMembers::Captured(view);
+  return ViewMembers::InCapture(view);
 }
 
-bool IsAlone()
+bool IsSingleProcess()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   return !controller || controller->GetNumberOfProcesses() < 2;
@@ -81,27 +81,27 @@ bool IsClient(vtkPVView* view)
   return !session || session->HasProcessRole(vtkPVSession::CLIENT);
 }
 
-// pvbatch and pvserver draw each view in a window of its own that borrows the context of the process's
-// window. Before its first frame it would ask GLEW for OpenGL's functions again, which looks for an X
-// display and gives up without one, although the process's window loaded every function. So all that is
-// done then is done a moment earlier, when the window announces the frame, without GLEW.
+// pvbatch and pvserver draw each view in its own window, which shares the context of the process's window. Before
+// its first frame, the window would initialize GLEW again, which fails without an X display although the process's
+// window has loaded all functions already. So the same initialization, without GLEW, is done earlier: when the window
+// announces the frame.
 #ifdef PENUMBRA_VTK_HAS_GLEW
 namespace
 {
-void BeforeFrame(vtkObject* caller, unsigned long, void*, void*)
+void InitializeWithoutGlew(vtkObject* caller, unsigned long, void*, void*)
 {
-  auto* borrower = static_cast<vtkOpenGLRenderWindow*>(caller);
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(caller);
   auto* context = vtkHeadlessRenderWindow::SafeDownCast(vtkPVProcessWindow::GetRenderWindow());
-  if (WindowMembers::IsInitialized(borrower) || !context)
+  if (WindowMembers::IsInitialized(window) || !context)
   {
     return;
   }
   vtkPVProcessWindow::PrepareForRendering();
   context->MakeCurrent();
   context->GetState()->PushFramebufferBindings();
-  WindowMembers::IsGlewValid(borrower) = true;
-  WindowMembers::IsInitialized(borrower) = true;
-  borrower->OpenGLInit();
+  WindowMembers::IsGlewValid(window) = true;
+  WindowMembers::IsInitialized(window) = true;
+  window->OpenGLInit();
   context->GetState()->PopFramebufferBindings();
 }
 }
@@ -110,12 +110,12 @@ void BeforeFrame(vtkObject* caller, unsigned long, void*, void*)
 void PrepareWindow(vtkRenderWindow* window)
 {
 #ifdef PENUMBRA_VTK_HAS_GLEW
-  auto* borrower = vtkOpenGLRenderWindow::SafeDownCast(window);
+  auto* sharing = vtkOpenGLRenderWindow::SafeDownCast(window);
   vtkRenderWindow* context = vtkPVProcessWindow::GetRenderWindow();
-  if (borrower && borrower != context && vtkHeadlessRenderWindow::SafeDownCast(context))
+  if (sharing && sharing != context && vtkHeadlessRenderWindow::SafeDownCast(context))
   {
     vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(BeforeFrame);
+    command->SetCallback(InitializeWithoutGlew);
     window->AddObserver(vtkViewLayout::RequestUpdateLayoutEvent, command);
   }
 #else
@@ -125,7 +125,7 @@ void PrepareWindow(vtkRenderWindow* window)
 
 namespace
 {
-void Registered(vtkObject*, unsigned long, void*, void* data)
+void PrepareRegisteredView(vtkObject*, unsigned long, void*, void* data)
 {
   using Information = vtkSMProxyManager::RegisteredProxyInformation;
   const auto* registered = static_cast<const Information*>(data);
@@ -141,7 +141,7 @@ void Registered(vtkObject*, unsigned long, void*, void* data)
 void PrepareNewWindows()
 {
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(Registered);
+  command->SetCallback(PrepareRegisteredView);
   vtkSMProxyManager::GetProxyManager()->AddObserver(vtkCommand::RegisterEvent, command);
 }
 }

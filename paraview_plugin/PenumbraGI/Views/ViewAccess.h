@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The places where the plugin reaches into ParaView's views further than their public methods do.
+ * Access to parts of ParaView's views that have no public methods.
  */
 #pragma once
 
@@ -12,25 +12,25 @@ class vtkRenderWindow;
 
 namespace penumbra
 {
-/// What makes the passes of a view's renderer.
-vtkPVSynchronizedRenderer* PassesOf(vtkPVRenderView* view);
+/// The object that sets up the render passes of a view.
+vtkPVSynchronizedRenderer* SynchronizedRendererOf(vtkPVRenderView* view);
 
 /// Whether a screenshot of the view is being taken.
 bool IsCaptured(vtkPVView* view);
 
-/// Whether this process draws all of the picture: false for one of several ranks.
-bool IsAlone();
+/// Whether this process draws the whole picture: false for one of several ranks.
+bool IsSingleProcess();
 
-/// Whether the client and what may draw a view are processes of their own, as with pvserver.
+/// Whether the client and the server that may draw the view are separate processes, as with pvserver.
 bool IsConnected(vtkPVView* view);
 
-/// Whether this process is the one that speaks to the user of a view.
+/// Whether this process is the client, which shows messages to the user.
 bool IsClient(vtkPVView* view);
 
-/// Makes a view's window ready to draw in the context of a process that has no X display, which GLEW
-/// refuses; does nothing where the window needs no help.
+/// Prepare a view's window to draw in the context of a process without an X display, where GLEW fails. Does nothing
+/// to other windows.
 void PrepareWindow(vtkRenderWindow* window);
 
-/// The same for the window of every view that is made from now on, charts for instance.
+/// Prepare the windows of all views created later, including charts.
 void PrepareNewWindows();
 }

@@ -16,17 +16,17 @@ namespace
 {
 bool& SkipsDisplayTests(vtkRemotingCoreConfiguration* configuration);
 
-// ParaView sets this only from its command line (--disable-xdisplay-test), and the member is private; what
-// is named in an explicit instantiation may be.
+// The member is private, and ParaView sets it only from its command line (--disable-xdisplay-test). An explicit
+// instantiation may name private members.
 template <bool vtkRemotingCoreConfiguration::*Member>
-struct Open
+struct MemberAccess
 {
   friend bool& SkipsDisplayTests(vtkRemotingCoreConfiguration* configuration)
   {
     return configuration->*Member;
   }
 };
-template struct Open<&vtkRemotingCoreConfiguration::DisableXDisplayTests>;
+template struct MemberAccess<&vtkRemotingCoreConfiguration::DisableXDisplayTests>;
 }
 
 void AllowDrawingWithoutDisplay()

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the plugin does when a process loads it.
+ * Initialization of the plugin when a process loads it.
  */
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace penumbra
 {
-/// ParaView takes a process without an X display for one that cannot draw, and ranks of it then wait for
-/// each other for ever. Where vtkHeadlessRenderWindow draws, the question is answered for ParaView, and windows of
-/// views to come are prepared.
+/// Let ParaView draw without an X display where vtkHeadlessRenderWindow can. ParaView assumes that a process without
+/// an X display cannot draw, and its ranks then wait for each other for ever. This turns off ParaView's test and
+/// prepares the windows of all views created later.
 VTKPENUMBRAPARAVIEW_EXPORT void AllowDrawingWithoutDisplay();
 }

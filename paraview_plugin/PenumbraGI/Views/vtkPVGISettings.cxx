@@ -39,21 +39,20 @@ public:
 
 namespace
 {
-// Each process of several draws its own part of the data and knows nothing of the others'.
-void SayWhatRanksDoNotShare()
+// Each of several processes draws its own part of the data and does not know the others' parts.
+void WarnOfDistributedData()
 {
-  static bool said = false;
-  if (said || penumbra::IsAlone())
+  static bool warned = false;
+  if (warned || penumbra::IsSingleProcess())
   {
     return;
   }
-  said = true;
+  warned = true;
   if (vtkMultiProcessController::GetGlobalController()->GetLocalProcessId() == 0)
   {
     vtkOutputWindow::GetInstance()->DisplayText(
       "Penumbra: the data are distributed over several processes; shadows, occlusion and indirect "
-      "light stop at "
-      "the boundaries between them for now.\n");
+      "light stop at the boundaries between them for now.\n");
   }
 }
 }
@@ -90,7 +89,7 @@ bool vtkPVGISettings::GetEnabled() const
 void vtkPVGISettings::SetEnabled(bool enabled)
 {
   this->Impl->Enabled = enabled;
-  this->Place();
+  this->UpdateRenderPass();
 }
 
 void vtkPVGISettings::SetStillFrames(int frames)
@@ -115,17 +114,17 @@ void vtkPVGISettings::BakeProbes()
   {
     return;
   }
-  if (penumbra::IsAlone() && !penumbra::IsConnected(view))
+  if (penumbra::IsSingleProcess() && !penumbra::IsConnected(view))
   {
     this->Impl->Probes.Bake(
       vtkGISHProbes::SafeDownCast(this->Impl->Pass->GetTechnique("sh-probes")), view->GetRenderer(),
       this->ProbesToBake, this->SamplesToBake);
   }
-  // Every process is asked, and would bake what it draws itself.
+  // Each of several processes would bake its own part of the data only.
   else if (penumbra::IsClient(view))
   {
-    this->Impl->Probes.Tell("the probes cannot be baked by several processes: bake them in "
-                            "pvpython without a server, and choose their file here");
+    this->Impl->Probes.Report("the probes cannot be baked by several processes: bake them in "
+                              "pvpython without a server, and choose their file here");
   }
 }
 
@@ -142,7 +141,7 @@ const char* vtkPVGISettings::GetSHProbesProblem()
 bool vtkPVGISettings::AddToView(vtkView* view)
 {
   this->SetView(vtkPVRenderView::SafeDownCast(view));
-  return false; // known to the view no longer than this call
+  return false; // the view keeps no reference
 }
 
 void vtkPVGISettings::SetView(vtkPVRenderView* view)
@@ -163,34 +162,34 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   if (view)
   {
     penumbra::PrepareWindow(view->GetRenderWindow());
-    this->Impl->StartOfFrame =
-      view->GetRenderer()->AddObserver(vtkCommand::StartEvent, this, &vtkPVGISettings::Place);
-    this->Place();
+    this->Impl->StartOfFrame = view->GetRenderer()->AddObserver(
+      vtkCommand::StartEvent, this, &vtkPVGISettings::UpdateRenderPass);
+    this->UpdateRenderPass();
   }
 }
 
-void vtkPVGISettings::Place()
+void vtkPVGISettings::UpdateRenderPass()
 {
   vtkPVRenderView* view = this->Impl->View;
   if (!view)
   {
     return;
   }
-  vtkPVSynchronizedRenderer* passes = penumbra::PassesOf(view);
-  vtkRenderPass* present = passes->GetRenderPass();
+  vtkPVSynchronizedRenderer* synchronized = penumbra::SynchronizedRendererOf(view);
+  vtkRenderPass* current = synchronized->GetRenderPass();
   if (this->Impl->Enabled)
   {
     this->Impl->Lightmap.Update(this->Impl->Pass->GetTechnique("lightmap"));
     this->Impl->Probes.Update(this->Impl->Pass->GetTechnique("sh-probes"));
   }
-  if (this->Impl->Enabled && !present)
+  if (this->Impl->Enabled && !current)
   {
-    SayWhatRanksDoNotShare();
-    passes->SetRenderPass(this->Impl->Frames);
+    WarnOfDistributedData();
+    synchronized->SetRenderPass(this->Impl->Frames);
   }
-  else if (!this->Impl->Enabled && present == this->Impl->Frames)
+  else if (!this->Impl->Enabled && current == this->Impl->Frames)
   {
-    passes->SetRenderPass(nullptr);
+    synchronized->SetRenderPass(nullptr);
     this->Impl->Pass->ReleaseGraphicsResources(view->GetRenderWindow());
   }
 }

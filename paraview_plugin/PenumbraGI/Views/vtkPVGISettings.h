@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPVGISettings
- * @brief   the global illumination of one of ParaView's render views
+ * @brief   global illumination of one of ParaView's render views
  *
- * Holds a vtkGIPass and puts it where the view's passes are made (vtkPVSynchronizedRenderer), without
- * taking the place of the view or of its representations: it can be switched on and off at any time.
- * ParaView's server manager makes one as part of each render view, and tells it the view by
- * vtkView::AddRepresentation(), the one method of a view that hands the view over; it never becomes a
- * representation of it. SetView() does the same for a view that was made before the plugin was loaded.
+ * Holds a vtkGIPass and sets it as the render pass of the view's vtkPVSynchronizedRenderer. It replaces neither the
+ * view nor its representations, so it can be switched on and off at any time. ParaView's server manager creates one as
+ * part of each render view and passes it to vtkView::AddRepresentation(), the only method of a view that hands over the
+ * view itself; it does not become a representation. SetView() does the same for a view that was created before the
+ * plugin was loaded.
  *
- * What takes the place of the render pass for a time, as ray tracing by OSPRay does, is left alone; the
- * pass is put back at the next frame.
+ * Another render pass, such as OSPRay's ray tracing, is left alone. Once it is removed, the next frame uses this pass
+ * again.
  *
  * @sa vtkGIPass
  */
@@ -34,21 +34,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Light the view by the pass, or leave it to ParaView. Off by default.
+   * Light the view with the pass, or leave lighting to ParaView. Off by default.
    */
   void SetEnabled(bool enabled);
   bool GetEnabled() const;
 
   /**
-   * How many frames are drawn for one still picture, at least 1 (the default). While the camera is
-   * moved it is one.
+   * Number of frames drawn for one still picture, at least 1 (the default). One frame is drawn while the camera
+   * moves.
    */
   void SetStillFrames(int frames);
 
   ///@{
   /**
-   * Files of baked light, read at the next frame that they light. That of probes is written by BakeProbes(); "" where
-   * these are kept in memory alone.
+   * Files of baked light, read at the next frame that uses them. BakeProbes() writes the file of probes; "" keeps
+   * baked probes in memory only.
    */
   void SetLightmapFile(const char* path);
   void SetSHProbesFile(const char* path);
@@ -56,28 +56,28 @@ public:
 
   ///@{
   /**
-   * What BakeProbes() takes: probes at most (27 to vtkGIProbeBaker's MostProbes, by default 1024), and paths from
-   * each (1 to 16777216, by default 256).
+   * Settings of BakeProbes(): maximum number of probes (27 to vtkGIProbeBaker's MostProbes, by default 1024), and
+   * number of paths from each (1 to 16777216, by default 256).
    */
   vtkSetMacro(ProbesToBake, int);
   vtkSetMacro(SamplesToBake, int);
   ///@}
 
   /**
-   * Bake probes from what the view shows now, as vtkGIProbeBaker does. Refused on several ranks and with a server.
+   * Bake probes in the view's current scene with vtkGIProbeBaker. Refused on several ranks and with a server.
    */
   void BakeProbes();
 
   ///@{
   /**
-   * Why light could not be baked, read or written, in one sentence, or "".
+   * Reason why light could not be baked, read or written, in one sentence; "" if it could.
    */
   const char* GetLightmapProblem();
   const char* GetSHProbesProblem();
   ///@}
 
   /**
-   * The view to light; nullptr to leave the one it had.
+   * Set the view to light; nullptr for none.
    */
   void SetView(vtkPVRenderView* view);
 
@@ -97,7 +97,7 @@ private:
   vtkPVGISettings(const vtkPVGISettings&) = delete;
   void operator=(const vtkPVGISettings&) = delete;
 
-  void Place();
+  void UpdateRenderPass();
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -23,7 +23,7 @@ void vtkSMGISettingsProxy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
 }
 
-// Not as soon as the property is set: a widget that sets it does not listen to it meanwhile.
+// The preset is not applied as soon as the property is set: the widget that sets it ignores changes meanwhile.
 void vtkSMGISettingsProxy::UpdateVTKObjects()
 {
   if (this->GetObjectsCreated())
@@ -41,7 +41,7 @@ void vtkSMGISettingsProxy::UpdateVTKObjects()
 
 void vtkSMGISettingsProxy::ApplyPreset(int index)
 {
-  vtkNew<vtkGIPass> pass; // never drawn: it knows the values
+  vtkNew<vtkGIPass> pass; // never drawn, only used for its values
   if (!pass->SetPreset(vtkGIPass::GetPresetName(index)))
   {
     return;

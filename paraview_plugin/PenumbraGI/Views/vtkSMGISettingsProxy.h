@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMGISettingsProxy
- * @brief   the client's side of vtkPVGISettings: applies presets
+ * @brief   client side of vtkPVGISettings, which applies presets
  *
- * Setting the property GIPreset sets every switch and parameter to the preset's value, and GIPreset
- * back to "choose". So a state file holds the values alone, and cannot contradict itself.
+ * Setting the property GIPreset sets every switch and parameter to the preset's value, and then GIPreset
+ * back to "choose". Thus a state file holds only the values, and cannot contradict itself.
  *
  * @sa vtkPVGISettings
  */

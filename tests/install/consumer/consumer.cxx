@@ -1,4 +1,4 @@
-// Draws a sphere with the installed module; succeeds where the picture is not the background.
+// Draws a sphere with the installed module. Succeeds if the picture shows it.
 #include <vtkActor.h>
 #include <vtkGIPass.h>
 #include <vtkGIShadowMaps.h>

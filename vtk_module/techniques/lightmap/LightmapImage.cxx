@@ -65,7 +65,7 @@ void AddLight(vtkImageData* light, vtkPointData* to)
   if (components != 3 && components != 6 && !directional)
   {
     throw std::invalid_argument(
-      "its light is no picture of 3 or 12 components, or of twice as many");
+      "its light is not a picture with 3 or 12 components, or twice as many");
   }
   int first = 0;
   for (const Layer& layer : Layers)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A lightmap as one vtkImageData: light at its points, and the surfaces it lies on in its field data.
+ * A lightmap as one vtkImageData: light in its point data, and the lit surfaces in its field data.
  */
 #pragma once
 
@@ -16,8 +16,8 @@ namespace penumbra::lightmap_image
 {
 constexpr const char* Format = "penumbra lightmap 2";
 
-/// Arrays of light at points: irradiance, its moments, and the same for light straight from the lamps. The first is
-/// always there.
+/// Arrays of light in the point data: irradiance, its moments, and the same for direct light. Only the first is
+/// required.
 struct Layer
 {
   const char* Name;
@@ -32,18 +32,18 @@ constexpr const char* Normals = "normals";
 constexpr const char* Places = "places";
 constexpr const char* Triangles = "triangles";
 
-/// For baking again: light of the first round of samples, tiles of the picture, settings.
+/// Data for updating the bake: light of the first round of samples, tiles of the picture, settings.
 constexpr const char* First = "first";
 constexpr const char* Tiles = "tiles";
 constexpr const char* Settings = "settings";
 constexpr const char* Made = "made";
 
-/// Makes one image of surfaces and light, as vtkGILightmap::JoinBake() does. Throws std::invalid_argument with a reason.
+/// Join surfaces and light to one image, as vtkGILightmap::JoinBake() does. Throws std::invalid_argument with a reason.
 void Join(vtkPolyData* surfaces, vtkImageData* light, vtkImageData* bake);
 
-/// Adds the format and the checksum; to be called last.
+/// Add the format and the checksum. Must be called last.
 void Seal(vtkImageData* bake);
 
-/// Throws std::invalid_argument with a reason where Seal() did not leave the image as it is.
+/// Throws std::invalid_argument with a reason if the image was changed after Seal().
 void RequireWhole(vtkImageData* bake);
 }

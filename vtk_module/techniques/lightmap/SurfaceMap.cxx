@@ -43,22 +43,22 @@ bool Has(vtkDataArray* array, int components, vtkIdType tuples)
 
 SurfaceMap::SurfaceMap(vtkImageData* bake)
 {
-  this->TakeSurfaces(bake->GetFieldData());
-  this->TakePicture(bake);
+  this->ReadSurfaces(bake->GetFieldData());
+  this->ReadLight(bake);
 }
 
-void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
+void SurfaceMap::ReadSurfaces(vtkFieldData* fields)
 {
   vtkDataArray* points = fields->GetArray(lightmap_image::Points);
   vtkDataArray* normals = fields->GetArray(lightmap_image::Normals);
-  vtkDataArray* places = fields->GetArray(lightmap_image::Places);
+  vtkDataArray* texturePoints = fields->GetArray(lightmap_image::Places);
   vtkDataArray* triangles = fields->GetArray(lightmap_image::Triangles);
   const vtkIdType count = points ? points->GetNumberOfTuples() : 0;
   if (count == 0 || !triangles || triangles->GetNumberOfTuples() == 0)
   {
     Refuse("it has no surfaces");
   }
-  if (!Has(normals, 3, count) || !Has(places, 2, count))
+  if (!Has(normals, 3, count) || !Has(texturePoints, 2, count))
   {
     Refuse("its surfaces lack texture coordinates or normals");
   }
@@ -81,12 +81,13 @@ void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
-    glm::dvec3 at, normal;
-    glm::dvec2 place;
-    points->GetTuple(i, &at[0]);
+    glm::dvec3 position, normal;
+    glm::dvec2 texturePoint;
+    points->GetTuple(i, &position[0]);
     normals->GetTuple(i, &normal[0]);
-    places->GetTuple(i, &place[0]);
-    this->Points.push_back({ glm::vec3(at - this->Origin), glm::vec3(normal), glm::vec2(place) });
+    texturePoints->GetTuple(i, &texturePoint[0]);
+    this->Points.push_back(
+      { glm::vec3(position - this->Origin), glm::vec3(normal), glm::vec2(texturePoint) });
   }
   for (vtkIdType i = 0; i < 3 * triangles->GetNumberOfTuples(); ++i)
   {
@@ -99,12 +100,12 @@ void SurfaceMap::TakeSurfaces(vtkFieldData* fields)
   }
 }
 
-void SurfaceMap::TakePicture(vtkImageData* bake)
+void SurfaceMap::ReadLight(vtkImageData* bake)
 {
   const int* size = bake->GetDimensions();
   if (size[0] > LargestSide || size[1] > LargestSide)
   {
-    Refuse("its picture is larger than 16384 pixels a side; bake it with a smaller --max-size");
+    Refuse("its picture is more than 16384 pixels wide or high; bake it with a smaller --max-size");
   }
   std::array<vtkDataArray*, lightmap_image::Layers.size()> layers{};
   for (std::size_t i = 0; i < layers.size(); ++i)
@@ -113,14 +114,15 @@ void SurfaceMap::TakePicture(vtkImageData* bake)
     layers[i] = bake->GetPointData()->GetArray(name);
     if (layers[i] && !Has(layers[i], components, bake->GetNumberOfPoints()))
     {
-      Refuse("its light is not as long as its picture");
+      Refuse("its arrays of light do not have one value per pixel");
     }
   }
   this->Directional = layers[1] != nullptr;
-  this->Lamps = layers[2] != nullptr;
-  if (!layers[0] || size[2] != 1 || (layers[3] != nullptr) != (this->Directional && this->Lamps))
+  this->DirectLight = layers[2] != nullptr;
+  if (!layers[0] || size[2] != 1 ||
+    (layers[3] != nullptr) != (this->Directional && this->DirectLight))
   {
-    Refuse("its light is no picture, or has moments in part");
+    Refuse("its light is not a picture, or some of its moments are missing");
   }
   this->Width = size[0];
   this->Height = size[1];
@@ -144,19 +146,19 @@ void SurfaceMap::TakePicture(vtkImageData* bake)
 
 void SurfaceMap::Upload()
 {
-  this->OnCard = std::make_unique<Uploaded>();
-  Uploaded& card = *this->OnCard;
+  this->Gpu = std::make_unique<GpuResources>();
+  GpuResources& gpu = *this->Gpu;
   GLuint name = 0;
   glGenVertexArrays(1, &name);
-  card.Layout = VertexArrayHandle(name);
+  gpu.Layout = VertexArrayHandle(name);
   glBindVertexArray(name);
-  card.Points.Upload(GL_ARRAY_BUFFER, this->Points.data(), this->Points.size() * sizeof(Point));
-  card.Corners.Upload(
+  gpu.Points.Upload(GL_ARRAY_BUFFER, this->Points.data(), this->Points.size() * sizeof(Point));
+  gpu.Corners.Upload(
     GL_ELEMENT_ARRAY_BUFFER, this->Corners.data(), this->Corners.size() * sizeof(this->Corners[0]));
-  glBindBuffer(GL_ARRAY_BUFFER, card.Points.Get());
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, card.Corners.Get());
+  glBindBuffer(GL_ARRAY_BUFFER, gpu.Points.Get());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.Corners.Get());
   const std::size_t offsets[] = { offsetof(Point, Position), offsetof(Point, Normal),
-    offsetof(Point, Place) };
+    offsetof(Point, TexturePoint) };
   for (GLuint i = 0; i < 3; ++i)
   {
     glEnableVertexAttribArray(i);
@@ -167,20 +169,20 @@ void SurfaceMap::Upload()
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   // RGB9_E5 has no sign, so it suits light, but not its moments.
   const GLenum format = this->Layers == 1 ? GL_RGB9_E5 : GL_RGBA16F;
-  card.Light =
+  gpu.Light =
     std::make_unique<Texture>(TextureDesc{ format, this->Width, this->Height, this->Layers });
-  glBindTexture(card.Light->Target(), card.Light->Get());
-  glTexSubImage3D(card.Light->Target(), 0, 0, 0, 0, this->Width, this->Height, this->Layers,
-    GL_RGBA, GL_FLOAT, this->Values.data());
-  glBindTexture(card.Light->Target(), 0);
-  card.Light->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  card.Light->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glBindTexture(gpu.Light->Target(), gpu.Light->Get());
+  glTexSubImage3D(gpu.Light->Target(), 0, 0, 0, 0, this->Width, this->Height, this->Layers, GL_RGBA,
+    GL_FLOAT, this->Values.data());
+  glBindTexture(gpu.Light->Target(), 0);
+  gpu.Light->SetParameter(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gpu.Light->SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
 {
-  this->Old.clear();
-  if (!this->OnCard)
+  this->Retired.clear();
+  if (!this->Gpu)
   {
     this->Upload();
   }
@@ -190,7 +192,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
   {
     variant["GI_LIGHTMAP_DIRECTIONAL"] = "1";
   }
-  if (this->Lamps)
+  if (this->DirectLight)
   {
     variant["GI_LIGHTMAP_LAMPS"] = "1";
   }
@@ -201,7 +203,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
   const glm::dmat4 toView = glm::translate(view.WorldToView, this->Origin);
   context.Use(context.Shaders().Raster("lightmap/surface.vert", "lightmap/surface.frag", variant),
     Arguments()
-      .Sample("lightTexture", this->OnCard->Light.get())
+      .Sample("lightTexture", this->Gpu->Light.get())
       .Set("mapToClip", glm::mat4(view.ViewToClip * toView))
       .Set("viewToWorld", glm::mat3(glm::dmat3(view.ViewToWorld)))
       .Set("intensity", intensity));
@@ -216,7 +218,7 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
     glEnable(GL_POLYGON_OFFSET_FILL); // VTK's state cache does not track it
     glPolygonOffset(-Pixels, -Digits);
   }
-  glBindVertexArray(this->OnCard->Layout.Get());
+  glBindVertexArray(this->Gpu->Layout.Get());
   glDrawElements(
     GL_TRIANGLES, static_cast<GLsizei>(this->Corners.size()), GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
@@ -229,16 +231,16 @@ void SurfaceMap::Draw(FrameContext& context, double intensity, bool solid)
 
 void SurfaceMap::Release()
 {
-  this->OnCard.reset();
-  this->Old.clear();
+  this->Gpu.reset();
+  this->Retired.clear();
 }
 
-void SurfaceMap::TakeOld(SurfaceMap& other)
+void SurfaceMap::TakeResources(SurfaceMap& other)
 {
-  this->Old = std::move(other.Old);
-  if (other.OnCard)
+  this->Retired = std::move(other.Retired);
+  if (other.Gpu)
   {
-    this->Old.push_back(std::move(other.OnCard));
+    this->Retired.push_back(std::move(other.Gpu));
   }
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Light in a texture on surfaces, drawn over the pixels that show these surfaces.
+ * Baked light in a texture on surfaces, drawn over the pixels that show these surfaces.
  */
 #pragma once
 
@@ -24,12 +24,12 @@ class SurfaceMap
 {
 public:
   SurfaceMap() = default;
-  /// Of an image as LightmapImage.h describes it. Throws std::invalid_argument with a reason.
+  /// Read an image as LightmapImage.h describes it. Throws std::invalid_argument with a reason.
   explicit SurfaceMap(vtkImageData* bake);
 
   bool IsEmpty() const { return this->Corners.empty(); }
-  /// Whether it includes the direct light of lights.
-  bool HasLamps() const { return this->Lamps; }
+  /// Whether the bake includes direct light.
+  bool HasDirectLight() const { return this->DirectLight; }
 
   /// Draw the light, multiplied by intensity, see IndirectLight::Draw. solid: all props are opaque and complete, so
   /// none of the surfaces can lie in front of what the picture shows.
@@ -37,16 +37,16 @@ public:
 
   void Release();
   /// Take over another map's GPU resources, and free them at the next Draw(), when their context is current.
-  void TakeOld(SurfaceMap& other);
+  void TakeResources(SurfaceMap& other);
 
 private:
   struct Point
   {
     glm::vec3 Position; ///< relative to Origin
     glm::vec3 Normal;
-    glm::vec2 Place; ///< texture coordinates
+    glm::vec2 TexturePoint;
   };
-  struct Uploaded
+  struct GpuResources
   {
     Buffer Points;
     Buffer Corners;
@@ -54,8 +54,8 @@ private:
     /// Layers: irradiance and its moments, then those of direct light.
     std::unique_ptr<Texture> Light;
   };
-  void TakeSurfaces(vtkFieldData* fields);
-  void TakePicture(vtkImageData* bake);
+  void ReadSurfaces(vtkFieldData* fields);
+  void ReadLight(vtkImageData* bake);
   void Upload();
 
   glm::dvec3 Origin{ 0.0 };
@@ -65,9 +65,9 @@ private:
   int Height = 0;
   int Layers = 0;
   bool Directional = false;
-  bool Lamps = false;
+  bool DirectLight = false;
   std::vector<float> Values; ///< rgba, layer by layer
-  std::unique_ptr<Uploaded> OnCard;
-  std::vector<std::unique_ptr<Uploaded>> Old;
+  std::unique_ptr<GpuResources> Gpu;
+  std::vector<std::unique_ptr<GpuResources>> Retired;
 };
 }

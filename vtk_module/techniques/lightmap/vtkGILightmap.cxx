@@ -45,7 +45,7 @@ bool vtkGILightmap::SetBake(vtkImageData* bake)
       next->Scene = BakedScene::FromText(GetText(bake->GetFieldData(), BakedSceneText));
     }
     // GPU resources are freed when their context is current.
-    next->Map.TakeOld(this->Impl->Map);
+    next->Map.TakeResources(this->Impl->Map);
     this->Impl = std::move(next);
   }
   catch (const std::invalid_argument& error)
@@ -90,7 +90,7 @@ bool vtkGILightmap::HasBake()
 
 bool vtkGILightmap::HasLampLight()
 {
-  return this->Impl->Map.HasLamps();
+  return this->Impl->Map.HasDirectLight();
 }
 
 std::string vtkGILightmap::DescribeScene(vtkRenderer* renderer)
@@ -144,9 +144,8 @@ void vtkGILightmap::Contribute(FrameBuilder& frame)
   light.Declare = [](PassDeclaration& pass) {
     pass.Read(resource::DepthCopy).Read(resource::Normal);
   };
-  light.Draw = [this, solid = fit.IsSolid()](FrameContext& context) {
-    this->Impl->Map.Draw(context, this->Intensity, solid);
-  };
-  light.IncludesDirectLight = this->Impl->Map.HasLamps();
+  light.Draw = [this, solid = fit.IsSolid()](
+                 FrameContext& context) { this->Impl->Map.Draw(context, this->Intensity, solid); };
+  light.IncludesDirectLight = this->Impl->Map.HasDirectLight();
   frame.AddIndirectLight(std::move(light));
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// In place of glsl/lib/sequence.glsl: numbers that know nothing of each other.
+// Replaces glsl/lib/sequence.glsl by independent random numbers.
 
 // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (JCGT 9:3): PCG.
 uint giHash(uint v)

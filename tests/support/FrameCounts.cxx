@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Work.h"
+#include "FrameCounts.h"
 
 #include "gpu/GL.h"
 
@@ -10,37 +10,37 @@ namespace penumbra_test
 {
 namespace
 {
-constexpr int KeepsUnused = 40; // frames, and more
+constexpr int WarmUpFrames = 40; // more than ResourcePool's IdleLimit
 }
 
-FrameWork WorkOfFrame(Stage& stage, vtkGIPass* pass)
+FrameCounts CountFrame(Stage& stage, vtkGIPass* pass)
 {
   vtkCamera* camera = stage.Renderer->GetActiveCamera();
-  const auto next = [&] {
-    camera->Azimuth(1e-3); // nothing is averaged
+  const auto drawFrame = [&] {
+    camera->Azimuth(1e-3); // so that no frame is an average
     stage.Window->Render();
   };
-  for (int i = 0; i < KeepsUnused; ++i)
+  for (int i = 0; i < WarmUpFrames; ++i)
   {
-    next();
+    drawFrame();
   }
-  FrameWork work;
+  FrameCounts counts;
   stage.Window->MakeCurrent();
   GLuint query = 0;
   glGenQueries(1, &query);
   glBeginQuery(GL_SAMPLES_PASSED, query);
-  next();
+  drawFrame();
   glEndQuery(GL_SAMPLES_PASSED);
   GLuint samples = 0;
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, &samples);
   glDeleteQueries(1, &query);
-  work.Samples = samples;
+  counts.Samples = samples;
   const auto statistics = nlohmann::json::parse(pass->GetStatistics());
   for (const auto& row : statistics.at("passes"))
   {
-    work.Passes.insert(row.at("name").get<std::string>());
+    counts.Passes.insert(row.at("name").get<std::string>());
   }
-  work.Bytes = statistics.at("bytes").get<long>();
-  return work;
+  counts.Bytes = statistics.at("bytes").get<long>();
+  return counts;
 }
 }
