@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What the commands below penumbra bake have in common.
-#ifndef penumbra_tool_BakeOptions_h
-#define penumbra_tool_BakeOptions_h
+#pragma once
 
 #include "commands/Command.h"
 
@@ -27,5 +26,3 @@ void HideObjects(const BuiltScene& built, const std::vector<std::string>& names)
 void OpenBakeWindow(
   const Scene& scene, const BuiltScene& built, vtkRenderWindow* window, Console& console);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A command of the tool: declares its options, then runs.
-#ifndef penumbra_tool_Command_h
-#define penumbra_tool_Command_h
+#pragma once
 
 #include "console/Console.h"
 
@@ -36,5 +35,3 @@ std::unique_ptr<Command> MakeLightmapBake();
 std::unique_ptr<Command> MakeRadiosityBake();
 std::unique_ptr<Command> MakeConvertBake();
 }
-
-#endif

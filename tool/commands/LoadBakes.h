@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Files of baked light, of any kind, given to the technique that they are for.
-#ifndef penumbra_tool_LoadBakes_h
-#define penumbra_tool_LoadBakes_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -17,5 +16,3 @@ class Reporter;
 /// or is damaged.
 void LoadBakes(const std::vector<std::string>& files, vtkGIPass* pass, Reporter& reporter);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Declares options of a command under one heading of its help.
-#ifndef penumbra_tool_OptionGroup_h
-#define penumbra_tool_OptionGroup_h
+#pragma once
 
 #include "common/Failure.h"
 
@@ -84,5 +83,3 @@ private:
   const char* Name;
 };
 }
-
-#endif

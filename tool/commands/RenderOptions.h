@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The options of penumbra render, and the scene they describe.
-#ifndef penumbra_tool_RenderOptions_h
-#define penumbra_tool_RenderOptions_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -68,5 +67,3 @@ void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
 /// option that makes no sense.
 Scene MakeScene(const RenderOptions& options);
 }
-
-#endif

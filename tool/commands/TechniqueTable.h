@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The table of techniques, as they describe themselves.
-#ifndef penumbra_tool_TechniqueTable_h
-#define penumbra_tool_TechniqueTable_h
+#pragma once
 
 #include <nlohmann/json.hpp>
 
@@ -19,5 +18,3 @@ std::string PlainTable(const nlohmann::ordered_json& techniques, bool parameters
 /// For the documentation.
 std::string MarkdownTable(const nlohmann::ordered_json& techniques, bool parameters);
 }
-
-#endif

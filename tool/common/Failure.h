@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// One clear sentence that ends a command, and the exit status that goes with it.
-#ifndef penumbra_tool_Failure_h
-#define penumbra_tool_Failure_h
+#pragma once
 
 #include <fmt/format.h>
 
@@ -46,5 +45,3 @@ template <typename... Args>
   throw Failure(Failure::Usage, fmt::format(text, std::forward<Args>(args)...));
 }
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A loop over the cores that tells how far it is.
-#ifndef penumbra_tool_ForEach_h
-#define penumbra_tool_ForEach_h
+#pragma once
 
 #include <algorithm>
 #include <atomic>
@@ -47,5 +46,3 @@ void ForEach(std::size_t count, const Body& body, const Progress& advance = {})
   }
 }
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Sentences about names that do not exist.
-#ifndef penumbra_tool_Names_h
-#define penumbra_tool_Names_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -20,5 +19,3 @@ std::string UnknownName(const std::string& kind, const std::string& name, const 
 /// The names joined by commas; a long list is cut and says how many more there are.
 std::string Join(const std::vector<std::string>& names, std::size_t most = 40);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// How scene building tells what it does: notes, and steps with progress.
-#ifndef penumbra_tool_Reporter_h
-#define penumbra_tool_Reporter_h
+#pragma once
 
 #include <functional>
 #include <string>
@@ -62,5 +61,3 @@ private:
   unsigned long Tag;
 };
 }
-
-#endif

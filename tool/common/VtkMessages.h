@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Collects what VTK would print, so that it becomes part of one clear sentence.
-#ifndef penumbra_tool_VtkMessages_h
-#define penumbra_tool_VtkMessages_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -26,5 +25,3 @@ VtkMessages TakeVtkMessages();
 /// amounts to one; other warnings are dropped.
 void ThrowVtkErrors(const std::string& what);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Files that are there as a whole or not at all.
-#ifndef penumbra_tool_WholeFile_h
-#define penumbra_tool_WholeFile_h
+#pragma once
 
 #include <string>
 
@@ -14,5 +13,3 @@ namespace penumbra::tool
 /// says of that is dropped.
 bool WriteWhole(vtkXMLWriter* writer, const std::string& path);
 }
-
-#endif

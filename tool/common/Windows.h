@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Offscreen windows by backend.
-#ifndef penumbra_tool_Windows_h
-#define penumbra_tool_Windows_h
+#pragma once
 
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
@@ -28,5 +27,3 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& backend);
 /// is none.
 GraphicsInfo OpenWindow(vtkRenderWindow* window);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What the user sees on stderr: notes, one sentence per failure, and a progress bar.
-#ifndef penumbra_tool_Console_h
-#define penumbra_tool_Console_h
+#pragma once
 
 #include "common/Reporter.h"
 
@@ -50,5 +49,3 @@ private:
   Clock::time_point Drawn;
 };
 }
-
-#endif

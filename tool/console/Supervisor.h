@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Runs the command in a child process, so that a crash in a file reader or a driver becomes a sentence.
-#ifndef penumbra_tool_Supervisor_h
-#define penumbra_tool_Supervisor_h
+#pragma once
 
 #include <functional>
 #include <string>
@@ -21,5 +20,3 @@ void SetStage(const std::string& stage);
 /// lifts the limit.
 void LimitProcessorTime(double seconds);
 }
-
-#endif

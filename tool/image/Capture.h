@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Pictures of a rendered window.
-#ifndef penumbra_tool_Capture_h
-#define penumbra_tool_Capture_h
+#pragma once
 
 #include "image/Picture.h"
 
@@ -29,5 +28,3 @@ Picture CaptureRadiance(
 /// pixel's luminance. Nothing without it.
 void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture);
 }
-
-#endif

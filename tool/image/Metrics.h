@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Measures of how far a picture is from a reference.
-#ifndef penumbra_tool_Metrics_h
-#define penumbra_tool_Metrics_h
+#pragma once
 
 #include "image/Picture.h"
 
@@ -37,5 +36,3 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
 /// The absolute difference times a gain, in colour.
 Picture DifferencePicture(const Picture& a, const Picture& b, double gain);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Pictures in memory and their files, through OpenImageIO.
-#ifndef penumbra_tool_Picture_h
-#define penumbra_tool_Picture_h
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -61,5 +60,3 @@ void WritePicture(const std::string& path, const Picture& picture);
 /// Replaces NaN and infinite values by 0 and returns how many pixels had one.
 std::size_t RemoveNonFinite(Picture& picture);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Mean SSIM of two pictures' luminance.
-#ifndef penumbra_tool_StructuralSimilarity_h
-#define penumbra_tool_StructuralSimilarity_h
+#pragma once
 
 #include "image/Picture.h"
 
@@ -12,5 +11,3 @@ namespace penumbra::tool
 /// Structural Similarity. Values are taken as display values with a range of 1.
 double StructuralSimilarity(const Picture& a, const Picture& b);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Where the charts lie in one picture.
-#ifndef penumbra_tool_lightmap_Atlas_h
-#define penumbra_tool_lightmap_Atlas_h
+#pragma once
 
 #include "bake/lightmap/Charts.h"
 
@@ -37,5 +36,3 @@ struct Atlas
 Atlas PackAtlas(const std::vector<Chart>& charts, const std::vector<std::array<bool, 2>>& wanted,
   double texelSize, int largestSide);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Baking: from a renderer to a lightmap.
-#ifndef penumbra_tool_lightmap_Bake_h
-#define penumbra_tool_lightmap_Bake_h
+#pragma once
 
 #include "bake/lightmap/LightmapFile.h"
 
@@ -51,5 +50,3 @@ struct BakeResult
 BakeResult BakeLightmap(
   vtkRenderer* renderer, const BakeSettings& settings, tool::Reporter& reporter);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Surfaces cut into charts: pieces that lie flat without overlap.
-#ifndef penumbra_tool_lightmap_Charts_h
-#define penumbra_tool_lightmap_Charts_h
+#pragma once
 
 #include "bake/lightmap/Surfaces.h"
 
@@ -53,5 +52,3 @@ std::vector<Seam> FindSeams(const Surfaces& surfaces, const std::vector<Chart>& 
   double crease = ChartSettings().Crease);
 
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The lightmap that a bake writes over, of which what did not change is kept.
-#ifndef penumbra_tool_lightmap_EarlierBake_h
-#define penumbra_tool_lightmap_EarlierBake_h
+#pragma once
 
 #include "bake/lightmap/Layout.h"
 
@@ -42,5 +41,3 @@ private:
   std::map<std::uint64_t, const Patch*> Known; ///< by key
 };
 }
-
-#endif

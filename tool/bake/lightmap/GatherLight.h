@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The module's gatherer for vectors of points.
-#ifndef penumbra_tool_lightmap_GatherLight_h
-#define penumbra_tool_lightmap_GatherLight_h
+#pragma once
 
 #include "bake/lightmap/Surfaces.h"
 
@@ -42,5 +41,3 @@ private:
   vtkNew<vtkGILightGatherer> Gatherer;
 };
 }
-
-#endif

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// What texels get straight from lamps: means over the texels, so that shadows end as softly as texels are wide and not
 /// in steps.
-#ifndef penumbra_tool_lightmap_LampLight_h
-#define penumbra_tool_lightmap_LampLight_h
+#pragma once
 
 #include "bake/lightmap/GatherLight.h"
 #include "bake/lightmap/Layout.h"
@@ -41,5 +40,3 @@ private:
   int Round = -1;
 };
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A renderer's surfaces unwrapped: what a lightmap is baked for, and where in its picture.
-#ifndef penumbra_tool_lightmap_Layout_h
-#define penumbra_tool_lightmap_Layout_h
+#pragma once
 
 #include "bake/lightmap/Bake.h"
 
@@ -24,5 +23,3 @@ struct Layout
 Layout MakeLayout(vtkRenderer* renderer, const BakeSettings& settings, GatherLight& gather,
   tool::Reporter& reporter);
 }
-
-#endif

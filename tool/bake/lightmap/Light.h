@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What is stored in an atlas' texels, and what is done to it once it is baked.
-#ifndef penumbra_tool_lightmap_Light_h
-#define penumbra_tool_lightmap_Light_h
+#pragma once
 
 #include "bake/lightmap/Texels.h"
 
@@ -51,5 +50,3 @@ double SeamStep(const Light& light, const std::vector<SeamLine>& lines);
 Light Denoise(const Light& first, const Light& second, const std::vector<unsigned char>& known,
   const std::vector<Texel>& texels, const Atlas& atlas);
 }
-
-#endif

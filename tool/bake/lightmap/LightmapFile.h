@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A baked lightmap and its file: a VTK image (.vti) as vtkGILightmap takes it, with what another bake needs.
-#ifndef penumbra_tool_lightmap_LightmapFile_h
-#define penumbra_tool_lightmap_LightmapFile_h
+#pragma once
 
 #include "bake/lightmap/Light.h"
 
@@ -55,5 +54,3 @@ Lightmap ReadOldLightmap(const std::string& path);
 /// Whether a file is OpenEXR, of whatever content.
 bool IsOpenExr(const std::string& path);
 }
-
-#endif

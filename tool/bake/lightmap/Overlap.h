@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Triangles in a plane, and which of them overlap.
-#ifndef penumbra_tool_lightmap_Overlap_h
-#define penumbra_tool_lightmap_Overlap_h
+#pragma once
 
 #include <glm/glm.hpp>
 
@@ -42,5 +41,3 @@ private:
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> Cells;
 };
 }
-
-#endif

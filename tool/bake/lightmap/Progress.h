@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What a bake has gathered so far, kept in a file that a killed bake goes on from.
-#ifndef penumbra_tool_lightmap_Progress_h
-#define penumbra_tool_lightmap_Progress_h
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -49,5 +48,3 @@ private:
   static constexpr std::chrono::milliseconds FirstWait{ 1000 };
 };
 }
-
-#endif

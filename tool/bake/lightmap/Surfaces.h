@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The triangles that a lightmap is made for.
-#ifndef penumbra_tool_lightmap_Surfaces_h
-#define penumbra_tool_lightmap_Surfaces_h
+#pragma once
 
 #include "common/NumbersHash.h"
 
@@ -54,5 +53,3 @@ private:
 /// All visible opaque surfaces that light shades, as rays see them.
 Surfaces GatherSurfaces(vtkRenderer* renderer);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Where on the surfaces each texel of an atlas lies.
-#ifndef penumbra_tool_lightmap_Texels_h
-#define penumbra_tool_lightmap_Texels_h
+#pragma once
 
 #include "bake/lightmap/Atlas.h"
 
@@ -37,5 +36,3 @@ struct SeamLine
 std::vector<SeamLine> PlaceSeams(const Surfaces& surfaces, const std::vector<Chart>& charts,
   const Atlas& atlas, const std::vector<Seam>& seams);
 }
-
-#endif

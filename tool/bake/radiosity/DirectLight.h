@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What arrives at elements straight from lights and from what shines.
-#ifndef penumbra_tool_RadiosityDirectLight_h
-#define penumbra_tool_RadiosityDirectLight_h
+#pragma once
 
 #include "bake/radiosity/Patches.h"
 #include "common/ForEach.h"
@@ -48,5 +47,3 @@ Color ArrivingAt(const LightSources& sources, const PatchRays& rays, const Point
 std::vector<Color> DirectIrradiance(const std::vector<Element>& elements, const PatchRays& rays,
   const LightSources& sources, int points, const tool::Progress& advance = {});
 }
-
-#endif

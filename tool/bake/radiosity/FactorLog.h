@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Traced form factors, kept in a file that a killed solution goes on from.
-#ifndef penumbra_tool_FactorLog_h
-#define penumbra_tool_FactorLog_h
+#pragma once
 
 #include "bake/radiosity/Patches.h"
 
@@ -67,5 +66,3 @@ private:
   std::size_t Traced = 0;
 };
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// How much of what leaves an element meets each other: form factors by ray casting.
-#ifndef penumbra_tool_FormFactors_h
-#define penumbra_tool_FormFactors_h
+#pragma once
 
 #include "bake/radiosity/FactorLog.h"
 #include "bake/radiosity/Patches.h"
@@ -61,5 +60,3 @@ FactorMatrix Transpose(const FactorMatrix& matrix);
 /// standard error of the mean over the rays of the row, which strata make smaller yet.
 std::vector<Color> GatherError(const FactorMatrix& matrix, const std::vector<Color>& radiosity);
 }
-
-#endif

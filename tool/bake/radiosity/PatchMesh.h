@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Triangles with a diffuse material, cut into patches: the surface that radiosity is solved on.
-#ifndef penumbra_tool_PatchMesh_h
-#define penumbra_tool_PatchMesh_h
+#pragma once
 
 #include "common/NumbersHash.h"
 
@@ -111,5 +110,3 @@ private:
   tool::NumbersMap<9, std::uint32_t> Known; ///< vertices by their numbers and surface
 };
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The sides of patches that light is exchanged between, and the rays between them.
-#ifndef penumbra_tool_Patches_h
-#define penumbra_tool_Patches_h
+#pragma once
 
 #include "bake/radiosity/PatchMesh.h"
 
@@ -66,5 +65,3 @@ private:
   std::unique_ptr<Internals> Internal;
 };
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The radiosity of a mesh: patches, form factors, direct light, solution.
-#ifndef penumbra_tool_Radiosity_h
-#define penumbra_tool_Radiosity_h
+#pragma once
 
 #include "bake/radiosity/DirectLight.h"
 #include "bake/radiosity/FormFactors.h"
@@ -80,5 +79,3 @@ double SolverDifference(const Solution& solution);
 /// The size of patches unless given: a share of the diagonal.
 double DefaultPatchSize(const PatchMesh& mesh);
 }
-
-#endif

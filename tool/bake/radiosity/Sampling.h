@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Random numbers and strata for rays; the same for the same element, whatever thread asks.
-#ifndef penumbra_tool_RadiositySampling_h
-#define penumbra_tool_RadiositySampling_h
+#pragma once
 
 #include "bake/radiosity/Patches.h"
 
@@ -74,5 +73,3 @@ inline Point CosineDirection(const Point& normal, const glm::dvec2& u)
     std::sqrt(std::max(0.0, 1.0 - u.x)) * normal;
 }
 }
-
-#endif

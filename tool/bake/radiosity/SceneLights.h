@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A renderer's lights and environment as the radiosity solver takes them.
-#ifndef penumbra_tool_SceneLights_h
-#define penumbra_tool_SceneLights_h
+#pragma once
 
 #include "bake/radiosity/Radiosity.h"
 
@@ -14,5 +13,3 @@ namespace penumbra::radiosity
 /// headlight is left out, with a note: it would move with every view.
 Illumination GatherLights(vtkRenderer* renderer, std::vector<std::string>& notes);
 }
-
-#endif

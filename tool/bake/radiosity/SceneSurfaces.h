@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A renderer's surfaces and lights as the radiosity solver takes them.
-#ifndef penumbra_tool_SceneSurfaces_h
-#define penumbra_tool_SceneSurfaces_h
+#pragma once
 
 #include "bake/radiosity/Radiosity.h"
 
@@ -22,5 +21,3 @@ struct GatheredScene
 /// them, in place of their look. And the lights, and the environment where it lights.
 GatheredScene GatherScene(vtkRenderer* renderer);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Irradiance at the corners of patches, to be interpolated between them.
-#ifndef penumbra_tool_SmoothPoints_h
-#define penumbra_tool_SmoothPoints_h
+#pragma once
 
 #include "bake/radiosity/DirectLight.h"
 
@@ -30,5 +29,3 @@ std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<El
 std::vector<Color> MeanAround(const SmoothPoints& points, const std::vector<Element>& elements,
   const std::vector<Color>& values);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A solution as polygons with arrays, for any program that reads VTK's files.
-#ifndef penumbra_tool_SolutionFile_h
-#define penumbra_tool_SolutionFile_h
+#pragma once
 
 #include "bake/radiosity/Radiosity.h"
 
@@ -24,5 +23,3 @@ void WriteSolution(const std::string& file, const Solution& solution);
 /// Radiance as 8-bit displays show it: cut off at 1, with the exponent 1 / 2.2 of VTK's PBR shading.
 double Display(double radiance);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// A picture of a solution, by one ray or more through each pixel.
-#ifndef penumbra_tool_SolutionView_h
-#define penumbra_tool_SolutionView_h
+#pragma once
 
 #include "bake/radiosity/Radiosity.h"
 
@@ -17,5 +16,3 @@ namespace penumbra::radiosity
 tool::Picture DrawSolution(const Solution& solution, vtkRenderer* renderer, int width, int height,
   int samples, bool flat, const tool::Progress& advance = {});
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The radiosity equation B = E + rho (D + F (B - E)) for diffuse surfaces, solved two ways.
-#ifndef penumbra_tool_RadiositySolvers_h
-#define penumbra_tool_RadiositySolvers_h
+#pragma once
 
 #include "bake/radiosity/FormFactors.h"
 
@@ -55,5 +54,3 @@ std::vector<Color> TotalIrradiance(
 /// The greatest reflectance; from 1 on light would be made.
 double GreatestReflectance(const std::vector<Element>& elements);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Directions to a triangle, as the light that it sends arrives.
-#ifndef penumbra_tool_TriangleSampling_h
-#define penumbra_tool_TriangleSampling_h
+#pragma once
 
 #include "bake/radiosity/Sampling.h"
 
@@ -33,5 +32,3 @@ private:
 bool LightDirection(
   const SeenTriangle& seen, const Point& normal, glm::dvec2 u, Random& random, Point& direction);
 }
-
-#endif

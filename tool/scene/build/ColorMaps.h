@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Colour maps and the arrays they colour.
-#ifndef penumbra_tool_ColorMaps_h
-#define penumbra_tool_ColorMaps_h
+#pragma once
 
 #include "scene/build/Surfaces.h"
 
@@ -27,5 +26,3 @@ vtkSmartPointer<vtkLookupTable> MakeColoring(
 void ColorMapper(
   vtkMapper* mapper, vtkPolyData* geometry, const ColorBy& color, vtkLookupTable* table);
 }
-
-#endif

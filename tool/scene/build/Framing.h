@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Places the camera so that the scene fills the picture.
-#ifndef penumbra_tool_Framing_h
-#define penumbra_tool_Framing_h
+#pragma once
 
 #include "scene/model/Loaded.h"
 
@@ -28,5 +27,3 @@ private:
 void SetCamera(const Camera& camera, const DefaultView& view, const FramedPoints& points,
   double aspect, vtkRenderer* renderer);
 }
-
-#endif

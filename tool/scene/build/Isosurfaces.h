@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Isosurfaces of volumes and grids.
-#ifndef penumbra_tool_Isosurfaces_h
-#define penumbra_tool_Isosurfaces_h
+#pragma once
 
 #include "scene/build/Surfaces.h"
 
@@ -18,5 +17,3 @@ std::vector<Part> MakeIsosurfaces(vtkDataSet* data, const Object& object, Report
 /// Otsu 1979, A Threshold Selection Method from Gray-Level Histograms.
 double OtsuThreshold(vtkDataArray* values);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Lights of the scene as VTK lights.
-#ifndef penumbra_tool_Lights_h
-#define penumbra_tool_Lights_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -16,5 +15,3 @@ std::vector<Light> DefaultLights();
 /// Replaces the renderer's lights.
 void SetLights(const std::vector<Light>& lights, vtkRenderer* renderer);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Materials as VTK properties and textures.
-#ifndef penumbra_tool_Materials_h
-#define penumbra_tool_Materials_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -25,5 +24,3 @@ vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* g
 /// Sets the actor's property and textures; throws a Failure for a texture that cannot be read.
 void ApplyMaterial(const Material& material, vtkActor* actor);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Molecules as balls and sticks.
-#ifndef penumbra_tool_Molecules_h
-#define penumbra_tool_Molecules_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -24,5 +23,3 @@ vtkSmartPointer<vtkOpenGLSphereMapper> MakeBallMapper(vtkPolyData* points, const
 /// Balls joined by sticks, or sticks only.
 vtkSmartPointer<vtkActor> MakeStickModel(vtkMolecule* molecule, MoleculeStyle style);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// From one described object to its actors.
-#ifndef penumbra_tool_ObjectActors_h
-#define penumbra_tool_ObjectActors_h
+#pragma once
 
 #include "scene/build/Framing.h"
 #include "scene/build/Surfaces.h"
@@ -25,5 +24,3 @@ struct ObjectActors
 ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
   FramedPoints& points, const TriangleBudget& budget, Reporter& reporter);
 }
-
-#endif

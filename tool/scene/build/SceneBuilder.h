@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Builds a renderer from a described scene.
-#ifndef penumbra_tool_SceneBuilder_h
-#define penumbra_tool_SceneBuilder_h
+#pragma once
 
 #include "common/Reporter.h"
 #include "scene/model/SceneModel.h"
@@ -37,5 +36,3 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
 /// picture.
 void ConfigureWindow(const Scene& scene, const BuiltScene& built, vtkRenderWindow* window);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Geometry described in the scene itself.
-#ifndef penumbra_tool_Shapes_h
-#define penumbra_tool_Shapes_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -19,5 +18,3 @@ vtkSmartPointer<vtkPolyData> MakePrimitive(const Primitive& shape);
 /// Throws a Failure where an index is out of range or an array has the wrong length.
 vtkSmartPointer<vtkPolyData> MakeMesh(const Mesh& mesh, const std::string& name);
 }
-
-#endif

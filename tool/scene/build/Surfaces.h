@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// From what a file holds to the surfaces that are drawn.
-#ifndef penumbra_tool_Surfaces_h
-#define penumbra_tool_Surfaces_h
+#pragma once
 
 #include "common/Reporter.h"
 #include "scene/build/TriangleBudget.h"
@@ -31,5 +30,3 @@ std::string Describe(const Object& object);
 /// Triangles that drawing the polygons and strips takes.
 vtkIdType CountTriangles(vtkPolyData* geometry);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Applies a scene's technique settings to the pass.
-#ifndef penumbra_tool_Techniques_h
-#define penumbra_tool_Techniques_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -14,5 +13,3 @@ namespace penumbra::tool
 /// have, or the value it refuses.
 void ApplyTechniques(const TechniqueSettings& settings, vtkGIPass* pass);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Terrain from a picture of heights.
-#ifndef penumbra_tool_TerrainSurface_h
-#define penumbra_tool_TerrainSurface_h
+#pragma once
 
 #include "scene/build/Surfaces.h"
 
@@ -12,5 +11,3 @@ namespace penumbra::tool
 Part MakeTerrain(
   const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Textures and environments from picture files.
-#ifndef penumbra_tool_TextureFiles_h
-#define penumbra_tool_TextureFiles_h
+#pragma once
 
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
@@ -26,5 +25,3 @@ vtkSmartPointer<vtkTexture> MakeWhiteTexture();
 /// A float texture of linear radiance, latitude by longitude; 8-bit files are made linear.
 vtkSmartPointer<vtkTexture> ReadEnvironmentTexture(const std::string& path);
 }
-
-#endif

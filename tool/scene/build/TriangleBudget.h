@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Refuses a scene of too many triangles as soon as their number is known.
-#ifndef penumbra_tool_TriangleBudget_h
-#define penumbra_tool_TriangleBudget_h
+#pragma once
 
 #include "common/Failure.h"
 
@@ -45,5 +44,3 @@ private:
   vtkIdType Spent = 0;
 };
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Reads a JSON object strictly: every key must be known and every value of the right kind.
-#ifndef penumbra_tool_JsonObject_h
-#define penumbra_tool_JsonObject_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -104,5 +103,3 @@ private:
 /// Three numbers from 0, "#rrggbb", or the name of one of a few colours; throws a Failure otherwise.
 Vec3 ParseColor(const std::string& text, const std::string& where);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The scene file: docs/scene-file.md describes it.
-#ifndef penumbra_tool_SceneFile_h
-#define penumbra_tool_SceneFile_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -24,5 +23,3 @@ Background ReadBackground(const nlohmann::json& value, const std::string& where)
 Terrain ReadTerrain(const nlohmann::json& value, const std::string& where);
 Object ReadObject(const nlohmann::json& value, const std::string& where);
 }
-
-#endif

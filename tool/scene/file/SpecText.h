@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Short texts of the command line, such as "point:1,2,3,intensity=2", as JSON for the scene file's
 /// readers.
-#ifndef penumbra_tool_SpecText_h
-#define penumbra_tool_SpecText_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -26,5 +25,3 @@ std::vector<double> ParseNumbers(const std::string& text, const std::string& whe
 /// A colour as three numbers, #rrggbb or a name.
 Vec3 ParseColorOption(const std::string& text, const std::string& where);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// What a file holds, as read.
-#ifndef penumbra_tool_Loaded_h
-#define penumbra_tool_Loaded_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -42,5 +41,3 @@ struct Loaded
   bool PointsRepeated = false; ///< once per face, for texture coordinates that differ
 };
 }
-
-#endif

@@ -3,8 +3,7 @@
 /// The scene as plain data: what the command line and the scene file both describe.
 ///
 /// A default-constructed value of each struct is the documented default of the scene file.
-#ifndef penumbra_tool_SceneModel_h
-#define penumbra_tool_SceneModel_h
+#pragma once
 
 #include <array>
 #include <map>
@@ -222,5 +221,3 @@ struct Scene
   bool DepthPeeling = true;
 };
 }
-
-#endif

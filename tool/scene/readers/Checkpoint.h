@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Tracing that is kept in a file (.vti), so that it can be broken off and gone on with.
-#ifndef penumbra_tool_Checkpoint_h
-#define penumbra_tool_Checkpoint_h
+#pragma once
 
 #include <chrono>
 #include <string>
@@ -43,5 +42,3 @@ private:
   std::chrono::steady_clock::time_point Saved = std::chrono::steady_clock::now();
 };
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Removes what cannot be drawn.
-#ifndef penumbra_tool_CleanGeometry_h
-#define penumbra_tool_CleanGeometry_h
+#pragma once
 
 #include "common/Reporter.h"
 
@@ -29,5 +28,3 @@ bool HasValidCells(vtkDataObject* data);
 /// the cells that use them. Returns the input itself where all is well.
 vtkSmartPointer<vtkPolyData> DropNonFinite(vtkPolyData* geometry, DroppedPoints& dropped);
 }
-
-#endif

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// Finds files that end early where VTK's readers draw what there is, or zeros, without a word. Other damage is theirs to
 /// tell, and where one crashes, the supervisor does.
-#ifndef penumbra_tool_Completeness_h
-#define penumbra_tool_Completeness_h
+#pragma once
 
 #include <string>
 
@@ -20,5 +19,3 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data);
 void RequireCompleteDem(const std::string& path);
 void RequireCompleteNetcdf(const std::string& path);
 }
-
-#endif

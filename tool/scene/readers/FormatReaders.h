@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The readers behind the table of formats.
-#ifndef penumbra_tool_FormatReaders_h
-#define penumbra_tool_FormatReaders_h
+#pragma once
 
 #include "common/Reporter.h"
 #include "scene/model/Loaded.h"
@@ -46,5 +45,3 @@ Loaded ReadDemHeights(const std::string& path, Step& step);
 Loaded ReadNumpyHeights(const std::string& path, Step& step);
 Loaded ReadPictureHeights(const std::string& path, Step& step);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// The file formats, one row each, and the one way in.
-#ifndef penumbra_tool_Formats_h
-#define penumbra_tool_Formats_h
+#pragma once
 
 #include "common/Reporter.h"
 #include "scene/model/Loaded.h"
@@ -32,5 +31,3 @@ void RequireReadableFile(const std::string& path);
 /// Reads a file; throws a Failure that names it when it cannot be read or holds nothing.
 Loaded Load(const std::string& path, Reporter& reporter);
 }
-
-#endif
