@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Tables whose keys are numbers, such as those of a vertex.
+/// Hash tables with arrays of numbers as keys, such as the coordinates of a vertex.
 #pragma once
 
 #include "base/Hasher.h"

@@ -33,8 +33,8 @@ void ForEachArray(Gathered& gathered, const Visit& visit)
   floats(gathered.First);
   floats(gathered.Backs);
   bytes(gathered.Kept);
-  floats(gathered.Lamps);
-  bytes(gathered.LampRounds);
+  floats(gathered.Direct);
+  bytes(gathered.DirectRounds);
 }
 }
 
@@ -92,14 +92,15 @@ void ProgressFile::Save(const Gathered& gathered)
   if (!file || error)
   {
     fs::remove(half, error);
-    tool::Fail("'{}', which keeps what is baked so far, cannot be written: make room on the disk",
+    tool::Fail(
+      "'{}', which holds the progress of the bake, cannot be written: make room on the disk",
       this->Path);
   }
-  // So that it takes no more than a twentieth of the time.
+  // Saving takes at most a twentieth of the time.
   constexpr int share = 20;
-  const auto now = std::chrono::steady_clock::now();
+  const auto end = std::chrono::steady_clock::now();
   this->Next =
-    now + std::max<std::chrono::steady_clock::duration>(FirstWait, share * (now - start));
+    end + std::max<std::chrono::steady_clock::duration>(FirstWait, share * (end - start));
 }
 
 void ProgressFile::Remove() const

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bake/radiosity/SceneLights.h"
+#include "bake/radiosity/SceneSurfaces.h"
 
+#include "base/Matrices.h"
 #include "rays/TexturePixels.h"
 
 #include <glm/gtc/constants.hpp>
@@ -17,34 +18,29 @@ namespace penumbra::radiosity
 {
 namespace
 {
-Point ToPoint(const double* v)
+DeltaLight MakeLight(vtkLight* light)
 {
-  return { v[0], v[1], v[2] };
-}
-
-Lamp MakeLamp(vtkLight* light)
-{
-  Lamp lamp;
-  lamp.Strength = ToPoint(light->GetDiffuseColor()) * (light->GetIntensity() * glm::pi<double>());
-  lamp.Positional = light->GetPositional() != 0;
+  DeltaLight result;
+  result.Strength = ToVec3(light->GetDiffuseColor()) * (light->GetIntensity() * glm::pi<double>());
+  result.Positional = light->GetPositional() != 0;
   double at[3];
   double focal[3];
   light->GetTransformedPosition(at);
   light->GetTransformedFocalPoint(focal);
-  lamp.Position = ToPoint(at);
-  const Point travel = ToPoint(focal) - lamp.Position;
-  lamp.Travel = glm::length(travel) > 0.0 ? glm::normalize(travel) : lamp.Travel;
-  lamp.Attenuation = ToPoint(light->GetAttenuationValues());
-  constexpr double none = 90.0; // degrees: no cone, in VTK's convention
-  if (lamp.Positional && light->GetConeAngle() < none)
+  result.Position = ToVec3(at);
+  const Point travel = ToVec3(focal) - result.Position;
+  result.Travel = glm::length(travel) > 0.0 ? glm::normalize(travel) : result.Travel;
+  result.Attenuation = ToVec3(light->GetAttenuationValues());
+  constexpr double none = 90.0; // degrees, VTK's convention for no cone
+  if (result.Positional && light->GetConeAngle() < none)
   {
-    lamp.ConeCosine = std::cos(glm::radians(light->GetConeAngle()));
-    lamp.Exponent = light->GetExponent();
+    result.ConeCosine = std::cos(glm::radians(light->GetConeAngle()));
+    result.Exponent = light->GetExponent();
   }
-  return lamp;
+  return result;
 }
 
-Sky MakeSky(vtkRenderer* renderer, std::vector<std::string>& notes)
+Sky MakeSky(vtkRenderer* renderer, tool::Reporter& reporter)
 {
   vtkTexture* texture =
     renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
@@ -54,7 +50,7 @@ Sky MakeSky(vtkRenderer* renderer, std::vector<std::string>& notes)
   }
   if (texture->GetCubeMap())
   {
-    notes.emplace_back("the environment is left out: as a cube map it is not read");
+    reporter.Note("the environment is left out: cube maps are not supported");
     return {};
   }
   auto pixels = std::make_shared<TexturePixels>(ReadTexturePixels(texture));
@@ -62,8 +58,8 @@ Sky MakeSky(vtkRenderer* renderer, std::vector<std::string>& notes)
   {
     return {};
   }
-  const Point right = glm::normalize(ToPoint(renderer->GetEnvironmentRight()));
-  const Point up = glm::normalize(ToPoint(renderer->GetEnvironmentUp()));
+  const Point right = glm::normalize(ToVec3(renderer->GetEnvironmentRight()));
+  const Point up = glm::normalize(ToVec3(renderer->GetEnvironmentUp()));
   const Point front = glm::cross(right, up);
   return [=](const Point& direction) {
     const Point d(glm::dot(direction, right), glm::dot(direction, up), glm::dot(direction, front));
@@ -77,7 +73,7 @@ Sky MakeSky(vtkRenderer* renderer, std::vector<std::string>& notes)
 }
 }
 
-Illumination GatherLights(vtkRenderer* renderer, std::vector<std::string>& notes)
+Illumination GatherLights(vtkRenderer* renderer, tool::Reporter& reporter)
 {
   Illumination result;
   renderer->UpdateLightsGeometryToFollowCamera();
@@ -93,14 +89,14 @@ Illumination GatherLights(vtkRenderer* renderer, std::vector<std::string>& notes
     }
     else if (light->GetSwitch() && light->GetIntensity() > 0.0)
     {
-      result.Lamps.push_back(MakeLamp(light));
+      result.Lights.push_back(MakeLight(light));
     }
   }
   if (headlights > 0)
   {
-    notes.emplace_back("the headlight is left out: it would move with every view of the solution");
+    reporter.Note("the headlight is left out: it would move with the view");
   }
-  result.Surroundings = MakeSky(renderer, notes);
+  result.Surroundings = MakeSky(renderer, reporter);
   return result;
 }
 }

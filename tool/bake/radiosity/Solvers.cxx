@@ -14,7 +14,7 @@ double Power(const Color& exitance, const Element& element)
   return (std::abs(exitance.x) + std::abs(exitance.y) + std::abs(exitance.z)) * element.Area;
 }
 
-/// What the elements reflect of the light that arrives first.
+/// The first reflection of arriving light.
 std::vector<Color> FirstReflection(const LightBalance& balance)
 {
   std::vector<Color> light(balance.Elements.size());
@@ -42,8 +42,8 @@ Color Gathered(const FactorMatrix& factors, std::size_t row, const std::vector<C
   return sum;
 }
 
-/// How far a residual that shrinks by powers has come.
-double Done(double residual, double tolerance)
+/// The progress of a residual that decreases exponentially.
+double FractionDone(double residual, double tolerance)
 {
   return residual > 0.0 ? std::clamp(std::log(residual) / std::log(tolerance), 0.0, 1.0) : 1.0;
 }
@@ -83,7 +83,7 @@ Reflected GatherLight(
     result.Converged = change / initial <= limits.Tolerance;
     if (advance)
     {
-      advance(Done(change / initial, limits.Tolerance));
+      advance(FractionDone(change / initial, limits.Tolerance));
     }
   }
   return result;
@@ -128,7 +128,7 @@ Reflected ShootLight(
     result.Converged = residual <= limits.Tolerance;
     if (advance)
     {
-      advance(Done(residual, limits.Tolerance));
+      advance(FractionDone(residual, limits.Tolerance));
     }
   }
   return result;

@@ -17,7 +17,7 @@ namespace penumbra::tool
 /// Atoms as points with the arrays "radius" (van der Waals, in Angstrom) and "element color".
 vtkSmartPointer<vtkPolyData> MakeAtoms(vtkMolecule* molecule);
 
-/// A mapper that draws a ball at each point, of the radius in the array.
+/// A mapper that draws a ball at each point, with the radius in an array.
 vtkSmartPointer<vtkOpenGLSphereMapper> MakeBallMapper(vtkPolyData* points, const char* radiusArray);
 
 /// Balls joined by sticks, or sticks only.

@@ -15,6 +15,6 @@ struct NumpyArray
   std::vector<double> Values;     ///< in C order
 };
 
-/// The arrays by name; those that are not numbers are left out. A .npy file's array is named "".
+/// The numeric arrays by name. The array of a .npy file has the name "".
 std::map<std::string, NumpyArray> ReadNumpyFile(const std::string& path);
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What texels get straight from lamps: means over the texels, so that shadows end as softly as texels are wide and not
-/// in steps.
+/// Direct light of texels. It is averaged over the area of each texel, so that shadow edges are smooth.
 #pragma once
 
 #include "bake/lightmap/GatherLight.h"
@@ -10,33 +9,33 @@
 
 namespace penumbra::lightmap
 {
-class LampLight
+class DirectLight
 {
 public:
-  /// samples: of a round, for lamps that are picked by chance and for translucent shadows.
-  LampLight(const Layout& layout, GatherLight& gather, int samples)
-    : Places(layout)
+  /// samples: number per round, for lights chosen at random and for translucent shadows.
+  DirectLight(const Layout& layout, GatherLight& gather, int samples)
+    : Unwrapped(layout)
     , Gather(gather)
     , Samples(samples)
   {
   }
 
-  /// Adds a round's light of the texels from first to last. Each round has other points in the texels. The gatherer
-  /// counts indirect light alone after this, as before.
+  /// Adds a round of light to the texels from first to last, excluding last. Each round has different points in the texels.
+  /// Afterwards the gatherer includes only indirect light, as before.
   void AddRound(std::size_t first, std::size_t last, Gathered& sums,
     const std::function<void(double)>& advance);
 
-  /// The means, and which texels have one, by their index in the picture.
+  /// Means over rounds. known: set for texels that have one, by index in the atlas.
   Light Mean(const Gathered& sums, std::vector<unsigned char>& known) const;
 
 private:
   std::vector<unsigned char> FindBuried(const std::vector<Vec3>& points,
     const std::vector<Vec3>& normals, const std::vector<float>& light);
 
-  const Layout& Places;
+  const Layout& Unwrapped;
   GatherLight& Gather;
   int Samples;
-  std::vector<Texel> Texels; ///< with the points of a round
+  std::vector<Texel> Texels; ///< with the points of the current round
   int Round = -1;
 };
 }
