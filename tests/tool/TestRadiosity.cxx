@@ -171,9 +171,9 @@ TEST(Radiosity, LightsAreAsInVtk)
     mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } } }, AddMatte(mesh, Color(0.5)));
   Illumination light;
   light.Lights.resize(1);
-  DeltaLight& sun = light.Lights[0];
-  sun.Strength = Color(Pi);
-  sun.Travel = glm::normalize(Point(1.0, 0.0, -1.0));
+  Light& sun = light.Lights[0];
+  sun.Color = Color(1.0);
+  sun.WorldDirection = glm::normalize(Point(1.0, 0.0, -1.0));
   Settings settings = Quick();
   const Solution slanted = Solve(mesh, light, settings);
   EXPECT_NEAR(slanted.Irradiance[0].x, Pi * std::sqrt(0.5), 1e-9);
@@ -199,7 +199,8 @@ TEST(Radiosity, CornersOfCurvedSurfacesDoNotShadowThemselves)
   AddQuad(mesh, { { { 0, -1, 0.2 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, 1, 0.2 } } }, matte);
   Illumination light;
   light.Lights.resize(1);
-  light.Lights[0].Strength = Color(1.0);
+  light.Lights[0].Color = Color(1.0 / Pi);
+  light.Lights[0].WorldDirection = Point(0.0, 0.0, -1.0);
   const Solution solution = Solve(mesh, light, Quick());
   const double expected = 1.0 / std::sqrt(1.0 + 0.2 * 0.2);
   int ridge = 0;
@@ -223,7 +224,8 @@ TEST(Radiosity, ShadowsAreCut)
     AddMatte(mesh, Color(0.5)));
   Illumination light;
   light.Lights.resize(1);
-  light.Lights[0].Strength = Color(1.0);
+  light.Lights[0].Color = Color(1.0 / Pi);
+  light.Lights[0].WorldDirection = Point(0.0, 0.0, -1.0);
   Settings settings = Quick();
   const std::size_t before = Solve(mesh, light, settings).Elements.size();
   settings.Refinements = 2;

@@ -7,7 +7,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cstdio>
 #include <memory>
 
 namespace penumbra::tool
@@ -29,6 +32,13 @@ void AddCommand(CLI::App& app, Console& console, int& status)
 {
   auto command = std::make_shared<Command>();
   command->Declare(app)->callback([command, &console, &status] { status = command->Run(console); });
+}
+
+/// Prints a result on stdout at once, before anything else may fail.
+inline void Print(const std::string& text)
+{
+  fmt::print("{}", text);
+  std::fflush(stdout);
 }
 
 using Clock = std::chrono::steady_clock;

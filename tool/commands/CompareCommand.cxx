@@ -10,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <iostream>
 #include <optional>
 
 namespace penumbra::tool
@@ -98,7 +97,7 @@ private:
     }
     if (this->Json)
     {
-      std::cout << values.dump(2) << std::endl;
+      tool::Print(values.dump(2) + "\n");
       return;
     }
     fmt::print("relMSE            {:.6g}   (epsilon {:g})\n"

@@ -14,7 +14,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <iostream>
 
 namespace penumbra::tool
 {
@@ -210,7 +209,7 @@ public:
     }
     if (this->Json)
     {
-      std::cout << info.dump(2) << std::endl;
+      Print(info.dump(2) + "\n");
       return status;
     }
     const auto print = [](const char* name, const std::string& value) {

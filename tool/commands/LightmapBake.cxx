@@ -7,8 +7,6 @@
 #include "bake/lightmap/Bake.h"
 #include "common/Failure.h"
 
-#include <iostream>
-
 namespace penumbra::tool
 {
 namespace
@@ -77,11 +75,10 @@ private:
     const lightmap::Light& light = result.Map.Baked;
     if (!this->Input.Options.Statistics)
     {
-      std::cout << fmt::format("{} x {} texels up to {:.3g} wide, {} charts; step across seams up "
-                               "to {:.2g} %; {:.1f} s\n",
-                     light.Width, light.Height, result.TexelSize, result.Tiles,
-                     100.0 * result.SeamStep, seconds)
-                << std::flush;
+      Print(fmt::format("{} x {} texels up to {:.3g} wide, {} charts; step across seams up "
+                        "to {:.2g} %; {:.1f} s\n",
+        light.Width, light.Height, result.TexelSize, result.Tiles, 100.0 * result.SeamStep,
+        seconds));
       return;
     }
     const nlohmann::ordered_json report = { { "output", this->Input.Options.Output },
@@ -91,7 +88,7 @@ private:
       { "kept-tiles", result.KeptTiles }, { "resumed", result.Resumed },
       { "seam-step", result.SeamStep }, { "open-seam-step", result.OpenSeamStep },
       { "samples", this->Settings.Samples }, { "seconds", seconds } };
-    std::cout << report.dump(2) << std::endl;
+    Print(report.dump(2) + "\n");
   }
 
   BakeInput Input;

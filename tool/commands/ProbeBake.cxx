@@ -19,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 
 namespace penumbra::tool
 {
@@ -233,9 +232,8 @@ private:
         sizes += fmt::format("{}{} x {} x {}", sizes.empty() ? "" : " + ", grid.Counts[0],
           grid.Counts[1], grid.Counts[2]);
       }
-      std::cout << fmt::format("{} probes, {} of them moved; {} samples each; {:.1f} s\n", sizes,
-                     relocated, this->Samples, seconds)
-                << std::flush;
+      Print(fmt::format("{} probes, {} of them moved; {} samples each; {:.1f} s\n", sizes,
+        relocated, this->Samples, seconds));
       return;
     }
     nlohmann::ordered_json finer = nlohmann::ordered_json::array();
@@ -249,7 +247,7 @@ private:
       { "probes", field->GetNumberOfPoints() }, { "moved", relocated },
       { "behind-surfaces", behind }, { "samples", this->Samples }, { "resumed-samples", resumed },
       { "bytes", fs::file_size(this->Input.Options.Output) }, { "seconds", seconds } };
-    std::cout << report.dump(2) << std::endl;
+    Print(report.dump(2) + "\n");
   }
 
   BakeInput Input;

@@ -11,8 +11,6 @@
 
 #include <vtkGILightmap.h>
 
-#include <iostream>
-
 namespace penumbra::tool
 {
 namespace
@@ -162,12 +160,10 @@ private:
     const double error = radiosity::RelativeError(solution);
     if (!this->Input.Options.Statistics)
     {
-      std::cout << fmt::format(
-                     "{} patches, {} rays from each side; residual {:.2g} after {} steps; "
-                     "standard error of the irradiance {:.2g} % of its mean; {:.1f} s\n",
-                     solution.Elements.size() / 2, solution.Matrix.Rays, residual,
-                     chosen.History.size(), 100.0 * error, seconds)
-                << std::flush;
+      Print(fmt::format("{} patches, {} rays from each side; residual {:.2g} after {} steps; "
+                        "standard error of the irradiance {:.2g} % of its mean; {:.1f} s\n",
+        solution.Elements.size() / 2, solution.Matrix.Rays, residual, chosen.History.size(),
+        100.0 * error, seconds));
       return;
     }
     nlohmann::ordered_json report = { { "output", this->Input.Options.Output },
@@ -187,7 +183,7 @@ private:
     {
       report["solvers-differ"] = radiosity::SolverDifference(solution);
     }
-    std::cout << report.dump(2) << std::endl;
+    Print(report.dump(2) + "\n");
   }
 
   BakeInput Input;

@@ -23,7 +23,6 @@
 #include <vtkTextureObject.h>
 
 #include <algorithm>
-#include <iostream>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -131,7 +130,7 @@ public:
     this->ReportScene(scene, built, pass);
     if (this->Options.Statistics)
     {
-      std::cout << this->Report.dump(2) << std::endl;
+      Print(this->Report.dump(2) + "\n");
     }
     window->Finalize();
     return 0;

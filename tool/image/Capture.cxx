@@ -79,11 +79,10 @@ void SetVisible(const std::vector<vtkProp*>& props, bool visible)
 /// Standard error of a pixel's luminance, from the sums that the path tracer keeps.
 float StandardError(const float* shown, const float* encoded, float samples)
 {
-  const float mean = (0.2126f * (shown[0] + encoded[0]) + 0.7152f * (shown[1] + encoded[1]) +
-                       0.0722f * (shown[2] + encoded[2])) /
-    samples;
-  const float variance = std::max(0.0f, encoded[3] / samples - mean * mean);
-  return samples > 1.0f ? std::sqrt(variance / (samples - 1.0f)) : 0.0f;
+  const double sum = Luminance(shown[0] + encoded[0], shown[1] + encoded[1], shown[2] + encoded[2]);
+  const double mean = sum / samples;
+  const double variance = std::max(0.0, encoded[3] / samples - mean * mean);
+  return samples > 1.0f ? static_cast<float>(std::sqrt(variance / (samples - 1.0))) : 0.0f;
 }
 }
 

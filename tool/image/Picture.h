@@ -3,6 +3,8 @@
 /// Pictures and their files, read and written with OpenImageIO.
 #pragma once
 
+#include "base/Luminance.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -38,8 +40,8 @@ struct Picture
   /// Relative luminance, with Rec. 709 weights and without a transfer curve.
   float Luminance(std::size_t index) const
   {
-    return 0.2126f * this->Color(index, 0) + 0.7152f * this->Color(index, 1) +
-      0.0722f * this->Color(index, 2);
+    return static_cast<float>(
+      penumbra::Luminance(this->Color(index, 0), this->Color(index, 1), this->Color(index, 2)));
   }
 };
 

@@ -20,21 +20,18 @@ constexpr const char* Head = "penumbra lightmap in the making 1\n";
 template <typename Visit>
 void ForEachArray(Gathered& gathered, const Visit& visit)
 {
-  const auto bytes = [&visit](std::vector<unsigned char>& values) {
-    visit(reinterpret_cast<char*>(values.data()), values.size());
-  };
-  const auto floats = [&visit](std::vector<float>& values) {
-    visit(reinterpret_cast<char*>(values.data()), values.size() * sizeof(float));
+  const auto array = [&visit](auto& values) {
+    visit(reinterpret_cast<char*>(values.data()), values.size() * sizeof(values[0]));
   };
   visit(reinterpret_cast<char*>(&gathered.Round), sizeof(gathered.Round));
   visit(reinterpret_cast<char*>(&gathered.Block), sizeof(gathered.Block));
-  floats(gathered.Halves[0]);
-  floats(gathered.Halves[1]);
-  floats(gathered.First);
-  floats(gathered.Backs);
-  bytes(gathered.Kept);
-  floats(gathered.Direct);
-  bytes(gathered.DirectRounds);
+  array(gathered.Halves[0]);
+  array(gathered.Halves[1]);
+  array(gathered.First);
+  array(gathered.Backs);
+  array(gathered.Kept);
+  array(gathered.Direct);
+  array(gathered.DirectRounds);
 }
 }
 

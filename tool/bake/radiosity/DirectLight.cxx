@@ -69,20 +69,20 @@ double Visibility(const Receiver& receiver, const Element& emitter, const PatchR
   return count > 0 ? double(visible) / count : 0.0;
 }
 
-bool IsVisible(const DeltaLight& light, const PatchRays& rays, const Point& at, const Point& normal)
+bool IsVisible(const Light& light, const PatchRays& rays, const Point& at, const Point& normal)
 {
-  return light.Positional ? !rays.Occluded(at, normal, light.Position, Point(0.0))
-                          : !rays.OccludedTowards(at, normal, -light.Travel);
+  return light.Positional ? !rays.Occluded(at, normal, light.WorldPosition, Point(0.0))
+                          : !rays.OccludedTowards(at, normal, -light.WorldDirection);
 }
 }
 
-Color UnoccludedIrradiance(const DeltaLight& light, const Point& at, const Point& normal)
+Color UnoccludedIrradiance(const Light& light, const Point& at, const Point& normal)
 {
-  Point travel = light.Travel;
+  Point travel = light.WorldDirection;
   double share = 1.0;
   if (light.Positional)
   {
-    const Point path = at - light.Position;
+    const Point path = at - light.WorldPosition;
     const double distance = glm::length(path);
     if (distance == 0.0)
     {
@@ -91,13 +91,14 @@ Color UnoccludedIrradiance(const DeltaLight& light, const Point& at, const Point
     travel = path / distance;
     const Point& c = light.Attenuation;
     share = 1.0 / (c.x + c.y * distance + c.z * distance * distance);
-    if (light.ConeCosine >= -1.0)
+    if (light.IsCone())
     {
-      const double cosine = glm::dot(travel, light.Travel);
-      share *= cosine >= light.ConeCosine ? std::pow(cosine, light.Exponent) : 0.0;
+      const double cosine = glm::dot(travel, light.WorldDirection);
+      share *=
+        cosine >= std::cos(glm::radians(light.ConeAngle)) ? std::pow(cosine, light.Exponent) : 0.0;
     }
   }
-  return light.Strength * (share * std::max(0.0, -glm::dot(travel, normal)));
+  return light.Color * glm::pi<double>() * (share * std::max(0.0, -glm::dot(travel, normal)));
 }
 
 double PointFactor(const Point& at, const Point& normal, const std::array<Point, 3>& triangle)
@@ -122,7 +123,7 @@ Color IrradianceAt(const LightSources& sources, const PatchRays& rays, const Poi
   const Point& normal, int shadowRays, std::uint64_t stream)
 {
   Color sum(0.0);
-  for (const DeltaLight& light : sources.Lights)
+  for (const Light& light : sources.Lights)
   {
     const Color irradiance = UnoccludedIrradiance(light, at, normal);
     if (irradiance != Color(0.0) && IsVisible(light, rays, at, normal))

@@ -6,24 +6,16 @@
 #include "bake/radiosity/Patches.h"
 #include "common/ForEach.h"
 
+#include "light/LightTable.h"
+
 #include <cstdint>
 
 namespace penumbra::radiosity
 {
-/// A point, spot or directional light, as defined by vtkLight.
-struct DeltaLight
-{
-  Color Strength{ 0.0 }; ///< irradiance of a perpendicular surface at distance 0
-  bool Positional = false;
-  Point Position{ 0.0 };
-  Point Travel{ 0.0, 0.0, -1.0 };     ///< unit direction of its axis
-  Point Attenuation{ 1.0, 0.0, 0.0 }; ///< coefficients of powers of the distance
-  double ConeCosine = -2.0;           ///< cosine of the half angle; below -1 for no cone
-  double Exponent = 1.0;
-};
+using Light = penumbra::Light; ///< in world coordinates
 
-/// Irradiance at a point with a normal, without occlusion.
-Color UnoccludedIrradiance(const DeltaLight& light, const Point& at, const Point& normal);
+/// Irradiance at a point with a normal, without occlusion. A light of colour c gives pi c at distance 0.
+Color UnoccludedIrradiance(const Light& light, const Point& at, const Point& normal);
 
 /// The form factor from a point to the part of a triangle above its horizon, without occlusion (Lambert 1760; Baum, Rushmeier
 /// and Winget 1989, Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors, equation 6).
@@ -31,7 +23,7 @@ double PointFactor(const Point& at, const Point& normal, const std::array<Point,
 
 struct LightSources
 {
-  std::vector<DeltaLight> Lights;
+  std::vector<Light> Lights;
   std::vector<Element> Emitters;
 };
 

@@ -38,7 +38,7 @@ void RequireLight(const std::vector<Element>& elements, const Illumination& ligh
   const bool emits = std::any_of(elements.begin(), elements.end(),
     [](const Element& element) { return element.Emission != Color(0.0); });
   const bool lit = std::any_of(light.Lights.begin(), light.Lights.end(),
-    [](const DeltaLight& source) { return source.Strength != Color(0.0); });
+    [](const Light& source) { return source.Color != Color(0.0); });
   if (!emits && !lit && !light.Surroundings)
   {
     tool::Fail("the scene has no light: add a light, an environment, or a material with emission");
@@ -141,14 +141,13 @@ void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings&
       MakeReciprocal(factors.Matrix, solution.Elements, factors.Escaped);
     }
     const LightBalance balance = { solution.Elements, factors.Matrix, arriving };
-    const SolverLimits limits = { settings.Tolerance };
     if (settings.Method == Solver::Gathering || settings.Both)
     {
-      solution.Gathered = GatherLight(balance, limits, step.GetProgress());
+      solution.Gathered = GatherLight(balance, settings.Tolerance, step.GetProgress());
     }
     if (settings.Method == Solver::Shooting || settings.Both)
     {
-      solution.Shot = ShootLight(balance, limits, step.GetProgress());
+      solution.Shot = ShootLight(balance, settings.Tolerance, step.GetProgress());
     }
     const Reflected& chosen =
       settings.Method == Solver::Gathering ? solution.Gathered : solution.Shot;

@@ -32,7 +32,7 @@ struct Settings
 
 struct Illumination
 {
-  std::vector<DeltaLight> Lights;
+  std::vector<Light> Lights;
   Sky Surroundings;
 };
 

@@ -3,13 +3,10 @@
 #include "bake/radiosity/SceneSurfaces.h"
 
 #include "base/Matrices.h"
-#include "rays/TexturePixels.h"
+#include "rays/SkyPictures.h"
 
 #include <glm/gtc/constants.hpp>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
-#include <vtkRenderer.h>
-#include <vtkTexture.h>
+#include <vtkOpenGLRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,43 +15,15 @@ namespace penumbra::radiosity
 {
 namespace
 {
-DeltaLight MakeLight(vtkLight* light)
+Sky MakeSky(vtkRenderer* renderer)
 {
-  DeltaLight result;
-  result.Strength = ToVec3(light->GetDiffuseColor()) * (light->GetIntensity() * glm::pi<double>());
-  result.Positional = light->GetPositional() != 0;
-  double at[3];
-  double focal[3];
-  light->GetTransformedPosition(at);
-  light->GetTransformedFocalPoint(focal);
-  result.Position = ToVec3(at);
-  const Point travel = ToVec3(focal) - result.Position;
-  result.Travel = glm::length(travel) > 0.0 ? glm::normalize(travel) : result.Travel;
-  result.Attenuation = ToVec3(light->GetAttenuationValues());
-  constexpr double none = 90.0; // degrees, VTK's convention for no cone
-  if (result.Positional && light->GetConeAngle() < none)
-  {
-    result.ConeCosine = std::cos(glm::radians(light->GetConeAngle()));
-    result.Exponent = light->GetExponent();
-  }
-  return result;
-}
-
-Sky MakeSky(vtkRenderer* renderer, tool::Reporter& reporter)
-{
-  vtkTexture* texture =
-    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
-  if (!texture)
+  if (!renderer->GetUseImageBasedLighting() || !renderer->GetEnvironmentTexture())
   {
     return {};
   }
-  if (texture->GetCubeMap())
-  {
-    reporter.Note("the environment is left out: cube maps are not supported");
-    return {};
-  }
-  auto pixels = std::make_shared<TexturePixels>(ReadTexturePixels(texture));
-  if (pixels->Width == 0)
+  const auto sky =
+    std::make_shared<const SkyPictures>(SkyPictures::Of(renderer, SkyDecoding::Of(renderer)));
+  if (sky->Width == 0)
   {
     return {};
   }
@@ -65,10 +34,9 @@ Sky MakeSky(vtkRenderer* renderer, tool::Reporter& reporter)
     const Point d(glm::dot(direction, right), glm::dot(direction, up), glm::dot(direction, front));
     const double u = std::atan2(d.z, d.x) / (2.0 * glm::pi<double>()) + 0.5;
     const double v = std::asin(std::clamp(d.y, -1.0, 1.0)) / glm::pi<double>() + 0.5;
-    return glm::max(
-      Color(pixels->At(std::clamp(static_cast<int>(u * pixels->Width), 0, pixels->Width - 1),
-        std::clamp(static_cast<int>(v * pixels->Height), 0, pixels->Height - 1))),
-      0.0);
+    const int x = std::clamp(static_cast<int>(u * sky->Width), 0, sky->Width - 1);
+    const int y = std::clamp(static_cast<int>(v * sky->Height), 0, sky->Height - 1);
+    return glm::max(Color(sky->Matte[static_cast<std::size_t>(y) * sky->Width + x]), 0.0);
   };
 }
 }
@@ -77,26 +45,22 @@ Illumination GatherLights(vtkRenderer* renderer, tool::Reporter& reporter)
 {
   Illumination result;
   renderer->UpdateLightsGeometryToFollowCamera();
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator cookie;
-  lights->InitTraversal(cookie);
-  int headlights = 0;
-  while (vtkLight* light = lights->GetNextLight(cookie))
+  LightTable table;
+  table.Collect(vtkOpenGLRenderer::SafeDownCast(renderer));
+  bool headlights = false;
+  for (const Light& light : table.Lights())
   {
-    if (light->GetSwitch() && light->LightTypeIsHeadlight())
+    headlights = headlights || light.Headlight;
+    if (!light.Headlight && light.Color != Color(0.0))
     {
-      ++headlights;
-    }
-    else if (light->GetSwitch() && light->GetIntensity() > 0.0)
-    {
-      result.Lights.push_back(MakeLight(light));
+      result.Lights.push_back(light);
     }
   }
-  if (headlights > 0)
+  if (headlights)
   {
     reporter.Note("the headlight is left out: it would move with the view");
   }
-  result.Surroundings = MakeSky(renderer, reporter);
+  result.Surroundings = MakeSky(renderer);
   return result;
 }
 }

@@ -126,7 +126,7 @@ std::vector<Color> ForTriangles(vtkPolyData* data, const char* name)
   return values;
 }
 
-vtkPolyData* DrawnPolygons(const RayPart& part)
+vtkPolyData* InputPolygons(const RayPart& part)
 {
   auto* actor = vtkActor::SafeDownCast(part.Prop);
   vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
@@ -153,7 +153,7 @@ public:
   std::size_t Add(const tool::MeshInstance& instance)
   {
     const RayPart& part = instance.Part;
-    vtkPolyData* polygons = DrawnPolygons(part);
+    vtkPolyData* polygons = InputPolygons(part);
     const std::vector<Color> albedos = ForTriangles(polygons, "albedo");
     const std::vector<Color> emissions = ForTriangles(polygons, "emission");
     const Surface material = this->MakeSurface(part);

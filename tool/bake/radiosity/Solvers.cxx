@@ -9,6 +9,8 @@ namespace penumbra::radiosity
 {
 namespace
 {
+constexpr int MaximumSweeps = 1000;
+
 double Power(const Color& exitance, const Element& element)
 {
   return (std::abs(exitance.x) + std::abs(exitance.y) + std::abs(exitance.z)) * element.Area;
@@ -60,15 +62,14 @@ double GreatestReflectance(const std::vector<Element>& elements)
   return greatest;
 }
 
-Reflected GatherLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance)
+Reflected GatherLight(const LightBalance& balance, double tolerance, const tool::Progress& advance)
 {
   const std::vector<Color> first = FirstReflection(balance);
   const double initial = TotalPower(first, balance);
   Reflected result;
   result.Light = first;
   result.Converged = initial == 0.0;
-  for (int sweep = 0; sweep < limits.Sweeps && !result.Converged; ++sweep)
+  for (int sweep = 0; sweep < MaximumSweeps && !result.Converged; ++sweep)
   {
     double change = 0.0;
     for (std::size_t i = 0; i < first.size(); ++i)
@@ -80,17 +81,16 @@ Reflected GatherLight(
       result.Light[i] = next;
     }
     result.History.push_back({ sweep + 1.0, change / initial });
-    result.Converged = change / initial <= limits.Tolerance;
+    result.Converged = change / initial <= tolerance;
     if (advance)
     {
-      advance(FractionDone(change / initial, limits.Tolerance));
+      advance(FractionDone(change / initial, tolerance));
     }
   }
   return result;
 }
 
-Reflected ShootLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance)
+Reflected ShootLight(const LightBalance& balance, double tolerance, const tool::Progress& advance)
 {
   // Column i of F holds what the others get of i's power; by reciprocity A_j F_ji = A_i F_ij.
   const FactorMatrix columns = Transpose(balance.Factors);
@@ -101,7 +101,7 @@ Reflected ShootLight(
   const double initial = TotalPower(unshot, balance);
   result.Converged = initial == 0.0;
   double work = 0.0;
-  while (!result.Converged && work < limits.Sweeps)
+  while (!result.Converged && work < MaximumSweeps)
   {
     double most = 0.0;
     for (std::size_t i = 0; i < unshot.size(); ++i)
@@ -125,10 +125,10 @@ Reflected ShootLight(
     }
     const double residual = TotalPower(unshot, balance) / initial;
     result.History.push_back({ work, residual });
-    result.Converged = residual <= limits.Tolerance;
+    result.Converged = residual <= tolerance;
     if (advance)
     {
-      advance(FractionDone(residual, limits.Tolerance));
+      advance(FractionDone(residual, tolerance));
     }
   }
   return result;

@@ -29,22 +29,16 @@ struct Reflected
   bool Converged = false;
 };
 
-struct SolverLimits
-{
-  double Tolerance = 1e-4; ///< of the residual
-  int Sweeps = 1000;
-};
-
 /// The Gauss-Seidel method: each element in turn gathers the light of the others (Cohen and Greenberg 1985, The Hemi-Cube).
-/// The residual is the change of a sweep.
+/// The residual is the change of a sweep. tolerance: final residual.
 Reflected GatherLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance = {});
+  const LightBalance& balance, double tolerance, const tool::Progress& advance = {});
 
 /// Progressive refinement: the element with the greatest unshot power distributes it to all others (Cohen, Chen, Wallace and
 /// Greenberg 1988, A Progressive Refinement Approach to Fast Radiosity Image Generation). Because a search is costly, each
 /// one, a step of the history, is followed by all elements with at least half of the greatest power.
 Reflected ShootLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance = {});
+  const LightBalance& balance, double tolerance, const tool::Progress& advance = {});
 
 /// The total irradiance of each element, with reflected light.
 std::vector<Color> TotalIrradiance(

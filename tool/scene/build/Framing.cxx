@@ -24,7 +24,7 @@ struct Axes
   Vec3 Right, Up, Front;
 };
 
-Axes LookFrom(const Vec3& front, const Vec3& up)
+Axes ViewAxes(const Vec3& front, const Vec3& up)
 {
   Axes axes;
   axes.Front = front;
@@ -42,7 +42,7 @@ Axes LookFrom(const Vec3& front, const Vec3& up)
 /// Rotates the default view about the up axis, then raises it.
 Vec3 ViewDirection(const Camera& camera, const DefaultView& view)
 {
-  const Axes axes = LookFrom(view.Front, view.Up);
+  const Axes axes = ViewAxes(view.Front, view.Up);
   vtkNew<vtkTransform> turn;
   turn->RotateWXYZ(camera.Azimuth.value_or(view.Azimuth), view.Up.data());
   turn->RotateWXYZ(-camera.Elevation.value_or(view.Elevation), axes.Right.data());
@@ -134,7 +134,7 @@ void SetCamera(const Camera& described, const DefaultView& view, const std::vect
   const Vec3 up = described.ViewUp.value_or(view.Up);
   Vec3 direction = ViewDirection(described, view);
   const double slope = std::tan(vtkMath::RadiansFromDegrees(described.ViewAngle) / 2);
-  Fit fit = FitPoints(points, LookFrom(direction, up), slope / Border, aspect, described.Parallel);
+  Fit fit = FitPoints(points, ViewAxes(direction, up), slope / Border, aspect, described.Parallel);
   const Vec3 focal = described.FocalPoint.value_or(fit.Center);
   Vec3 position;
   for (int i = 0; i < 3; ++i)
@@ -147,7 +147,7 @@ void SetCamera(const Camera& described, const DefaultView& view, const std::vect
     position = *described.Position;
     vtkMath::Subtract(position.data(), focal.data(), direction.data());
   }
-  Axes axes = LookFrom(direction, up);
+  Axes axes = ViewAxes(direction, up);
   camera->SetPosition(position.data());
   camera->SetFocalPoint(focal.data());
   camera->SetViewUp(axes.Up.data());

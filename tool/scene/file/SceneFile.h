@@ -19,6 +19,5 @@ Scene ReadSceneFile(const std::string& path);
 Light ReadLight(const nlohmann::json& value, const std::string& where);
 Camera ReadCamera(const nlohmann::json& value, const std::string& where);
 Background ReadBackground(const nlohmann::json& value, const std::string& where);
-Terrain ReadTerrain(const nlohmann::json& value, const std::string& where);
 Object ReadObject(const nlohmann::json& value, const std::string& where);
 }

@@ -209,7 +209,22 @@ Placement ReadPlacement(const json& value, const std::string& where)
   return place;
 }
 
-/// Exactly one of "file", "mesh" and the primitives.
+Terrain ReadTerrain(const json& value, const std::string& where)
+{
+  Terrain terrain;
+  if (value.is_boolean() && value.get<bool>())
+  {
+    return terrain;
+  }
+  JsonObject object(value, where);
+  object.Read("exaggeration", terrain.Exaggeration);
+  object.Read("spacing", terrain.Spacing, Positive);
+  object.Read("stride", terrain.Stride, Bounds{ 1, 10000 });
+  object.Finish();
+  return terrain;
+}
+
+/// Reads exactly one of "file", "mesh" and the primitives.
 void ReadSource(JsonObject& object, Object& target)
 {
   int sources = 0;
@@ -235,21 +250,6 @@ void ReadSource(JsonObject& object, Object& target)
       "{} needs exactly one of the keys file, mesh, {}", object.Where(), Join(PrimitiveKinds()));
   }
 }
-}
-
-Terrain ReadTerrain(const json& value, const std::string& where)
-{
-  Terrain terrain;
-  if (value.is_boolean() && value.get<bool>())
-  {
-    return terrain;
-  }
-  JsonObject object(value, where);
-  object.Read("exaggeration", terrain.Exaggeration);
-  object.Read("spacing", terrain.Spacing, Positive);
-  object.Read("stride", terrain.Stride, Bounds{ 1, 10000 });
-  object.Finish();
-  return terrain;
 }
 
 Object ReadObject(const json& value, const std::string& where)
