@@ -19,8 +19,8 @@ void DeclareData(CLI::App& command, RenderOptions& options)
   OptionGroup data(command, "Data");
   data.Add("--isovalue", options.IsoValues, "value of an isosurface; may be repeated");
   data.Add("--isosurface-of", options.IsoArray, "point array of the isosurfaces");
-  data.Add("--smooth", options.Smoothing, "radius of smoothing volumes, in voxels (0 to 20)",
-    Bounds{ 0, 20 });
+  data.Add("--smooth", options.Smoothing,
+    "smooth volumes with a Gaussian of this many voxels (0 to 20)", Bounds{ 0, 20 });
   data.Add("--molecule", options.Molecule, "balls (default), ball-and-stick or sticks");
   data.Flag("--terrain", options.Terrain,
     "interpret a flat image as elevations, as is always done with pictures");
