@@ -1,35 +1,25 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The penumbra command: chooses the subcommand and turns every failure into one sentence.
-#include "commands/Command.h"
+// The penumbra command: runs the subcommand and reports every failure in one sentence.
+#include "commands/Commands.h"
 #include "common/Failure.h"
 #include "common/Names.h"
 #include "common/VtkMessages.h"
 #include "console/Supervisor.h"
 
-#include <CLI/CLI.hpp>
-
-#include <iostream>
-
 namespace penumbra::tool
 {
 namespace
 {
-struct Declared
+/// The innermost subcommand on the command line.
+CLI::App* ActiveCommand(CLI::App& app)
 {
-  std::unique_ptr<Command> Runner;
-  CLI::App* Options;
-};
-
-/// The command that was named, or the command of a command.
-CLI::App* Chosen(CLI::App& app)
-{
-  CLI::App* chosen = &app;
-  while (!chosen->get_subcommands().empty())
+  CLI::App* active = &app;
+  while (!active->get_subcommands().empty())
   {
-    chosen = chosen->get_subcommands().front();
+    active = active->get_subcommands().front();
   }
-  return chosen;
+  return active;
 }
 
 /// "penumbra bake probes"
@@ -39,33 +29,36 @@ std::string FullName(const CLI::App* command)
   return parent ? FullName(parent) + " " + command->get_name() : command->get_name();
 }
 
-std::vector<std::string> Subcommands(const CLI::App* scope)
+std::vector<std::string> Subcommands(const CLI::App* command)
 {
   std::vector<std::string> names;
-  for (const CLI::App* sub : scope->get_subcommands({}))
+  for (const CLI::App* subcommand : command->get_subcommands({}))
   {
-    names.push_back(sub->get_name());
+    names.push_back(subcommand->get_name());
   }
   return names;
 }
 
-/// What CLI11 calls an unexpected argument, as a misspelt option or command.
+/// Reports an argument that CLI11 does not expect as a misspelt option or command.
 std::string UnexpectedArgument(CLI::App& app)
 {
-  const CLI::App* scope = Chosen(app);
+  const CLI::App* active = ActiveCommand(app);
   const auto rest = app.remaining(true);
   const std::string name = rest.empty() ? "" : rest.front().substr(0, rest.front().find('='));
-  std::vector<std::string> known;
-  for (const CLI::Option* option : scope->get_options())
+  const std::vector<std::string> commands = Subcommands(active);
+  if (name.rfind("-", 0) != 0 && !commands.empty())
+  {
+    return UnknownName("command", name, "", commands);
+  }
+  std::vector<std::string> options;
+  for (const CLI::Option* option : active->get_options())
   {
     for (const std::string& longName : option->get_lnames())
     {
-      known.push_back("--" + longName);
+      options.push_back("--" + longName);
     }
   }
-  const std::vector<std::string> commands = Subcommands(scope);
-  const bool command = name.rfind("-", 0) != 0 && !commands.empty();
-  return UnknownName(command ? "command" : "option", name, "", command ? commands : known);
+  return UnknownName("option", name, "", options);
 }
 
 int ReportUsage(CLI::App& app, const CLI::ParseError& error, Console& console)
@@ -74,21 +67,20 @@ int ReportUsage(CLI::App& app, const CLI::ParseError& error, Console& console)
   {
     return app.exit(error); // --help and --version
   }
-  const CLI::App* chosen = Chosen(app);
-  const std::string help = FullName(chosen) + " --help";
-  const std::vector<std::string> commands = Subcommands(chosen);
-  // Where a command is missing the first argument is a misspelt one.
+  const CLI::App* active = ActiveCommand(app);
+  const std::vector<std::string> commands = Subcommands(active);
+  // If a command is missing, the first argument is a misspelt one.
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
     (!commands.empty() && !app.remaining(true).empty());
   std::string reason = unexpected ? UnexpectedArgument(app)
     : commands.empty()            ? error.what()
                                   : "name a command: " + Join(commands);
   reason.erase(reason.find_last_not_of(" .\n") + 1);
-  console.Error(fmt::format("{}; '{}' lists what there is", reason, help));
+  console.Error(fmt::format("{}; see '{} --help'", reason, FullName(active)));
   return Failure::Usage;
 }
 
-/// Errors that VTK reported without stopping the command count too; warnings become notes.
+/// Reports errors of VTK that did not stop the command, and prints warnings as notes.
 int ReportLeftovers(int status, Console& console)
 {
   const VtkMessages messages = TakeVtkMessages();
@@ -100,33 +92,29 @@ int ReportLeftovers(int status, Console& console)
   {
     return status;
   }
-  console.Error(fmt::format(
-    "VTK reports an error, so that the result may be wrong: {}", messages.Errors.front()));
+  console.Error(
+    fmt::format("VTK reports an error, so the result may be wrong: {}", messages.Errors.front()));
   return Failure::Failed;
 }
 
-/// An unset variable of a shell, most often: no option and no file has an empty value.
-std::string FindEmptyArgument(int argc, char** argv)
+/// Complains of empty arguments, which are most often unset variables of a shell.
+void RequireArguments(int argc, char** argv)
 {
   for (int i = 1; i < argc; ++i)
   {
     if (argv[i][0] == '\0')
     {
-      return i > 1 ? fmt::format("the argument after '{}' is empty", argv[i - 1])
-                   : "the first argument is empty";
+      FailUsage("{}",
+        i > 1 ? fmt::format("the argument after '{}' is empty", argv[i - 1])
+              : "the first argument is empty");
     }
   }
-  return "";
 }
 
 int RunCommandLine(int argc, char** argv)
 {
   Console console;
-  if (const std::string empty = FindEmptyArgument(argc, argv); !empty.empty())
-  {
-    console.Error(empty);
-    return Failure::Usage;
-  }
+  int status = 0;
   CLI::App app(
     "Real-time global illumination for VTK data, with or without a GPU or a screen.", "penumbra");
   app.set_version_flag("--version", "penumbra " PENUMBRA_VERSION);
@@ -135,24 +123,16 @@ int RunCommandLine(int argc, char** argv)
              "  penumbra render head.nii.gz -o head.png\n"
              "  penumbra info --parameters\n"
              "  penumbra compare picture.png reference.png --max-relmse 0.01");
-  std::vector<Declared> commands;
-  for (auto make : { MakeRenderCommand, MakeInfoCommand, MakeCompareCommand, MakeBakeCommand })
+  for (const auto add : { AddRenderCommand, AddInfoCommand, AddCompareCommand, AddBakeCommand })
   {
-    auto command = make();
-    CLI::App* options = command->Declare(app);
-    commands.push_back({ std::move(command), options });
+    add(app, console, status);
   }
   try
   {
-    app.parse(argc, argv);
+    RequireArguments(argc, argv);
     CollectVtkMessages();
-    for (const Declared& command : commands)
-    {
-      if (command.Options->parsed())
-      {
-        return ReportLeftovers(command.Runner->Run(console), console);
-      }
-    }
+    app.parse(argc, argv);
+    return ReportLeftovers(status, console);
   }
   catch (const CLI::ParseError& error)
   {
@@ -165,8 +145,7 @@ int RunCommandLine(int argc, char** argv)
   }
   catch (const std::bad_alloc&)
   {
-    console.Error(
-      "this machine has too little memory for that: use less data or a smaller picture");
+    console.Error("this machine has too little memory: use less data or a smaller picture");
   }
   catch (const std::exception& error)
   {

@@ -81,7 +81,7 @@ inline Light Fill(
     known[texel.Index] = 1;
     for (int c = 0; c < 3; ++c)
     {
-      light.At(texel.Index)[c] = Wanted(texel.At, c);
+      light.Pixel(texel.Index)[c] = Wanted(texel.At, c);
     }
   }
   return light;

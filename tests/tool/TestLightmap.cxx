@@ -262,7 +262,7 @@ TEST(Lightmap, SeamsClose)
   {
     for (int c = 0; c < 3; ++c)
     {
-      light.At(texel.Index)[c] += noise(random);
+      light.Pixel(texel.Index)[c] += noise(random);
     }
   }
   Dilate(light, known, atlas);
@@ -271,7 +271,8 @@ TEST(Lightmap, SeamsClose)
   double moved = 0.0;
   for (const Texel& texel : texels)
   {
-    moved = std::max(moved, std::abs(double(light.At(texel.Index)[0]) - before.At(texel.Index)[0]));
+    moved =
+      std::max(moved, std::abs(double(light.Pixel(texel.Index)[0]) - before.Pixel(texel.Index)[0]));
   }
   std::printf("step across seams %.4f, closed %.5f; a texel changed by %.3f at most\n",
     SeamStep(before, lines), SeamStep(light, lines), moved);
@@ -299,7 +300,7 @@ TEST(Lightmap, NoiseFalls)
     {
       for (int c = 0; c < 3; ++c)
       {
-        half.At(texel.Index)[c] += noise(random);
+        half.Pixel(texel.Index)[c] += noise(random);
       }
     }
   }
@@ -307,9 +308,9 @@ TEST(Lightmap, NoiseFalls)
   double before = 0.0, after = 0.0;
   for (const Texel& texel : texels)
   {
-    const float mean = 0.5f * (halves[0].At(texel.Index)[1] + halves[1].At(texel.Index)[1]);
-    before += std::pow(mean - exact.At(texel.Index)[1], 2.0);
-    after += std::pow(denoised.At(texel.Index)[1] - exact.At(texel.Index)[1], 2.0);
+    const float mean = 0.5f * (halves[0].Pixel(texel.Index)[1] + halves[1].Pixel(texel.Index)[1]);
+    before += std::pow(mean - exact.Pixel(texel.Index)[1], 2.0);
+    after += std::pow(denoised.Pixel(texel.Index)[1] - exact.Pixel(texel.Index)[1], 2.0);
   }
   std::printf("mean squared error %.6f, denoised %.6f\n", before / double(texels.size()),
     after / double(texels.size()));

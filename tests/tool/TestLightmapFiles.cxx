@@ -146,12 +146,12 @@ TEST_F(LightmapFiles, KindsOfLightComeBack)
   const Light plain = this->Map.Baked;
   for (const int each : { 3, 12 })
   {
-    for (const int lamps : { 0, each })
+    for (const int direct : { 0, each })
     {
       this->Map.Baked = Light(plain.Width, plain.Height, each);
-      this->Map.Lamps = Light(plain.Width, plain.Height, lamps);
+      this->Map.Direct = Light(plain.Width, plain.Height, direct);
       float value = 0.0f;
-      for (Light* light : { &this->Map.Baked, &this->Map.Lamps })
+      for (Light* light : { &this->Map.Baked, &this->Map.Direct })
       {
         for (float& to : light->Values)
         {
@@ -170,13 +170,13 @@ TEST_F(LightmapFiles, KindsOfLightComeBack)
         for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
         {
           EXPECT_EQ(
-            array->GetComponent(static_cast<vtkIdType>(texel), c), light.At(texel)[first + c]);
+            array->GetComponent(static_cast<vtkIdType>(texel), c), light.Pixel(texel)[first + c]);
         }
       };
       expect("light", this->Map.Baked, 0);
       expect("moments", this->Map.Baked, 3);
-      expect("lamps", this->Map.Lamps, 0);
-      expect("lamp moments", this->Map.Lamps, 3);
+      expect("lamps", this->Map.Direct, 0);
+      expect("lamp moments", this->Map.Direct, 3);
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiosity where it is known: closed boxes, lamps, meshes that stay whole.
+// Radiosity where it is known: closed boxes, lights, meshes that stay whole.
 #include "RadiosityScenes.h"
 
 #include <glm/gtc/constants.hpp>
@@ -164,16 +164,16 @@ TEST(Radiosity, StatedErrorIsWhatChanceMakes)
   EXPECT_GT(off, 0.1 * stated);
 }
 
-TEST(Radiosity, LampsGiveWhatVtkMeans)
+TEST(Radiosity, LightsAreAsInVtk)
 {
   PatchMesh mesh;
   AddQuad(
     mesh, { { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } } }, AddMatte(mesh, Color(0.5)));
   Illumination light;
-  light.Lamps.resize(1);
-  Lamp& lamp = light.Lamps[0];
-  lamp.Strength = Color(Pi);
-  lamp.Travel = glm::normalize(Point(1.0, 0.0, -1.0));
+  light.Lights.resize(1);
+  Light& sun = light.Lights[0];
+  sun.Color = Color(1.0);
+  sun.WorldDirection = glm::normalize(Point(1.0, 0.0, -1.0));
   Settings settings = Quick();
   const Solution slanted = Solve(mesh, light, settings);
   EXPECT_NEAR(slanted.Irradiance[0].x, Pi * std::sqrt(0.5), 1e-9);
@@ -198,8 +198,9 @@ TEST(Radiosity, CornersOfCurvedSurfacesDoNotShadowThemselves)
   AddQuad(mesh, { { { -1, -1, 0 }, { 0, -1, 0.2 }, { 0, 1, 0.2 }, { -1, 1, 0 } } }, matte);
   AddQuad(mesh, { { { 0, -1, 0.2 }, { 1, -1, 0 }, { 1, 1, 0 }, { 0, 1, 0.2 } } }, matte);
   Illumination light;
-  light.Lamps.resize(1);
-  light.Lamps[0].Strength = Color(1.0);
+  light.Lights.resize(1);
+  light.Lights[0].Color = Color(1.0 / Pi);
+  light.Lights[0].WorldDirection = Point(0.0, 0.0, -1.0);
   const Solution solution = Solve(mesh, light, Quick());
   const double expected = 1.0 / std::sqrt(1.0 + 0.2 * 0.2);
   int ridge = 0;
@@ -222,8 +223,9 @@ TEST(Radiosity, ShadowsAreCut)
   AddQuad(mesh, { { { -0.5, -0.5, 1 }, { 0.5, -0.5, 1 }, { 0.5, 0.5, 1 }, { -0.5, 0.5, 1 } } },
     AddMatte(mesh, Color(0.5)));
   Illumination light;
-  light.Lamps.resize(1);
-  light.Lamps[0].Strength = Color(1.0);
+  light.Lights.resize(1);
+  light.Lights[0].Color = Color(1.0 / Pi);
+  light.Lights[0].WorldDirection = Point(0.0, 0.0, -1.0);
   Settings settings = Quick();
   const std::size_t before = Solve(mesh, light, settings).Elements.size();
   settings.Refinements = 2;
@@ -256,7 +258,7 @@ TEST(Radiosity, BadInputIsOneSentence)
   EXPECT_NE(Refusal(nothing, Quick()).find("no surface"), std::string::npos);
   PatchMesh dark;
   AddBox(dark, Point(-1.0), Point(1.0), AddMatte(dark, Color(0.5)), true);
-  EXPECT_NE(Refusal(dark, Quick()).find("nothing shines"), std::string::npos);
+  EXPECT_NE(Refusal(dark, Quick()).find("has no light"), std::string::npos);
   PatchMesh mirror;
   AddBox(mirror, Point(-1.0), Point(1.0), AddMatte(mirror, Color(1.0), Color(1.0)), true);
   EXPECT_NE(Refusal(mirror, Quick()).find("reflects all light"), std::string::npos);

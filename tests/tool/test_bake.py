@@ -79,7 +79,7 @@ class Radiosity(command.CommandTest):
             path = self.scene(scene, "refused.json")
             self.refused("bake", "radiosity", path, "-o", "no.vtp", *arguments, says=says, status=status)
             self.assertFalse((self.folder / "no.vtp").exists())
-        refused({**ROOM, "lights": []}, says="nothing shines", status=1)
+        refused({**ROOM, "lights": []}, says="has no light", status=1)
         line = {"mesh": {"points": [[0, 0, 0], [1, 0, 0], [2, 0, 0]], "polygons": [[0, 1, 2]]}}
         refused({**ROOM, "objects": [line]}, says="no surface of any area", status=1)
         refused({**ROOM, "objects": []}, says="no objects", status=2)
@@ -164,10 +164,10 @@ class Radiosity(command.CommandTest):
         self.assertEqual(goes_on(kept[:1000]), 0, "a block that is cut off is not taken")
         self.assertEqual(goes_on(kept[:1000] + bytes([kept[1000] ^ 1]) + kept[1001:]), 0)
         self.assertEqual(goes_on(kept, "--anew"), 0)
-        self.assertEqual(goes_on(b"nothing of use", notes=("begins anew",)), 0)
+        self.assertEqual(goes_on(b"nothing of use", notes=("starts from scratch",)), 0)
         log.write_bytes(kept)
         other = self.report("bake", "radiosity", self.scene(ROOM, "other.json"), "-o", "broken.vtp", "--stats",
-                            notes=("begins anew",))
+                            notes=("starts from scratch",))
         self.assertEqual(other["resumed"], 0)
 
 

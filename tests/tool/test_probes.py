@@ -118,9 +118,9 @@ class Probes(command.CommandTest):
         self.bake(scene)
         other = self.folder / "room.vti.part"
         other.write_bytes((self.folder / "room.vti").read_bytes())
-        self.assertEqual(self.bake(scene, notes=("begins anew",))["resumed-samples"], 0)
+        self.assertEqual(self.bake(scene, notes=("starts from scratch",))["resumed-samples"], 0)
         other.write_text("nothing of use")
-        self.assertEqual(self.bake(scene, notes=("begins anew",))["resumed-samples"], 0)
+        self.assertEqual(self.bake(scene, notes=("starts from scratch",))["resumed-samples"], 0)
 
     def test_damaged_and_foreign_files(self):
         scene = self.scene(ROOM)
@@ -149,7 +149,7 @@ class Probes(command.CommandTest):
         self.refused("bake", "probes", scene, "-o", "/nowhere/x.vti", says="cannot be written", status=1)
         self.refused("bake", "probes", scene, "-o", "x.vti", "--probe-spacing", 0.0001, says="more than 828100 probes", status=1)
         camera = {**ROOM, "lights": [{"type": "head"}]}
-        self.bake(self.scene(camera, "head.json"), notes=("a lamp that follows the camera",))
+        self.bake(self.scene(camera, "head.json"), notes=("a light that follows the camera",))
 
 
 if __name__ == "__main__":

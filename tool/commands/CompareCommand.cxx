@@ -1,53 +1,51 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "commands/Command.h"
+// penumbra compare: the difference of a picture from a reference.
+#include "commands/Commands.h"
 
 #include "common/Failure.h"
 #include "image/Metrics.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <iostream>
 #include <optional>
 
 namespace penumbra::tool
 {
 namespace
 {
-class CompareCommand : public Command
+class CompareCommand
 {
 public:
-  CLI::App* Declare(CLI::App& app) override
+  CLI::App* Declare(CLI::App& app)
   {
     CLI::App* command =
-      app.add_subcommand("compare", "measure how far a picture is from a reference");
-    command->add_option("PICTURE", this->Picture, "the picture to judge")->required();
-    command->add_option("REFERENCE", this->Reference, "what it should look like")->required();
+      app.add_subcommand("compare", "measure the difference of a picture from a reference");
+    command->add_option("PICTURE", this->Picture, "picture to compare")->required();
+    command->add_option("REFERENCE", this->Reference, "picture to compare with")->required();
     command
-      ->add_option("--epsilon", this->Measuring.Epsilon, "of relMSE: (a - b)^2 / (b^2 + epsilon)")
+      ->add_option("--epsilon", this->Options.Epsilon, "of relMSE: (a - b)^2 / (b^2 + epsilon)")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
     command
       ->add_option(
-        "--tolerance", this->Measuring.Tolerance, "in 255ths: pixels further off are counted")
+        "--tolerance", this->Options.Tolerance, "in 255ths: count pixels with a greater difference")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-    command->add_option("--mask-above", this->Measuring.MaskAbove,
-      "leave out pixels, and their neighbours, where a channel of either picture is above this: "
-      "lamps "
-      "in view (SSIM sees them all)");
+    command->add_option("--mask-above", this->Options.MaskAbove,
+      "leave out pixels with a channel above this value in either picture, and their neighbours: "
+      "visible lights (SSIM includes them)");
     command->add_option("--diff", this->Difference, "write a picture of the absolute difference");
-    command->add_option("--diff-gain", this->Gain, "the difference times this")
+    command->add_option("--diff-gain", this->Gain, "factor of the difference")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-    command->add_option("--max-relmse", this->MaximumRelativeMse, "fail above this");
-    command->add_option("--min-ssim", this->MinimumSsim, "fail below this");
+    command->add_option("--max-relmse", this->MaximumRelativeMse, "fail above this value");
+    command->add_option("--min-ssim", this->MinimumSsim, "fail below this value");
     command->add_option("--fail-over", this->MaximumFraction,
-      "fail when a greater fraction of pixels is over the tolerance");
-    command->add_flag("--json", this->Json, "for machines");
+      "fail if a greater fraction of pixels exceeds the tolerance");
+    command->add_flag("--json", this->Json, "print JSON");
     command->footer(
       "Exit status: 0 within the limits, 1 outside them or on failure, 2 on wrong usage.\n"
       "Examples:\n"
@@ -57,7 +55,7 @@ public:
     return command;
   }
 
-  int Run(Console& console) override
+  int Run(Console& console)
   {
     if (!this->Difference.empty())
     {
@@ -71,10 +69,11 @@ public:
     }
     if (a.Width != b.Width || a.Height != b.Height)
     {
-      Fail("'{}' has {}x{} pixels and '{}' has {}x{}: pictures of one size can be compared",
+      Fail(
+        "'{}' has {}x{} pixels and '{}' has {}x{}: only pictures of the same size can be compared",
         this->Picture, a.Width, a.Height, this->Reference, b.Width, b.Height);
     }
-    const Metrics metrics = Measure(a, b, this->Measuring);
+    const Metrics metrics = Measure(a, b, this->Options);
     if (!this->Difference.empty())
     {
       WritePicture(this->Difference, DifferencePicture(a, b, this->Gain));
@@ -89,16 +88,16 @@ private:
     nlohmann::ordered_json values = { { "relmse", metrics.RelativeMse },
       { "signed-mean", metrics.SignedMean }, { "p99", metrics.Percentile99 },
       { "maximum", metrics.Maximum }, { "ssim", metrics.Ssim },
-      { "fraction-over", metrics.FractionOver }, { "tolerance", this->Measuring.Tolerance },
-      { "epsilon", this->Measuring.Epsilon }, { "non-finite-pixels", metrics.NonFinite } };
-    const bool masks = std::isfinite(this->Measuring.MaskAbove);
+      { "fraction-over", metrics.FractionOver }, { "tolerance", this->Options.Tolerance },
+      { "epsilon", this->Options.Epsilon }, { "non-finite-pixels", metrics.NonFinite } };
+    const bool masks = std::isfinite(this->Options.MaskAbove);
     if (masks)
     {
       values["masked-pixels"] = metrics.Masked;
     }
     if (this->Json)
     {
-      std::cout << values.dump(2) << std::endl;
+      tool::Print(values.dump(2) + "\n");
       return;
     }
     fmt::print("relMSE            {:.6g}   (epsilon {:g})\n"
@@ -108,8 +107,8 @@ private:
                "SSIM              {:.6f}\n"
                "over {:g}/255        {:.6g} of the pixels\n"
                "not finite        {} pixels\n",
-      metrics.RelativeMse, this->Measuring.Epsilon, metrics.SignedMean, metrics.Percentile99,
-      metrics.Maximum, metrics.Ssim, this->Measuring.Tolerance, metrics.FractionOver,
+      metrics.RelativeMse, this->Options.Epsilon, metrics.SignedMean, metrics.Percentile99,
+      metrics.Maximum, metrics.Ssim, this->Options.Tolerance, metrics.FractionOver,
       metrics.NonFinite);
     if (masks)
     {
@@ -131,8 +130,8 @@ private:
     }
     if (this->MaximumFraction && metrics.FractionOver > *this->MaximumFraction)
     {
-      reasons.push_back(fmt::format("{:.6g} of the pixels are over {:g}/255 and {:g} may be",
-        metrics.FractionOver, this->Measuring.Tolerance, *this->MaximumFraction));
+      reasons.push_back(fmt::format("{:.6g} of the pixels are over {:g}/255, more than {:g}",
+        metrics.FractionOver, this->Options.Tolerance, *this->MaximumFraction));
     }
     const bool limited = this->MaximumRelativeMse || this->MinimumSsim || this->MaximumFraction;
     if (limited && metrics.NonFinite > 0)
@@ -150,7 +149,7 @@ private:
 
   std::string Picture;
   std::string Reference;
-  MetricOptions Measuring;
+  MetricOptions Options;
   std::string Difference;
   double Gain = 8;
   std::optional<double> MaximumRelativeMse;
@@ -160,8 +159,8 @@ private:
 };
 }
 
-std::unique_ptr<Command> MakeCompareCommand()
+void AddCompareCommand(CLI::App& app, Console& console, int& status)
 {
-  return std::make_unique<CompareCommand>();
+  AddCommand<CompareCommand>(app, console, status);
 }
 }

@@ -1,32 +1,174 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "commands/Command.h"
-#include "commands/TechniqueTable.h"
+// penumbra info: versions, OpenGL, techniques.
+#include "commands/Commands.h"
 
 #include "common/Failure.h"
-#include "common/VtkMessages.h"
 #include "common/Windows.h"
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
+#include <vtkGIPass.h>
+#include <vtkGITechnique.h>
+#include <vtkNew.h>
 #include <vtkVersion.h>
 
-#include <iostream>
+#include <fmt/ranges.h>
+
+#include <array>
 
 namespace penumbra::tool
 {
 namespace
 {
-class InfoCommand : public Command
+using nlohmann::ordered_json;
+using Row = std::array<std::string, 4>;
+
+ordered_json DescribeParameter(vtkGITechnique* technique, int index)
+{
+  const auto text = [](const char* value) { return std::string(value ? value : ""); };
+  ordered_json parameter = { { "name", text(technique->GetParameterName(index)) },
+    { "type", text(technique->GetParameterType(index)) },
+    { "default", technique->GetParameterDefault(index) },
+    { "minimum", technique->GetParameterMinimum(index) },
+    { "maximum", technique->GetParameterMaximum(index) },
+    { "unit", text(technique->GetParameterUnit(index)) },
+    { "doc", text(technique->GetParameterDocumentation(index)) } };
+  for (int value = 0; value < technique->GetNumberOfParameterValues(index); ++value)
+  {
+    parameter["values"].push_back(text(technique->GetParameterValueName(index, value)));
+  }
+  return parameter;
+}
+
+ordered_json DescribeTechniques()
+{
+  ordered_json techniques = ordered_json::array();
+  vtkNew<vtkGIPass> pass;
+  for (int i = 0; i < pass->GetNumberOfTechniques(); ++i)
+  {
+    vtkGITechnique* technique = pass->GetTechnique(i);
+    ordered_json row = { { "name", technique->GetName() }, { "title", technique->GetTitle() },
+      { "term", technique->GetTerm() }, { "verb", technique->GetVerb() },
+      { "dynamic", technique->GetDynamic() }, { "source", technique->GetSource() },
+      { "parameters", ordered_json::array() } };
+    for (int p = 0; p < technique->GetNumberOfParameters(); ++p)
+    {
+      row["parameters"].push_back(DescribeParameter(technique, p));
+    }
+    techniques.push_back(row);
+  }
+  return techniques;
+}
+
+std::string Text(const ordered_json& object, const char* key)
+{
+  return object[key].get<std::string>();
+}
+
+std::string DefaultText(const ordered_json& parameter)
+{
+  const double value = parameter["default"];
+  if (parameter.contains("values"))
+  {
+    return parameter["values"][static_cast<std::size_t>(value)];
+  }
+  return parameter["type"] == "bool" ? (value != 0 ? "on" : "off") : fmt::format("{:g}", value);
+}
+
+std::string RangeText(const ordered_json& parameter)
+{
+  if (parameter.contains("values"))
+  {
+    return fmt::format("{}", fmt::join(parameter["values"].get<std::vector<std::string>>(), ", "));
+  }
+  return parameter["type"] == "bool"
+    ? "on, off"
+    : fmt::format(
+        "{:g} to {:g}", parameter["minimum"].get<double>(), parameter["maximum"].get<double>());
+}
+
+void PrintTable(const std::vector<Row>& rows, bool markdown)
+{
+  std::array<std::size_t, 4> longest{};
+  for (const Row& row : rows)
+  {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+    {
+      longest[i] = std::max(longest[i], row[i].size() + 2);
+    }
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r)
+  {
+    const Row& row = rows[r];
+    if (markdown)
+    {
+      fmt::print("| {} |\n{}", fmt::join(row, " | "), r == 0 ? "|---|---|---|---|\n" : "");
+    }
+    else
+    {
+      fmt::print("{:<{}}{:<{}}{:<{}}{}\n", row[0], longest[0], row[1], longest[1], row[2],
+        longest[2], row[3]);
+    }
+  }
+}
+
+void PrintParameters(const ordered_json& technique, bool markdown)
+{
+  const std::string name = Text(technique, "name"), source = Text(technique, "source");
+  if (markdown)
+  {
+    fmt::print("\n## {} (`{}`)\n\n{}.\n\n| parameter | default | range | unit | meaning |\n"
+               "|---|---|---|---|---|\n",
+      Text(technique, "title"), name, source);
+  }
+  else
+  {
+    fmt::print("\n{}: {}\n", name, source);
+  }
+  for (const auto& parameter : technique["parameters"])
+  {
+    const std::string unit = Text(parameter, "unit");
+    if (markdown)
+    {
+      fmt::print("| `{}` | {} | {} | {} | {} |\n", Text(parameter, "name"), DefaultText(parameter),
+        RangeText(parameter), unit, Text(parameter, "doc"));
+    }
+    else
+    {
+      fmt::print("  {}.{} = {} ({}{}{})\n      {}\n", name, Text(parameter, "name"),
+        DefaultText(parameter), RangeText(parameter), unit.empty() ? "" : "; ", unit,
+        Text(parameter, "doc"));
+    }
+  }
+}
+
+void PrintTechniques(const ordered_json& techniques, bool parameters, bool markdown)
+{
+  std::vector<Row> rows = { { "technique", "computes", "method", "dynamic scenes" } };
+  for (const auto& technique : techniques)
+  {
+    rows.push_back({ Text(technique, "name"), Text(technique, "term"), Text(technique, "verb"),
+      Text(technique, "dynamic") });
+  }
+  PrintTable(rows, markdown);
+  for (const auto& technique : techniques)
+  {
+    if (parameters)
+    {
+      PrintParameters(technique, markdown);
+    }
+  }
+}
+
+class InfoCommand
 {
 public:
-  CLI::App* Declare(CLI::App& app) override
+  CLI::App* Declare(CLI::App& app)
   {
-    CLI::App* command = app.add_subcommand("info", "OpenGL, VTK, and the table of techniques");
-    command->add_flag("--parameters", this->Parameters, "each technique's parameters too");
-    auto* json = command->add_flag("--json", this->Json, "for machines");
+    CLI::App* command = app.add_subcommand("info", "show OpenGL, VTK, and the table of techniques");
+    command->add_flag("--parameters", this->Parameters, "include each technique's parameters");
+    auto* json = command->add_flag("--json", this->Json, "print JSON");
     command
-      ->add_flag("--markdown", this->Markdown, "the tables for the documentation, without OpenGL")
+      ->add_flag("--markdown", this->Markdown, "print tables for the documentation, without OpenGL")
       ->excludes(json);
     command->add_option("--backend", this->Backend, "egl, osmesa, x11 or auto")
       ->capture_default_str();
@@ -37,24 +179,27 @@ public:
     return command;
   }
 
-  int Run(Console& console) override
+  int Run(Console& console)
   {
-    const auto techniques = DescribeTechniques();
+    const ordered_json techniques = DescribeTechniques();
     if (this->Markdown)
     {
-      std::cout << MarkdownTable(techniques, this->Parameters);
+      PrintTechniques(techniques, this->Parameters, true);
       return 0;
     }
-    nlohmann::ordered_json info = { { "penumbra", PENUMBRA_VERSION },
-      { "vtk", vtkVersion::GetVTKVersion() }, { "opengl", nullptr }, { "techniques", techniques } };
+    ordered_json info = { { "penumbra", PENUMBRA_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
+      { "opengl", nullptr }, { "techniques", techniques } };
     int status = 0;
     try
     {
-      info["opengl"] = this->DescribeGraphics(console);
+      vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Backend);
+      Step step(console, "opening an OpenGL window");
+      info["opengl"] = OpenWindow(window);
+      window->Finalize();
     }
     catch (const Failure& failure)
     {
-      // The rest of the information holds without OpenGL too.
+      // The other information is valid without OpenGL.
       console.Error(failure.what());
       status = failure.GetExitStatus();
       if (status == Failure::Usage)
@@ -64,42 +209,24 @@ public:
     }
     if (this->Json)
     {
-      std::cout << info.dump(2) << std::endl;
+      Print(info.dump(2) + "\n");
       return status;
     }
-    this->PrintVersions(info);
-    std::cout << "\n" << PlainTable(techniques, this->Parameters);
+    const auto print = [](const char* name, const std::string& value) {
+      fmt::print("{:<16}{}\n", name, value);
+    };
+    print("Penumbra", PENUMBRA_VERSION);
+    print("VTK", Text(info, "vtk"));
+    for (const auto& [key, value] : info["opengl"].items())
+    {
+      print(key == "vendor" ? "OpenGL vendor" : key.c_str(), value);
+    }
+    fmt::print("\n");
+    PrintTechniques(techniques, this->Parameters, false);
     return status;
   }
 
 private:
-  nlohmann::ordered_json DescribeGraphics(Console& console)
-  {
-    vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Backend);
-    Step step(console, "opening an OpenGL window");
-    const GraphicsInfo graphics = OpenWindow(window);
-    window->Finalize();
-    return { { "backend", graphics.Backend }, { "vendor", graphics.Vendor },
-      { "renderer", graphics.Renderer }, { "version", graphics.Version } };
-  }
-
-  void PrintVersions(const nlohmann::ordered_json& info)
-  {
-    const auto line = [](const std::string& key, const std::string& value) {
-      fmt::print("{:<16}{}\n", key, value);
-    };
-    line("Penumbra", PENUMBRA_VERSION);
-    line("VTK", info["vtk"]);
-    if (!info["opengl"].is_null())
-    {
-      line("backend", info["opengl"]["backend"]);
-      line("OpenGL vendor", info["opengl"]["vendor"]);
-      line("renderer", info["opengl"]["renderer"]);
-      line("version", info["opengl"]["version"]);
-    }
-    std::fflush(stdout);
-  }
-
   bool Parameters = false;
   bool Json = false;
   bool Markdown = false;
@@ -107,8 +234,8 @@ private:
 };
 }
 
-std::unique_ptr<Command> MakeInfoCommand()
+void AddInfoCommand(CLI::App& app, Console& console, int& status)
 {
-  return std::make_unique<InfoCommand>();
+  AddCommand<InfoCommand>(app, console, status);
 }
 }

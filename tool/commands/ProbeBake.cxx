@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// penumbra bake probes: indirect light in space, kept at the points of a grid.
-#include "commands/BakeOptions.h"
-#include "commands/OptionGroup.h"
-#include "commands/RenderOptions.h"
+// penumbra bake probes: indirect light in space, stored at the points of grids.
+#include "commands/BakeInput.h"
+#include "commands/Commands.h"
 
 #include "bake/BakeImage.h"
 #include "common/Failure.h"
-#include "common/Windows.h"
-#include "scene/build/SceneBuilder.h"
 
-#include <nlohmann/json.hpp>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkGIBakeFile.h>
@@ -21,49 +17,56 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 
 namespace penumbra::tool
 {
 namespace
 {
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
-double SecondsSince(Clock::time_point start)
+struct Grid
 {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+  std::array<int, 3> Counts;
+  std::array<double, 6> Bounds;
 
-class ProbeBake : public Command
+  std::array<double, 3> Spacing() const
+  {
+    std::array<double, 3> spacing;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      spacing[axis] =
+        (this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]) / (this->Counts[axis] - 1);
+    }
+    return spacing;
+  }
+};
+
+class ProbeBake
 {
 public:
-  CLI::App* Declare(CLI::App& app) override
+  CLI::App* Declare(CLI::App& bake)
   {
     CLI::App* command =
-      app.add_subcommand("probes", "indirect light in space, for what stands and what moves there");
-    command->add_option("-o,--output", this->Options.Output, "the probes (.vti)")->required();
-    DeclareSceneOptions(*command, this->Options);
+      bake.add_subcommand("probes", "indirect light in space, for static and moving objects");
+    command->add_option("-o,--output", this->Input.Options.Output, "probes (.vti)")->required();
+    DeclareSceneOptions(*command, this->Input.Options);
     OptionGroup group(*command, "Probes");
-    group.AddShown("--probes", this->Probes, "at most, around the scene",
-      Range{ 27, vtkGIProbeBaker::MostProbes });
+    group.AddShown("--probes", this->Probes, "maximum number of probes around the scene",
+      Bounds{ 27, vtkGIProbeBaker::MostProbes });
     CLI::Option* spacing = group.Add("--probe-spacing", this->Spacing,
-      "between neighbours at most, world units, in place of --probes", Range{ 0, 1e30 });
-    group.AddShown("--samples", this->Samples, "paths from each probe", Range{ 1, 1 << 24 });
-    group.AddShown(
-      "--bounces", this->Bounces, "reflections after which a path ends", Range{ 1, 10000 });
+      "maximum distance between neighbours, world units; replaces --probes", Bounds{ 0, 1e30 });
+    group.AddShown("--samples", this->Samples, "paths per probe", Bounds{ 1, 1 << 24 });
+    group.AddShown("--bounces", this->Bounces, "maximum number of reflections", Bounds{ 1, 10000 });
     CLI::Option* adaptive = group.Flag("--adaptive", this->Adaptive,
-      "share the probes among a grid around the scene and finer ones where light needs them");
+      "distribute the probes over a coarse grid and finer ones where light varies most");
     CLI::Option* uniform =
-      group.Flag("--uniform", this->Uniform, "leave probes where the grid puts them");
+      group.Flag("--uniform", this->Uniform, "do not move probes off the points of the grid");
     adaptive->excludes(uniform)->excludes(spacing);
-    group.Add("--without", this->Without,
-      "an object of the scene file that moves, by its name; may be repeated");
-    group.Flag("--anew", this->Anew, "keep nothing of a bake that was broken off");
-    DeclareBackend(*command, this->Options.Backend);
+    this->Input.DeclareExclusions(group);
+    group.Flag("--anew", this->FromScratch, "ignore an interrupted bake");
+    DeclareBackend(*command, this->Input.Options.Backend);
     command->footer(
       "Examples:\n"
       "  penumbra bake probes examples/cornell_lamp.json -o room.vti\n"
@@ -73,16 +76,10 @@ public:
     return command;
   }
 
-  int Run(Console& console) override
+  int Run(Console& console)
   {
-    console.SetQuiet(this->Options.Quiet);
-    console.SetVerbose(this->Options.Verbose);
-    RequireBakeFile(this->Options.Output, ".vti", "probes are written as a VTK image");
-    const Scene scene = MakeScene(this->Options);
-    const auto window = MakeWindow(this->Options.Backend);
-    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
-    HideObjects(built, this->Without);
-    OpenBakeWindow(scene, built, window, console);
+    RequireBakeFile(this->Input.Options.Output, ".vti", "probes are written as a VTK image");
+    const auto window = this->Input.BuildInWindow(console);
     const auto start = Clock::now();
     vtkNew<vtkGIProbeBaker> baker;
     baker->SetProbes(this->Probes);
@@ -91,14 +88,20 @@ public:
     baker->SetRelocate(!this->Uniform);
     baker->SetBounces(this->Bounces);
     vtkNew<vtkImageData> field;
-    const int resumed = this->Begin(baker, built.Renderer, field, console);
-    this->Gather(baker, built.Renderer, field, console);
-    this->Comment(baker, console);
+    const int resumed = this->Resume(baker, field, console);
+    if (resumed == 0)
+    {
+      Step step(console, "placing probes");
+      const ProgressObserver observer(baker, step.GetProgress());
+      Require(baker->Place(this->Input.Built.Renderer, field), baker);
+    }
+    this->Gather(baker, field, console);
+    NoteExclusions(baker, console);
     vtkNew<vtkImageData> compact;
     Require(baker->Compact(field, compact), baker);
-    Write(this->Options.Output, compact);
+    Write(this->Input.Options.Output, compact);
     std::error_code ignored;
-    fs::remove(this->Partial(), ignored);
+    fs::remove(this->PartialFile(), ignored);
     this->Report(baker, field, resumed, SecondsSince(start));
     baker->ReleaseGraphicsResources(window);
     window->Finalize();
@@ -123,146 +126,105 @@ private:
     }
   }
 
-  std::string Partial() const { return this->Options.Output + ".part"; }
+  std::string PartialFile() const { return this->Input.Options.Output + ".part"; }
 
-  /// What a bake that was broken off must have been made with to be gone on with; its scene is kept beside.
+  /// The settings that an interrupted bake must have been made with. Its image holds the scene.
   std::string Settings() const
   {
     return fmt::format("probes {} spacing {:.17g} bounces {} uniform {} adaptive {}", this->Probes,
       this->Spacing, this->Bounces, this->Uniform, this->Adaptive);
   }
 
-  /// Places the probes, or takes them from a bake that was broken off. Returns the samples that these have.
-  int Begin(
-    vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
+  /// Reads the field of an interrupted bake. Returns its number of samples, 0 if there is none to resume.
+  int Resume(vtkGIProbeBaker* baker, vtkImageData* field, Console& console) const
   {
-    if (const int samples = this->Resume(baker, renderer, field, console))
-    {
-      return samples;
-    }
-    Step step(console, "placing probes");
-    const ProgressWatch watch(baker, [&step](double share) { step.Advance(share); });
-    Require(baker->Place(renderer, field), baker);
-    SetText(field->GetFieldData(), "settings", this->Settings());
-    return 0;
-  }
-
-  /// Returns 0 where there is nothing to go on with.
-  int Resume(
-    vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
-  {
-    if (this->Anew || !fs::exists(this->Partial()))
+    if (this->FromScratch || !fs::exists(this->PartialFile()))
     {
       return 0;
     }
     vtkNew<vtkGIBakeFile> file;
     vtkNew<vtkImageData> partial;
-    if (file->Read(this->Partial().c_str(), partial))
+    if (file->Read(this->PartialFile().c_str(), partial))
     {
       const int samples = baker->CountSamples(partial);
       const bool same = GetText(partial->GetFieldData(), "settings") == this->Settings() &&
-        samples <= this->Samples && baker->Fits(renderer, partial);
+        samples <= this->Samples && baker->Fits(this->Input.Built.Renderer, partial);
       if (same && samples > 0)
       {
         field->ShallowCopy(partial);
         return samples;
       }
     }
-    console.Note(
-      fmt::format("'{}' is of another scene or of other settings, or damaged: the bake begins anew",
-        this->Partial()));
+    console.Note(fmt::format(
+      "'{}' is of another scene or of other settings, or damaged: the bake starts from scratch",
+      this->PartialFile()));
     return 0;
   }
 
-  void Gather(
-    vtkGIProbeBaker* baker, vtkRenderer* renderer, vtkImageData* field, Console& console) const
+  void Gather(vtkGIProbeBaker* baker, vtkImageData* field, Console& console) const
   {
-    // What is lost by a kill is what was gathered in so many seconds.
-    constexpr double interval = 5.0;
+    constexpr double interval = 5.0; // seconds of work that a kill may lose
     Step step(console, "gathering light");
-    int part = 16;
-    for (int done = baker->CountSamples(field); done < this->Samples;)
+    int batch = 16;
+    for (int samples = baker->CountSamples(field); samples < this->Samples;)
     {
-      const int now = std::min(part, this->Samples - done);
+      const int added = std::min(batch, this->Samples - samples);
       const auto start = Clock::now();
       {
-        const ProgressWatch watch(
-          baker, [&](double share) { step.Advance((done + share * now) / this->Samples); });
-        Require(baker->AddSamples(renderer, field, now), baker);
+        const ProgressObserver observer(
+          baker, [&](double share) { step.Advance((samples + share * added) / this->Samples); });
+        Require(baker->AddSamples(this->Input.Built.Renderer, field, added), baker);
       }
-      done += now;
+      samples += added;
       SetText(field->GetFieldData(), "settings", this->Settings());
       const double factor = interval / std::max(SecondsSince(start), 1e-3);
-      part = std::max(16, static_cast<int>(now * std::clamp(factor, 0.25, 4.0)) / 16 * 16);
-      if (done < this->Samples)
+      batch = std::max(16, static_cast<int>(added * std::clamp(factor, 0.25, 4.0)) / 16 * 16);
+      if (samples < this->Samples)
       {
-        Write(this->Partial(), field);
+        Write(this->PartialFile(), field);
       }
     }
   }
 
-  static void Comment(vtkGIProbeBaker* baker, Console& console)
+  static void NoteExclusions(vtkGIProbeBaker* baker, Console& console)
   {
-    if (const int lamps = baker->GetNumberOfLampsLeftOut())
+    if (const int lights = baker->GetNumberOfLampsLeftOut())
     {
-      console.Note(lamps == 1
-          ? std::string("a lamp that follows the camera is left out: its light would not stay")
+      console.Note(lights == 1
+          ? std::string("a light that follows the camera is left out: it cannot be baked")
           : fmt::format(
-              "{} lamps that follow the camera are left out: their light would not stay", lamps));
+              "{} lights that follow the camera are left out: they cannot be baked", lights));
     }
     if (const int props = baker->GetNumberOfPropsLeftOut())
     {
       console.Note(props == 1
-          ? std::string("an object is of a kind that rays do not see: it reflects no light")
+          ? std::string("an object of a kind that ray tracing does not support reflects no light")
           : fmt::format(
-              "{} objects are of kinds that rays do not see: they reflect no light", props));
+              "{} objects of kinds that ray tracing does not support reflect no light", props));
     }
   }
 
-  struct Grid
+  void Report(vtkGIProbeBaker* baker, vtkImageData* field, int resumed, double seconds) const
   {
-    std::array<int, 3> Counts;
-    std::array<double, 6> Bounds;
-
-    std::array<double, 3> Spacing() const
+    constexpr double moved = 0.01; // share of a cell
+    const auto* offsets =
+      vtkFloatArray::SafeDownCast(field->GetPointData()->GetArray("offset"))->GetPointer(0);
+    const auto* backs =
+      vtkUnsignedCharArray::SafeDownCast(field->GetPointData()->GetArray("backs"))->GetPointer(0);
+    int relocated = 0;
+    int behind = 0;
+    for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
     {
-      std::array<double, 3> spacing;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        spacing[axis] =
-          (this->Bounds[2 * axis + 1] - this->Bounds[2 * axis]) / (this->Counts[axis] - 1);
-      }
-      return spacing;
+      const float* o = offsets + 3 * i;
+      relocated += std::hypot(o[0], o[1], o[2]) > moved;
+      behind += backs[i] > 64;
     }
-  };
-
-  static std::vector<Grid> GridsOf(vtkGIProbeBaker* baker, vtkImageData* field)
-  {
     std::vector<Grid> grids(baker->CountGrids(field));
     for (std::size_t i = 0; i < grids.size(); ++i)
     {
       baker->GetGrid(field, static_cast<int>(i), grids[i].Counts.data(), grids[i].Bounds.data());
     }
-    return grids;
-  }
-
-  void Report(vtkGIProbeBaker* baker, vtkImageData* field, int resumed, double seconds) const
-  {
-    constexpr double moved = 0.01; // of a cell
-    const auto* offsets =
-      vtkFloatArray::SafeDownCast(field->GetPointData()->GetArray("offset"))->GetPointer(0);
-    const auto* backs =
-      vtkUnsignedCharArray::SafeDownCast(field->GetPointData()->GetArray("backs"))->GetPointer(0);
-    int away = 0;
-    int behind = 0;
-    for (vtkIdType i = 0; i < field->GetNumberOfPoints(); ++i)
-    {
-      const float* o = offsets + 3 * i;
-      away += std::hypot(o[0], o[1], o[2]) > moved;
-      behind += backs[i] > 64;
-    }
-    const std::vector<Grid> grids = GridsOf(baker, field);
-    if (!this->Options.Statistics)
+    if (!this->Input.Options.Statistics)
     {
       std::string sizes;
       for (const Grid& grid : grids)
@@ -270,9 +232,8 @@ private:
         sizes += fmt::format("{}{} x {} x {}", sizes.empty() ? "" : " + ", grid.Counts[0],
           grid.Counts[1], grid.Counts[2]);
       }
-      std::cout << fmt::format("{} probes, {} of them moved; {} samples each; {:.1f} s\n", sizes,
-                     away, this->Samples, seconds)
-                << std::flush;
+      Print(fmt::format("{} probes, {} of them moved; {} samples each; {:.1f} s\n", sizes,
+        relocated, this->Samples, seconds));
       return;
     }
     nlohmann::ordered_json finer = nlohmann::ordered_json::array();
@@ -281,28 +242,27 @@ private:
       finer.push_back({ { "grid", grids[i].Counts }, { "spacing", grids[i].Spacing() },
         { "bounds", grids[i].Bounds } });
     }
-    const nlohmann::ordered_json report = { { "output", this->Options.Output },
+    const nlohmann::ordered_json report = { { "output", this->Input.Options.Output },
       { "grid", grids[0].Counts }, { "spacing", grids[0].Spacing() }, { "finer-grids", finer },
-      { "probes", field->GetNumberOfPoints() }, { "moved", away }, { "behind-surfaces", behind },
-      { "samples", this->Samples }, { "resumed-samples", resumed },
-      { "bytes", fs::file_size(this->Options.Output) }, { "seconds", seconds } };
-    std::cout << report.dump(2) << std::endl;
+      { "probes", field->GetNumberOfPoints() }, { "moved", relocated },
+      { "behind-surfaces", behind }, { "samples", this->Samples }, { "resumed-samples", resumed },
+      { "bytes", fs::file_size(this->Input.Options.Output) }, { "seconds", seconds } };
+    Print(report.dump(2) + "\n");
   }
 
-  RenderOptions Options;
+  BakeInput Input;
   int Probes = 1024;
   double Spacing = 0.0;
   int Samples = 1024;
   int Bounces = 64;
   bool Adaptive = false;
   bool Uniform = false;
-  bool Anew = false;
-  std::vector<std::string> Without;
+  bool FromScratch = false;
 };
 }
 
-std::unique_ptr<Command> MakeProbeBake()
+void AddProbeBake(CLI::App& bake, Console& console, int& status)
 {
-  return std::make_unique<ProbeBake>();
+  AddCommand<ProbeBake>(bake, console, status);
 }
 }

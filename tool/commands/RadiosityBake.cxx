@@ -1,92 +1,52 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// penumbra bake radiosity: diffuse light between patches, once for all views.
-#include "commands/BakeOptions.h"
-#include "commands/OptionGroup.h"
-#include "commands/RenderOptions.h"
+// penumbra bake radiosity: diffuse light between patches, independent of the view.
+#include "commands/BakeInput.h"
+#include "commands/Commands.h"
 
 #include "bake/radiosity/SceneSurfaces.h"
 #include "bake/radiosity/SolutionFile.h"
-#include "bake/radiosity/SolutionView.h"
 #include "common/Failure.h"
 #include "common/Names.h"
-#include "image/Picture.h"
-#include "scene/build/SceneBuilder.h"
 
 #include <vtkGILightmap.h>
-
-#include <nlohmann/json.hpp>
-
-#include <chrono>
-#include <iostream>
-#include <optional>
 
 namespace penumbra::tool
 {
 namespace
 {
-/// A step for each stage of the solution.
-class StageSteps
+class RadiosityBake
 {
 public:
-  explicit StageSteps(Console& console)
-    : Target(console)
+  CLI::App* Declare(CLI::App& bake)
   {
-  }
-  ~StageSteps() { this->End(); }
-
-  radiosity::Watch Watch()
-  {
-    radiosity::Watch watch;
-    watch.Begin = [this](const std::string& what) {
-      this->End();
-      this->Current.emplace(this->Target, what);
-    };
-    watch.Advance = [this](double fraction) {
-      if (this->Current)
-      {
-        this->Current->Advance(fraction);
-      }
-    };
-    return watch;
-  }
-  void End() { this->Current.reset(); }
-
-private:
-  Console& Target;
-  std::optional<Step> Current;
-};
-
-class RadiosityBake : public Command
-{
-public:
-  CLI::App* Declare(CLI::App& app) override
-  {
-    CLI::App* command = app.add_subcommand(
-      "radiosity", "diffuse light between patches of the surfaces, the same from any view");
-    command->add_option("-o,--output", this->Options.Output, "the solution (.vtp)")->required();
-    DeclareSceneOptions(*command, this->Options);
+    CLI::App* command = bake.add_subcommand(
+      "radiosity", "diffuse light between patches of the surfaces, independent of the view");
+    command->add_option("-o,--output", this->Input.Options.Output, "solution (.vtp)")->required();
+    DeclareSceneOptions(*command, this->Input.Options);
     OptionGroup group(*command, "Radiosity");
     radiosity::Settings& s = this->Settings;
     group.Add("--patch-size", s.PatchSize,
-      "longest edge of patches, world units [1/40 of the scene's diagonal]", Range{ 0, 1e30 });
-    group.AddShown("--max-patches", s.MaximumPatches, "refuse to make more", Range{ 1, 1e8 });
+      "maximum edge length of a patch, world units [1/40 of the scene's diagonal]",
+      Bounds{ 0, 1e30 });
     group.AddShown(
-      "--rays", s.Rays, "from each side of a patch, for form factors", Range{ 1, 1e6 });
+      "--max-patches", s.MaximumPatches, "maximum number of patches", Bounds{ 1, 1e8 });
     group.AddShown(
-      "--shadow-points", s.ShadowPoints, "of each patch, for direct light", Range{ 1, 1e4 });
-    group.AddShown("--refine", s.Refinements, "times to halve patches where light changes steeply",
-      Range{ 0, 8 });
+      "--rays", s.Rays, "rays per side of a patch, for form factors", Bounds{ 1, 1e6 });
+    group.AddShown(
+      "--shadow-points", s.ShadowPoints, "points per patch, for direct light", Bounds{ 1, 1e4 });
+    group.AddShown("--refine", s.Refinements,
+      "how often to halve patches where light changes steeply", Bounds{ 0, 8 });
     group.AddShown("--steepness", s.Steepness,
-      "change of irradiance over a patch, of the mean, above which it is halved",
-      Range{ 0.001, 1000 });
-    group.AddShown("--solver", this->Solver, "gathering, shooting, or both, compared");
-    group.AddShown("--tolerance", s.Tolerance, "residual to stop at, of the power first reflected",
-      Range{ 1e-12, 0.5 });
+      "relative change of irradiance across a patch above which it is halved",
+      Bounds{ 0.001, 1000 });
+    group.AddShown("--solver", this->Solver, "gathering, shooting, or both, for comparison");
+    group.AddShown("--tolerance", s.Tolerance,
+      "final residual, relative to the power first reflected", Bounds{ 1e-12, 0.5 });
     group.Flag("--one-way", this->OneWay, "leave form factors as traced, not reciprocal");
     group.Add("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr");
-    group.Flag("--anew", this->Anew, "keep nothing of a solution that was broken off");
-    group.Flag("--flat", this->Flat, "show patches in one colour each");
+    group.Flag("--anew", this->FromScratch, "ignore an interrupted solution");
+    group.Flag("--flat", this->Flat, "show each patch in a single colour");
     command->footer(
       "Examples:\n"
       "  penumbra bake radiosity examples/cornell.json -o cornell.vtp --view cornell.png\n"
@@ -94,39 +54,37 @@ public:
     return command;
   }
 
-  int Run(Console& console) override
+  int Run(Console& console)
   {
-    console.SetQuiet(this->Options.Quiet);
-    console.SetVerbose(this->Options.Verbose);
+    const std::string& output = this->Input.Options.Output;
     this->Check();
-    const Scene scene = MakeScene(this->Options);
-    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
-    radiosity::GatheredScene gathered = radiosity::GatherScene(built.Renderer);
-    for (const std::string& note : gathered.Notes)
-    {
-      console.Note(note);
-    }
-    const auto start = std::chrono::steady_clock::now();
-    radiosity::FactorLog log(this->Options.Output + ".baking", this->Identity(built), this->Anew);
+    this->Input.Build(console);
+    vtkRenderer* renderer = this->Input.Built.Renderer;
+    radiosity::GatheredScene scene = radiosity::GatherScene(renderer, console);
+    const auto start = Clock::now();
+    // Besides the patches, form factors depend on the number of rays and on the environment.
+    const std::string identity =
+      fmt::format("{} rays of {}", this->Settings.Rays, vtkGILightmap::DescribeScene(renderer));
+    radiosity::FactorLog log(output + ".baking", identity, this->FromScratch);
     if (!log.Refusal().empty())
     {
       console.Note(
-        fmt::format("'{}.baking' {}: tracing begins anew", this->Options.Output, log.Refusal()));
+        fmt::format("'{}.baking' {}: tracing starts from scratch", output, log.Refusal()));
     }
-    radiosity::Solution solution = this->Solve(std::move(gathered), log, console);
-    const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    this->Comment(solution, console);
+    const radiosity::Solution solution =
+      radiosity::Solve(std::move(scene.Mesh), scene.Light, this->Settings, console, &log);
+    const double seconds = SecondsSince(start);
+    NoteLimits(solution, console);
     {
-      Step step(console, fmt::format("writing '{}'", this->Options.Output));
-      this->Try([&] { radiosity::WriteSolution(this->Options.Output, solution); });
+      Step step(console, fmt::format("writing '{}'", output));
+      radiosity::WriteSolution(output, solution);
     }
     log.Remove();
     if (!this->View.empty())
     {
-      this->Draw(solution, built, scene, console);
+      this->Draw(solution, console);
     }
-    this->Report(solution, log.ShareTaken(), seconds);
+    this->Report(solution, log.ReusedShare(), seconds);
     return 0;
   }
 
@@ -134,7 +92,8 @@ private:
   void Check()
   {
     radiosity::Settings& s = this->Settings;
-    RequireBakeFile(this->Options.Output, ".vtp", "the solution is a VTK file of polygons");
+    RequireBakeFile(
+      this->Input.Options.Output, ".vtp", "the solution is written as VTK polygonal data");
     if (!this->View.empty())
     {
       RequireWritablePicture(this->View);
@@ -149,76 +108,43 @@ private:
     s.Reciprocal = !this->OneWay;
   }
 
-  template <typename Work>
-  static auto Try(const Work& work) -> decltype(work())
-  {
-    try
-    {
-      return work();
-    }
-    catch (const std::bad_alloc&)
-    {
-      throw;
-    }
-    catch (const std::exception& error)
-    {
-      Fail("{}", error.what());
-    }
-  }
-
-  /// What form factors depend on beside where patches are: the rays, and what surrounds the scene.
-  std::string Identity(const BuiltScene& built) const
-  {
-    return fmt::format(
-      "{} rays of {}", this->Settings.Rays, vtkGILightmap::DescribeScene(built.Renderer));
-  }
-
-  radiosity::Solution Solve(
-    radiosity::GatheredScene scene, radiosity::FactorLog& log, Console& console) const
-  {
-    StageSteps steps(console);
-    return this->Try([&] {
-      return radiosity::Solve(
-        std::move(scene.Mesh), scene.Light, this->Settings, steps.Watch(), &log);
-    });
-  }
-
-  static void Comment(const radiosity::Solution& solution, Console& console)
+  static void NoteLimits(const radiosity::Solution& solution, Console& console)
   {
     if (solution.SizeGrown)
     {
-      console.Note(fmt::format(
-        "patches are up to {:.3g} wide, to be few enough for --max-patches", solution.PatchSize));
+      console.Note(
+        fmt::format("patches are up to {:.3g} wide, because of --max-patches", solution.PatchSize));
     }
     if (solution.RefinementCut)
     {
-      console.Note("steep places stay coarse: halving their patches would exceed --max-patches");
+      console.Note(
+        "light changes steeply within some patches: halving them would exceed --max-patches");
     }
     if (solution.EmissionByRays)
     {
       console.Note(
-        "much of the scene shines and is found by chance: more --rays make its light smoother");
+        "much of the scene emits light, which is sampled at random: more --rays make it smoother");
     }
   }
 
-  void Draw(const radiosity::Solution& solution, const BuiltScene& built, const Scene& scene,
-    Console& console) const
+  void Draw(const radiosity::Solution& solution, Console& console) const
   {
     constexpr int samples = 16;
     Step step(console, fmt::format("drawing '{}'", this->View));
-    Picture picture = radiosity::DrawSolution(solution, built.Renderer, scene.Width, scene.Height,
-      samples, this->Flat, [&step](double fraction) { step.Advance(fraction); });
+    Picture picture =
+      radiosity::DrawSolution(solution, this->Input.Built.Renderer, this->Input.Description.Width,
+        this->Input.Description.Height, samples, this->Flat, step.GetProgress());
     if (!HoldsRadiance(this->View))
     {
       for (float& value : picture.Values)
       {
-        value = static_cast<float>(radiosity::Display(value));
+        value = static_cast<float>(radiosity::DisplayValue(value));
       }
     }
     WritePicture(this->View, picture);
   }
 
-  void Report(const radiosity::Solution& solution, double taken, double seconds) const
+  void Report(const radiosity::Solution& solution, double reused, double seconds) const
   {
     const auto history = [](const radiosity::Reflected& solved) {
       nlohmann::ordered_json steps = nlohmann::json::array();
@@ -232,21 +158,19 @@ private:
       this->Settings.Method == radiosity::Solver::Gathering ? solution.Gathered : solution.Shot;
     const double residual = chosen.History.empty() ? 0.0 : chosen.History.back().Residual;
     const double error = radiosity::RelativeError(solution);
-    if (!this->Options.Statistics)
+    if (!this->Input.Options.Statistics)
     {
-      std::cout << fmt::format(
-                     "{} patches, {} rays from each side; residual {:.2g} after {} steps; "
-                     "irradiance is off by chance by {:.2g} % of its mean; {:.1f} s\n",
-                     solution.Elements.size() / 2, solution.Matrix.Rays, residual,
-                     chosen.History.size(), 100.0 * error, seconds)
-                << std::flush;
+      Print(fmt::format("{} patches, {} rays from each side; residual {:.2g} after {} steps; "
+                        "standard error of the irradiance {:.2g} % of its mean; {:.1f} s\n",
+        solution.Elements.size() / 2, solution.Matrix.Rays, residual, chosen.History.size(),
+        100.0 * error, seconds));
       return;
     }
-    nlohmann::ordered_json report = { { "output", this->Options.Output },
+    nlohmann::ordered_json report = { { "output", this->Input.Options.Output },
       { "patches", solution.Elements.size() / 2 }, { "patch-size", solution.PatchSize },
       { "rays", solution.Matrix.Rays }, { "factors", solution.Matrix.Entries.size() },
       { "form-factor-error", solution.FactorError }, { "irradiance-error", error },
-      { "residual", residual }, { "resumed", taken }, { "seconds", seconds } };
+      { "residual", residual }, { "resumed", reused }, { "seconds", seconds } };
     if (!solution.Gathered.Light.empty())
     {
       report["gathering"] = history(solution.Gathered);
@@ -259,21 +183,21 @@ private:
     {
       report["solvers-differ"] = radiosity::SolverDifference(solution);
     }
-    std::cout << report.dump(2) << std::endl;
+    Print(report.dump(2) + "\n");
   }
 
-  RenderOptions Options;
+  BakeInput Input;
   radiosity::Settings Settings;
   std::string Solver = "gathering";
   std::string View;
   bool OneWay = false;
   bool Flat = false;
-  bool Anew = false;
+  bool FromScratch = false;
 };
 }
 
-std::unique_ptr<Command> MakeRadiosityBake()
+void AddRadiosityBake(CLI::App& bake, Console& console, int& status)
 {
-  return std::make_unique<RadiosityBake>();
+  AddCommand<RadiosityBake>(bake, console, status);
 }
 }

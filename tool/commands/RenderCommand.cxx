@@ -1,21 +1,18 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "commands/Command.h"
-#include "commands/LoadBakes.h"
+// penumbra render: a picture of data files or a scene file.
+#include "commands/Checkpoint.h"
+#include "commands/Commands.h"
+#include "commands/PassSetup.h"
 #include "commands/RenderOptions.h"
 
 #include "common/Failure.h"
 #include "common/VtkMessages.h"
 #include "common/Windows.h"
 #include "image/Capture.h"
-#include "image/Picture.h"
 #include "scene/build/SceneBuilder.h"
-#include "scene/build/Techniques.h"
-#include "scene/readers/Checkpoint.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 #include <vtkCamera.h>
 #include <vtkGIPass.h>
 #include <vtkGITechnique.h>
@@ -26,8 +23,6 @@
 #include <vtkTextureObject.h>
 
 #include <algorithm>
-#include <chrono>
-#include <iostream>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -38,14 +33,7 @@ namespace penumbra::tool
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-/// Colour, depth, eight samples, the G-buffer and histories, and a float copy to write.
+/// Colour, depth, eight samples, G-buffer, histories, and a float copy for the file.
 constexpr double BytesPerPixel = 250;
 
 void RequireDrawableSize(const Scene& scene, vtkRenderWindow* window)
@@ -66,9 +54,9 @@ void RequireDrawableSize(const Scene& scene, vtkRenderWindow* window)
   }
 }
 
-// Those that are on, and those that stand in for them once a frame is drawn.
+/// Visits the enabled techniques, and after the first frame those that stand in for them.
 template <typename Visit>
-void ForEachAtWork(vtkGIPass* pass, const Visit& visit)
+void ForEachActive(vtkGIPass* pass, const Visit& visit)
 {
   for (int i = 0; i < pass->GetNumberOfTechniques(); ++i)
   {
@@ -79,10 +67,10 @@ void ForEachAtWork(vtkGIPass* pass, const Visit& visit)
   }
 }
 
-int WantedFrames(const Scene& scene, vtkGIPass* pass)
+int RequiredFrames(const Scene& scene, vtkGIPass* pass)
 {
   int frames = scene.Frames;
-  ForEachAtWork(pass, [&frames](vtkGITechnique* technique) {
+  ForEachActive(pass, [&frames](vtkGITechnique* technique) {
     const int required = technique->GetRequiredFrames();
     frames = required > 1 ? required : frames;
   });
@@ -92,15 +80,15 @@ int WantedFrames(const Scene& scene, vtkGIPass* pass)
 bool IsFinished(vtkGIPass* pass, vtkRenderer* renderer)
 {
   bool finished = true;
-  ForEachAtWork(pass,
+  ForEachActive(pass,
     [&](vtkGITechnique* technique) { finished = finished && technique->IsFinished(renderer); });
   return finished;
 }
 
-class RenderCommand : public Command
+class RenderCommand
 {
 public:
-  CLI::App* Declare(CLI::App& app) override
+  CLI::App* Declare(CLI::App& app)
   {
     CLI::App* command =
       app.add_subcommand("render", "render data files or a scene file to a picture");
@@ -109,7 +97,7 @@ public:
     return command;
   }
 
-  int Run(Console& console) override
+  int Run(Console& console)
   {
     console.SetQuiet(this->Options.Quiet);
     console.SetVerbose(this->Options.Verbose);
@@ -120,16 +108,15 @@ public:
     vtkNew<vtkGIPass> pass;
     if (!this->Options.Stock)
     {
-      ApplyTechniques(scene.Techniques, pass);
-      LoadBakes(scene.Bakes, pass, console);
+      SetUpPass(scene, pass, console);
     }
     this->CheckTracing(pass);
-    const BuiltScene built = BuildScene(scene, { this->Options.MaximumTriangles }, console);
+    const BuiltScene built = BuildScene(scene, this->Options.MaximumTriangles, console);
     ConfigureWindow(scene, built, window);
-    this->Report["scene-ms"] = MillisecondsSince(start);
+    this->Report["scene-ms"] = 1e3 * SecondsSince(start);
     {
       Step step(console, "opening an OpenGL window");
-      this->ReportGraphics(OpenWindow(window));
+      this->Report["opengl"] = OpenWindow(window);
       RequireDrawableSize(scene, window);
     }
     if (!this->Options.Stock)
@@ -143,7 +130,7 @@ public:
     this->ReportScene(scene, built, pass);
     if (this->Options.Statistics)
     {
-      std::cout << this->Report.dump(2) << std::endl;
+      Print(this->Report.dump(2) + "\n");
     }
     window->Finalize();
     return 0;
@@ -164,12 +151,12 @@ private:
     }
   }
 
-  /// Renders the still frames; stock VTK's are all alike, so that one is enough.
+  /// Renders the frames. Stock VTK's are identical, so one is enough.
   void Draw(vtkRenderWindow* window, const BuiltScene& built, vtkGIPass* pass, const Scene& scene,
     Console& console)
   {
     const bool repeat = !this->Options.Stock || this->Options.Frames;
-    int frames = !repeat ? 1 : scene.FramesGiven ? scene.Frames : WantedFrames(scene, pass);
+    int frames = !repeat ? 1 : scene.FramesGiven ? scene.Frames : RequiredFrames(scene, pass);
     vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
     std::optional<Checkpoint> checkpoint;
     if (!this->Options.Checkpoint.empty())
@@ -186,7 +173,7 @@ private:
       const auto start = Clock::now();
       window->Render();
       window->WaitForCompletion();
-      times.push_back(MillisecondsSince(start));
+      times.push_back(1e3 * SecondsSince(start));
       step.Advance(double(frame + 1) / frames);
       ThrowVtkErrors("rendering failed");
       const char* error = this->Options.Stock ? nullptr : pass->GetLastError();
@@ -197,17 +184,17 @@ private:
       if (frame == 0 && !this->Options.Stock)
       {
         this->ReportNotes(pass, console);
-        // Some may stand in that were not asked before.
-        frames = scene.FramesGiven || checkpoint ? frames : WantedFrames(scene, pass);
+        // Techniques that stand in for others are known only now.
+        frames = scene.FramesGiven || checkpoint ? frames : RequiredFrames(scene, pass);
       }
       if (checkpoint)
       {
-        checkpoint->Save(false);
+        checkpoint->SaveIfDue();
       }
     }
     if (checkpoint)
     {
-      checkpoint->Save(true);
+      checkpoint->Save();
     }
     this->Report["frames"] = times.size();
     this->Report["first-frame-ms"] = times.front();
@@ -215,7 +202,7 @@ private:
     this->Report["median-frame-ms"] = times[times.size() / 2];
   }
 
-  /// Of the options that change the picture, and of what is in the files.
+  /// Fingerprint of the options that change the picture, and of the files' content.
   std::string InputFingerprint() const
   {
     std::string text;
@@ -233,7 +220,7 @@ private:
     return Fingerprint(text, files);
   }
 
-  /// What is in a checkpoint's picture.
+  /// Description of the picture that a checkpoint is for.
   std::string Identity(const Scene& scene, const BuiltScene& built, vtkGIPass* pass) const
   {
     vtkCamera* camera = built.Renderer->GetActiveCamera();
@@ -250,7 +237,7 @@ private:
       this->InputFingerprint());
   }
 
-  /// What the techniques have to say of the scene; once, as every frame says the same.
+  /// Prints the techniques' notes on the scene. They are the same in every frame.
   void ReportNotes(vtkGIPass* pass, Console& console)
   {
     nlohmann::json notes = nlohmann::json::array();
@@ -271,9 +258,14 @@ private:
     {
       Step step(console, fmt::format("writing '{}'", this->Options.Output));
       vtkRenderWindow* window = renderer->GetRenderWindow();
-      picture = radiance
-        ? CaptureRadiance(pass, renderer, alpha, [&] { this->DrawAgain(window, scene.Frames); })
-        : CaptureWindow(window, alpha);
+      const auto redraw = [&] {
+        for (int frame = 0; frame < scene.Frames; ++frame)
+        {
+          window->Render();
+        }
+      };
+      picture =
+        radiance ? CaptureRadiance(pass, renderer, alpha, redraw) : CaptureWindow(window, alpha);
       if (radiance && HoldsLayers(this->Options.Output))
       {
         AppendSurfaceLayers(pass, renderer, picture);
@@ -284,20 +276,6 @@ private:
       console.Note(fmt::format("{} pixels were not finite and are written as 0", bad));
     }
     WritePicture(this->Options.Output, picture);
-  }
-
-  void DrawAgain(vtkRenderWindow* window, int frames)
-  {
-    for (int frame = 0; frame < frames; ++frame)
-    {
-      window->Render();
-    }
-  }
-
-  void ReportGraphics(const GraphicsInfo& graphics)
-  {
-    this->Report["opengl"] = { { "backend", graphics.Backend }, { "vendor", graphics.Vendor },
-      { "renderer", graphics.Renderer }, { "version", graphics.Version } };
   }
 
   void ReportScene(const Scene& scene, const BuiltScene& built, vtkGIPass* pass)
@@ -321,8 +299,8 @@ private:
 };
 }
 
-std::unique_ptr<Command> MakeRenderCommand()
+void AddRenderCommand(CLI::App& app, Console& console, int& status)
 {
-  return std::make_unique<RenderCommand>();
+  AddCommand<RenderCommand>(app, console, status);
 }
 }

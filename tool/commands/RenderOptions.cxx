@@ -18,47 +18,50 @@ void DeclareData(CLI::App& command, RenderOptions& options)
   command.add_option("FILE", options.Files, "data files, or one scene file (.json)")->required();
   OptionGroup data(command, "Data");
   data.Add("--isovalue", options.IsoValues, "value of an isosurface; may be repeated");
-  data.Add("--isosurface-of", options.IsoArray, "point array to make isosurfaces of");
-  data.Add("--smooth", options.Smoothing, "smooth volumes first, by this many voxels (0 to 20)",
-    Range{ 0, 20 });
+  data.Add("--isosurface-of", options.IsoArray, "point array of the isosurfaces");
+  data.Add("--smooth", options.Smoothing,
+    "smooth volumes with a Gaussian of this many voxels (0 to 20)", Bounds{ 0, 20 });
   data.Add("--molecule", options.Molecule, "balls (default), ball-and-stick or sticks");
-  data.Flag("--terrain", options.Terrain, "take a flat image as elevations (pictures always are)");
+  data.Flag("--terrain", options.Terrain,
+    "interpret a flat image as elevations, as is always done with pictures");
   data.Add(
-    "--exaggeration", options.Exaggeration, "heights of terrain times this", Range{ -1e12, 1e12 });
+    "--exaggeration", options.Exaggeration, "factor of terrain heights", Bounds{ -1e12, 1e12 });
   data.Add(
-    "--spacing", options.Spacing, "distance between samples of terrain", Range{ 1e-12, 1e12 });
-  data.Add("--stride", options.Stride, "take every n-th sample of terrain", Range{ 1, 10000 });
+    "--spacing", options.Spacing, "distance between samples of terrain", Bounds{ 1e-12, 1e12 });
+  data.Add("--stride", options.Stride, "use every n-th sample of terrain", Bounds{ 1, 10000 });
   data.Flag("--points", options.Points, "draw points as balls");
   data.Add("--radius", options.Radius, "radius of balls at points and tubes along lines",
-    Range{ 0, 1e15 });
-  data.Add("--feature-angle", options.FeatureAngle, "degrees above which an edge is drawn sharp",
-    Range{ 0, 180 });
-  data.AddShown("--max-triangles", options.MaximumTriangles, "refuse scenes with more triangles",
-    Range{ 1, 1e12 });
+    Bounds{ 0, 1e15 });
+  data.Add("--feature-angle", options.FeatureAngle, "angle in degrees above which edges are sharp",
+    Bounds{ 0, 180 });
+  data.AddShown("--max-triangles", options.MaximumTriangles,
+    "maximum number of triangles in the scene", Bounds{ 1, 1e12 });
 }
 
-void DeclareLook(CLI::App& command, RenderOptions& options)
+void DeclareAppearance(CLI::App& command, RenderOptions& options)
 {
-  OptionGroup look(command, "Look");
-  look.Add(
-    "--color-by", options.ColorBy, "point or cell array to colour by, or ARRAY:x, :y, :z, :INDEX");
-  look.Add("--color-map", options.ColorMap, "viridis, plasma, inferno, cool-warm, terrain or gray");
-  look.Add("--color-range", options.ColorRange, "LOW,HIGH of the colour map");
-  look.Flag("--scalar-bar", options.ScalarBar, "show the colour map with its numbers");
-  look.Add("--color", options.Color, "one colour for all: #rrggbb, r,g,b from 0 to 1, or a name");
-  look.Add("--opacity", options.Opacities,
-    "opacity, repeated: of the first isosurface, the second...", Range{ 0, 1 });
-  look.Add("--background", options.Background, "a colour, bottom=COLOR,top=COLOR, or transparent");
-  look.Add("--light", options.Lights,
+  OptionGroup group(command, "Appearance");
+  group.Add("--color-by", options.ColorBy,
+    "point or cell array that gives colours, or ARRAY:x, :y, :z, :INDEX");
+  group.Add(
+    "--color-map", options.ColorMap, "viridis, plasma, inferno, cool-warm, terrain or gray");
+  group.Add("--color-range", options.ColorRange, "range of the colour map: LOW,HIGH");
+  group.Flag("--scalar-bar", options.ScalarBar, "show the colour map and its values");
+  group.Add(
+    "--color", options.Color, "colour of all objects: #rrggbb, r,g,b from 0 to 1, or a name");
+  group.Add("--opacity", options.Opacities,
+    "opacity; repeat it for the second isosurface, and so on", Bounds{ 0, 1 });
+  group.Add("--background", options.Background, "a colour, bottom=COLOR,top=COLOR, or transparent");
+  group.Add("--light", options.Lights,
     "a light, may be repeated: key:azimuth=-40,elevation=50,intensity=1 (follows the camera), "
     "head, "
     "directional:X,Y,Z, point:X,Y,Z, cone:X,Y,Z,target=X,Y,Z,angle=25");
-  look.Add("--camera", options.Camera,
+  group.Add("--camera", options.Camera,
     "azimuth=30,elevation=20,zoom=1.2,roll=0,parallel, or "
     "position=X,Y,Z,focal=X,Y,Z,up=X,Y,Z,angle=30");
-  look.Add(
+  group.Add(
     "--env", options.Environment, "environment map (.hdr, .exr, .jpg) that lights the scene");
-  look.Flag("--show-env", options.ShowEnvironment, "show the environment as the background");
+  group.Flag("--show-env", options.ShowEnvironment, "show the environment as the background");
 }
 
 void DeclareTechniques(CLI::App& command, RenderOptions& options)
@@ -70,8 +73,8 @@ void DeclareTechniques(CLI::App& command, RenderOptions& options)
   techniques.Add("--off", options.Off, "switch a technique off; may be repeated");
   techniques.Add("--set", options.Set, "TECHNIQUE.PARAMETER=VALUE; may be repeated");
   techniques.Add(
-    "--bake", options.Bakes, "file of penumbra bake whose light to use; may be repeated");
-  techniques.Flag("--stock", options.Stock, "draw as VTK does without Penumbra");
+    "--bake", options.Bakes, "file written by penumbra bake, whose light is used; may be repeated");
+  techniques.Flag("--stock", options.Stock, "draw with plain VTK, without Penumbra");
 }
 
 void DeclareDrawing(CLI::App& command, RenderOptions& options, const char* size)
@@ -79,8 +82,8 @@ void DeclareDrawing(CLI::App& command, RenderOptions& options, const char* size)
   OptionGroup output(command, OutputGroup);
   output.Add("--size", options.Size, fmt::format("WIDTHxHEIGHT of the picture [{}]", size));
   output.Flag("--stats", options.Statistics, "print statistics and timings as JSON on stdout");
-  output.Flag("-q,--quiet", options.Quiet, "no notes, no progress");
-  output.Flag("--verbose", options.Verbose, "let libraries print");
+  output.Flag("-q,--quiet", options.Quiet, "no notes and no progress");
+  output.Flag("--verbose", options.Verbose, "show the output of libraries");
 }
 
 void DeclareOutput(CLI::App& command, RenderOptions& options)
@@ -90,12 +93,12 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
     .Add("-o,--output", options.Output,
       "picture: .png, .jpg, .tif, or .exr and .hdr with linear radiance")
     ->required();
-  output.Add("--frames", options.Frames, "still frames to accumulate [16]", Range{ 1, 65536 });
-  output.Add("--spp", options.Samples, "paths traced through each pixel, with --preset reference");
+  output.Add("--frames", options.Frames, "number of frames to accumulate [16]", Bounds{ 1, 65536 });
+  output.Add("--spp", options.Samples, "paths per pixel, with --preset reference");
   output.Add("--error", options.Error,
-    "stop tracing at this standard error of the picture, relative to its mean luminance");
+    "stop tracing at this standard error, relative to the mean luminance of the picture");
   output.Add("--checkpoint", options.Checkpoint,
-    "file (.vti) that keeps what was traced: where it exists tracing goes on from it");
+    "file (.vti) that stores the samples; if it exists, tracing resumes from it");
   DeclareDrawing(command, options, "1280x720");
   DeclareBackend(command, options.Backend);
 }
@@ -109,7 +112,7 @@ void DeclareBackend(CLI::App& command, std::string& backend)
 void DeclareSceneOptions(CLI::App& command, RenderOptions& options)
 {
   DeclareData(command, options);
-  DeclareLook(command, options);
+  DeclareAppearance(command, options);
   DeclareDrawing(command, options, "the scene's");
 }
 
@@ -117,7 +120,7 @@ void DeclareRenderOptions(CLI::App& command, RenderOptions& options)
 {
   DeclareOutput(command, options);
   DeclareData(command, options);
-  DeclareLook(command, options);
+  DeclareAppearance(command, options);
   DeclareTechniques(command, options);
   command.footer(
     "Examples:\n"

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The options of penumbra render, and the scene they describe.
-#ifndef penumbra_tool_RenderOptions_h
-#define penumbra_tool_RenderOptions_h
+/// The options of penumbra render.
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -59,14 +58,11 @@ struct RenderOptions
   bool Verbose = false;
 };
 
-/// What says which scene it is, without which pictures are made of it: data, look, size.
+/// Declares the options that describe a scene: data, appearance, size.
 void DeclareSceneOptions(CLI::App& command, RenderOptions& options);
 void DeclareBackend(CLI::App& command, std::string& backend);
 void DeclareRenderOptions(CLI::App& command, RenderOptions& options);
 
-/// The scene of the files or the scene file, with what the options say on top. Throws a Failure for an
-/// option that makes no sense.
+/// Reads the scene of the files or of the scene file, and applies the options. Throws a Failure for an invalid option.
 Scene MakeScene(const RenderOptions& options);
 }
-
-#endif

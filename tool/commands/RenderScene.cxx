@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the options of penumbra render to the described scene.
+// The scene that the options of penumbra render describe.
 #include "commands/RenderOptions.h"
 #include "common/Failure.h"
 #include "scene/build/Materials.h"
@@ -20,7 +20,7 @@ bool IsSceneFile(const std::string& path)
   return path.size() > 5 && path.compare(path.size() - 5, 5, ".json") == 0;
 }
 
-/// ARRAY or ARRAY:COMPONENT; an array's own name may contain a colon.
+/// ARRAY or ARRAY:COMPONENT; the array's name may contain a colon.
 ColorBy ParseColorBy(const RenderOptions& options)
 {
   ColorBy color;
@@ -42,7 +42,7 @@ ColorBy ParseColorBy(const RenderOptions& options)
     if (range.size() != 2 || range[0] >= range[1])
     {
       FailUsage(
-        "--color-range is '{}': it must be two rising numbers, LOW,HIGH", options.ColorRange);
+        "--color-range is '{}': it must be two increasing numbers, LOW,HIGH", options.ColorRange);
     }
     color.Range = { range[0], range[1] };
   }
@@ -55,7 +55,7 @@ MoleculeStyle ParseMolecule(const std::string& text)
   return ReadObject(described, "--molecule").Molecule;
 }
 
-/// What the options say of the look and treatment of every object.
+/// Applies the options on the appearance and treatment of objects.
 void ApplyToObject(const RenderOptions& options, Object& object, std::size_t index)
 {
   const auto replace = [](auto& target, const auto& value, bool given) {
@@ -81,8 +81,9 @@ void ApplyToObject(const RenderOptions& options, Object& object, std::size_t ind
   }
   if (!options.Color.empty())
   {
-    object.Look = object.Look.value_or(DefaultMaterial(index, !options.Environment.empty()));
-    object.Look->Color = ParseColorOption(options.Color, "--color");
+    object.Appearance =
+      object.Appearance.value_or(DefaultMaterial(index, !options.Environment.empty()));
+    object.Appearance->Color = ParseColorOption(options.Color, "--color");
   }
   if (options.Terrain || options.Exaggeration || options.Spacing || options.Stride)
   {
@@ -150,7 +151,7 @@ Scene MakeScene(const RenderOptions& options)
   {
     if (options.Files.size() > 1)
     {
-      FailUsage("'{}' is a scene file, which describes a whole picture: name it alone",
+      FailUsage("'{}' is a scene file, which describes a complete picture: give no other files",
         *std::find_if(options.Files.begin(), options.Files.end(), IsSceneFile));
     }
     scene = ReadSceneFile(options.Files.front());
@@ -184,15 +185,15 @@ Scene MakeScene(const RenderOptions& options)
   }
   if (!options.Environment.empty())
   {
-    scene.Surroundings = Environment{ options.Environment, false };
+    scene.Environment = EnvironmentMap{ options.Environment, false };
   }
   if (options.ShowEnvironment)
   {
-    if (!scene.Surroundings)
+    if (!scene.Environment)
     {
       FailUsage("--show-env needs an environment: give --env FILE");
     }
-    scene.Surroundings->Visible = true;
+    scene.Environment->Visible = true;
   }
   if (!options.Background.empty())
   {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// One clear sentence that ends a command, and the exit status that goes with it.
-#ifndef penumbra_tool_Failure_h
-#define penumbra_tool_Failure_h
+/// Failures: one sentence for the user, and the exit status of the command.
+#pragma once
 
 #include <fmt/format.h>
 
@@ -11,14 +10,14 @@
 
 namespace penumbra::tool
 {
-/// What went wrong, as a sentence that names the thing and the remedy, without full stop handling.
+/// The sentence names the problem and the remedy, without a full stop.
 class Failure : public std::runtime_error
 {
 public:
   enum Status
   {
-    Failed = 1, ///< the input or the machine cannot do it
-    Usage = 2   ///< the command line or scene file asks for something that does not exist
+    Failed = 1, ///< the input is unusable, or the machine is not capable of it
+    Usage = 2   ///< the command line or the scene file is wrong
   };
 
   Failure(Status status, const std::string& sentence)
@@ -32,19 +31,17 @@ private:
   Status ExitStatus;
 };
 
-/// Ends the command with exit status 1.
+/// End the command with exit status 1.
 template <typename... Args>
 [[noreturn]] void Fail(fmt::format_string<Args...> text, Args&&... args)
 {
   throw Failure(Failure::Failed, fmt::format(text, std::forward<Args>(args)...));
 }
 
-/// Ends the command with exit status 2.
+/// End the command with exit status 2.
 template <typename... Args>
 [[noreturn]] void FailUsage(fmt::format_string<Args...> text, Args&&... args)
 {
   throw Failure(Failure::Usage, fmt::format(text, std::forward<Args>(args)...));
 }
 }
-
-#endif

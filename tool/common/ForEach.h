@@ -1,27 +1,25 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A loop over the cores that tells how far it is.
-#ifndef penumbra_tool_ForEach_h
-#define penumbra_tool_ForEach_h
+/// A parallel loop with progress.
+#pragma once
+
+#include "common/Reporter.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <functional>
 #include <thread>
 #include <vector>
 
 namespace penumbra::tool
 {
-using Progress = std::function<void(double)>;
-
-/// Calls body(i) for each i below count; advance is called in the calling thread only.
+/// Calls body(i) for each i below count. advance is called in the calling thread only.
 template <typename Body>
 void ForEach(std::size_t count, const Body& body, const Progress& advance = {})
 {
   constexpr std::size_t part = 64;
   std::atomic<std::size_t> next{ 0 };
-  const auto work = [&](bool reports) {
+  const auto run = [&](bool reports) {
     for (std::size_t first; (first = next.fetch_add(part)) < count;)
     {
       const std::size_t last = std::min(first + part, count);
@@ -38,14 +36,12 @@ void ForEach(std::size_t count, const Body& body, const Progress& advance = {})
   std::vector<std::thread> others;
   for (unsigned int i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
   {
-    others.emplace_back(work, false);
+    others.emplace_back(run, false);
   }
-  work(true);
+  run(true);
   for (std::thread& other : others)
   {
     other.join();
   }
 }
 }
-
-#endif

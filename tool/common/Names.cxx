@@ -11,8 +11,6 @@
 
 namespace penumbra::tool
 {
-namespace
-{
 std::string Lower(std::string text)
 {
   std::transform(
@@ -20,6 +18,15 @@ std::string Lower(std::string text)
   return text;
 }
 
+std::string Trim(std::string text)
+{
+  text.erase(0, text.find_first_not_of(" \t\r"));
+  text.erase(text.find_last_not_of(" \t\r") + 1);
+  return text;
+}
+
+namespace
+{
 /// Levenshtein 1966, Binary codes capable of correcting deletions, insertions, and reversals.
 std::size_t EditDistance(const std::string& a, const std::string& b)
 {
@@ -38,12 +45,12 @@ std::size_t EditDistance(const std::string& a, const std::string& b)
   }
   return row[b.size()];
 }
-}
 
+/// The candidate with the smallest edit distance, or "" if none is similar.
 std::string Nearest(const std::string& name, const std::vector<std::string>& candidates)
 {
   std::string best;
-  // More than half of the letters wrong is no misspelling any more.
+  // A name with more than half of its letters wrong is no misspelling.
   std::size_t least = std::max<std::size_t>(2, name.size() / 2) + 1;
   for (const std::string& candidate : candidates)
   {
@@ -57,6 +64,7 @@ std::string Nearest(const std::string& name, const std::vector<std::string>& can
     }
   }
   return best;
+}
 }
 
 std::string UnknownName(const std::string& kind, const std::string& name, const std::string& owner,

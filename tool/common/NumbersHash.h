@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Tables whose keys are numbers, such as those of a vertex.
-#ifndef penumbra_tool_NumbersHash_h
-#define penumbra_tool_NumbersHash_h
+/// Hash tables with arrays of numbers as keys, such as the coordinates of a vertex.
+#pragma once
 
 #include "base/Hasher.h"
 
@@ -28,5 +27,3 @@ struct NumbersHash
 template <std::size_t N, typename Value>
 using NumbersMap = std::unordered_map<std::array<double, N>, Value, NumbersHash>;
 }
-
-#endif

@@ -1,66 +1,91 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// How scene building tells what it does: notes, and steps with progress.
-#ifndef penumbra_tool_Reporter_h
-#define penumbra_tool_Reporter_h
+/// Notes and progress of building and baking.
+#pragma once
+
+#include <vtkCommand.h>
+#include <vtkObject.h>
 
 #include <functional>
 #include <string>
 
-class vtkAlgorithm;
-class vtkObject;
-
 namespace penumbra::tool
 {
-/// Receives notes and progress; this base class ignores them, as tests and benchmarks want.
+using Progress = std::function<void(double)>;
+
+/// Receives notes and progress. This base class ignores them, for tests and benchmarks.
 class Reporter
 {
 public:
   virtual ~Reporter() = default;
-  /// One sentence about a choice made or data left out.
+  /// One sentence about an automatic choice or about data left out.
   virtual void Note(const std::string& /*sentence*/) {}
-  /// After so many seconds of processor time the step may be stopped as hopeless; 0 sets no limit.
-  virtual void BeginStep(const std::string& /*what*/, double /*longest*/) {}
+  /// limit: seconds of processor time after which the step may be stopped; 0 for no limit.
+  virtual void BeginStep(const std::string& /*what*/, double /*limit*/) {}
   virtual void Advance(double /*fraction*/) {}
   virtual void EndStep() {}
+
+  static Reporter& None()
+  {
+    static Reporter none;
+    return none;
+  }
 };
 
 /// A step as a scope: "reading 'head.vti'".
 class Step
 {
 public:
-  Step(Reporter& reporter, const std::string& what, double longest = 0)
+  Step(Reporter& reporter, const std::string& what, double limit = 0)
     : Target(reporter)
   {
-    this->Target.BeginStep(what, longest);
+    this->Target.BeginStep(what, limit);
   }
   ~Step() { this->Target.EndStep(); }
   Step(const Step&) = delete;
   Step& operator=(const Step&) = delete;
 
-  /// Forwards the algorithm's progress events to the reporter; ends with the algorithm.
-  void Observe(vtkAlgorithm* algorithm);
   void Note(const std::string& sentence) { this->Target.Note(sentence); }
   void Advance(double fraction) { this->Target.Advance(fraction); }
+  Progress GetProgress()
+  {
+    return [this](double fraction) { this->Advance(fraction); };
+  }
+  /// Forwards the progress events of a VTK algorithm, which must not outlive the step.
+  void Observe(vtkObject* algorithm)
+  {
+    algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Step::Forward);
+  }
 
 private:
+  void Forward(vtkObject*, unsigned long, void* fraction)
+  {
+    this->Advance(fraction ? *static_cast<double*>(fraction) : 0);
+  }
   Reporter& Target;
 };
 
-/// Tells of the progress of a VTK object for as long as this lives.
-class ProgressWatch
+/// Forwards the progress events of a VTK object for as long as this exists.
+class ProgressObserver
 {
 public:
-  ProgressWatch(vtkObject* watched, std::function<void(double)> advance);
-  ~ProgressWatch();
-  ProgressWatch(const ProgressWatch&) = delete;
-  ProgressWatch& operator=(const ProgressWatch&) = delete;
+  ProgressObserver(vtkObject* observed, Progress advance)
+    : Observed(observed)
+    , Advance(std::move(advance))
+    , Tag(observed->AddObserver(vtkCommand::ProgressEvent, this, &ProgressObserver::Forward))
+  {
+  }
+  ~ProgressObserver() { this->Observed->RemoveObserver(this->Tag); }
+  ProgressObserver(const ProgressObserver&) = delete;
+  ProgressObserver& operator=(const ProgressObserver&) = delete;
 
 private:
-  vtkObject* Watched;
-  std::function<void(double)> Advance;
+  void Forward(vtkObject*, unsigned long, void* fraction)
+  {
+    this->Advance(fraction ? *static_cast<double*>(fraction) : 0);
+  }
+  vtkObject* Observed;
+  Progress Advance;
   unsigned long Tag;
 };
 }
-
-#endif

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <mutex>
 #include <regex>
+#include <utility>
 
 namespace penumbra::tool
 {
@@ -32,7 +33,7 @@ std::string Clean(const char* raw)
   const auto first = text.find_first_not_of(' ');
   const auto last = text.find_last_not_of(" .");
   text = first == std::string::npos ? "" : text.substr(first, last - first + 1);
-  constexpr std::size_t longest = 240; // enough to name the cause, short enough for one sentence
+  constexpr std::size_t longest = 240; // enough for the cause, short enough for a sentence
   return text.size() > longest ? text.substr(0, longest) + "..." : text;
 }
 
@@ -40,7 +41,7 @@ void Add(std::vector<std::string>& list, const char* raw)
 {
   const std::string text = Clean(raw);
   const std::lock_guard<std::mutex> guard(Lock);
-  constexpr std::size_t most = 100; // a damaged file can produce one message per cell
+  constexpr std::size_t most = 100; // a damaged file may cause one message per cell
   if (!text.empty() && list.size() < most &&
     std::find(list.begin(), list.end(), text) == list.end())
   {
@@ -48,7 +49,7 @@ void Add(std::vector<std::string>& list, const char* raw)
   }
 }
 
-/// The XML readers call range attributes of NaN an error and read the values all the same.
+/// The XML readers report range attributes of NaN as errors, but read the values correctly.
 bool IsHarmless(const char* raw)
 {
   return raw && std::strstr(raw, "InformationKey element") != nullptr;
@@ -81,9 +82,7 @@ void CollectVtkMessages()
 VtkMessages TakeVtkMessages()
 {
   const std::lock_guard<std::mutex> guard(Lock);
-  VtkMessages taken;
-  std::swap(taken, Collected);
-  return taken;
+  return std::exchange(Collected, {});
 }
 
 void ThrowVtkErrors(const std::string& what)
@@ -93,7 +92,7 @@ void ThrowVtkErrors(const std::string& what)
   {
     Fail("{} ({})", what, messages.Errors.front());
   }
-  // Several readers only warn of an end that is missing, and go on with values that never were read.
+  // Several readers only warn if a file is cut off, and continue with uninitialized values.
   static const std::regex grave(
     "error|fail|premature|unexpected|unable|could not|cannot|corrupt|truncat", std::regex::icase);
   for (const std::string& warning : messages.Warnings)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Collects what VTK would print, so that it becomes part of one clear sentence.
-#ifndef penumbra_tool_VtkMessages_h
-#define penumbra_tool_VtkMessages_h
+/// Collects the messages of VTK, to report them in sentences of our own.
+#pragma once
 
 #include <string>
 #include <vector>
@@ -13,18 +12,16 @@ struct VtkMessages
 {
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
-  std::vector<std::string> Harmless; ///< called errors, but of no consequence
+  std::vector<std::string> Harmless; ///< reported as errors, but without consequences
 };
 
-/// Routes VTK's output window and log into the collector, for the whole process.
+/// Redirect VTK's output window and log to the collector, for the whole process.
 void CollectVtkMessages();
 
-/// The messages since the last call, stripped of file names and addresses, each once.
+/// Messages since the last call, without file names and addresses, and without duplicates.
 VtkMessages TakeVtkMessages();
 
-/// Throws a Failure "WHAT (first error)" if VTK reported an error since the last call, or a warning that
-/// amounts to one; other warnings are dropped.
+/// Throws a Failure "WHAT (first error)" if VTK reported an error since the last call, or a warning that amounts to one.
+/// Other warnings are dropped.
 void ThrowVtkErrors(const std::string& what);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Files that are there as a whole or not at all.
-#ifndef penumbra_tool_WholeFile_h
-#define penumbra_tool_WholeFile_h
+/// Files written completely or not at all.
+#pragma once
 
 #include <string>
 
@@ -10,9 +9,7 @@ class vtkXMLWriter;
 
 namespace penumbra::tool
 {
-/// Writes in one step: whatever happens, there is the former file or the new one. False where it cannot be written; what VTK
-/// says of that is dropped.
+/// Writes under another name first, so that an existing file stays intact until the new one is complete. Returns false if
+/// it cannot be written; VTK's messages are dropped.
 bool WriteWhole(vtkXMLWriter* writer, const std::string& path);
 }
-
-#endif

@@ -17,7 +17,7 @@ namespace penumbra::tool
 {
 namespace
 {
-/// "OpenGL vendor string:  Mesa" of vtkRenderWindow::ReportCapabilities().
+/// The value of a line such as "OpenGL vendor string:  Mesa" in vtkRenderWindow::ReportCapabilities().
 std::string FindLine(const std::string& report, const std::string& key)
 {
   std::istringstream lines(report);
@@ -38,7 +38,7 @@ void RequireDisplay()
   const char* display = std::getenv("DISPLAY");
   if (!display || !*display)
   {
-    Fail("there is no X display (DISPLAY is not set): take --backend egl or osmesa, or run under "
+    Fail("there is no X display (DISPLAY is not set): use --backend egl or osmesa, or run under "
          "xvfb-run");
   }
 }
@@ -51,9 +51,9 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& backend)
   vtkSmartPointer<vtkRenderWindow> window;
   if (const auto found = headless.find(backend); found != headless.end())
   {
-    auto made = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
-    made->SetBackend(found->second);
-    window = made;
+    auto headlessWindow = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
+    headlessWindow->SetBackend(found->second);
+    window = headlessWindow;
   }
   else if (backend == "auto" || backend == "x11")
   {
@@ -64,11 +64,12 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& backend)
       vtkHeadlessRenderWindow::SetAutomatic(false);
     }
     window = vtkSmartPointer<vtkRenderWindow>::New();
-    // VTK 9.4 and later take another kind of window where the display cannot be opened.
+    // VTK 9.4 and later create another kind of window if the display cannot be opened.
     if (x11 && !window->IsA("vtkXOpenGLRenderWindow"))
     {
-      Fail("no x11 window can be made: the X display '{}' cannot be opened; take --backend egl or "
-           "osmesa, or run under xvfb-run",
+      Fail(
+        "no x11 window can be created: the X display '{}' cannot be opened; use --backend egl or "
+        "osmesa, or run under xvfb-run",
         std::getenv("DISPLAY"));
     }
   }
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& backend)
   return window;
 }
 
-GraphicsInfo OpenWindow(vtkRenderWindow* window)
+nlohmann::ordered_json OpenWindow(vtkRenderWindow* window)
 {
   TakeVtkMessages();
   auto* headless = vtkHeadlessRenderWindow::SafeDownCast(window);
@@ -92,11 +93,11 @@ GraphicsInfo OpenWindow(vtkRenderWindow* window)
   const VtkMessages messages = TakeVtkMessages();
   if (!works)
   {
-    const std::string own = headless ? headless->GetContextError() : "";
-    const std::string reason = !own.empty()
-      ? own
+    const std::string error = headless ? headless->GetContextError() : "";
+    const std::string reason = !error.empty()
+      ? error
       : (messages.Errors.empty() ? "no reason is given" : messages.Errors.front());
-    Fail("no OpenGL context can be made: {}", reason);
+    Fail("no OpenGL context can be created: {}", reason);
   }
   if (auto* glWindow = vtkOpenGLRenderWindow::SafeDownCast(window))
   {
@@ -105,11 +106,9 @@ GraphicsInfo OpenWindow(vtkRenderWindow* window)
   window->MakeCurrent();
   const char* capabilities = window->ReportCapabilities();
   const std::string report = capabilities ? capabilities : "";
-  GraphicsInfo info;
-  info.Backend = headless ? headless->GetBackendName() : window->GetClassName();
-  info.Vendor = FindLine(report, "OpenGL vendor string");
-  info.Renderer = FindLine(report, "OpenGL renderer string");
-  info.Version = FindLine(report, "OpenGL version string");
-  return info;
+  return { { "backend", headless ? headless->GetBackendName() : window->GetClassName() },
+    { "vendor", FindLine(report, "OpenGL vendor string") },
+    { "renderer", FindLine(report, "OpenGL renderer string") },
+    { "version", FindLine(report, "OpenGL version string") } };
 }
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Offscreen windows by backend.
-#ifndef penumbra_tool_Windows_h
-#define penumbra_tool_Windows_h
+/// Offscreen windows.
+#pragma once
 
+#include <nlohmann/json.hpp>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
 
@@ -11,22 +11,11 @@
 
 namespace penumbra::tool
 {
-/// What draws a window's pictures.
-struct GraphicsInfo
-{
-  std::string Backend;
-  std::string Vendor;
-  std::string Renderer;
-  std::string Version;
-};
-
-/// An offscreen window of the backend: "egl", "osmesa", "x11" or "auto". Throws a Failure for another
-/// name, or where there is no display for x11.
+/// An offscreen window with a backend: "egl", "osmesa", "x11" or "auto". Throws a Failure for another name, or if x11 has
+/// no display.
 vtkSmartPointer<vtkRenderWindow> MakeWindow(const std::string& backend);
 
-/// Makes the window's context and says what it is; throws a Failure that gives the reason where there
-/// is none.
-GraphicsInfo OpenWindow(vtkRenderWindow* window);
+/// Creates the window's context. Returns its "backend", "vendor", "renderer" and "version". Throws a Failure with the
+/// reason if there is no context.
+nlohmann::ordered_json OpenWindow(vtkRenderWindow* window);
 }
-
-#endif

@@ -16,10 +16,10 @@ namespace penumbra::tool
 {
 namespace
 {
-constexpr auto Patience = std::chrono::seconds(2);
-constexpr auto Between = std::chrono::milliseconds(100);
+constexpr auto FirstBar = std::chrono::seconds(2);
+constexpr auto BarInterval = std::chrono::milliseconds(100);
 
-/// Libraries' reasons may have several lines, and control characters from damaged files.
+/// Messages of libraries may have several lines, and control characters from damaged files.
 std::string OneLine(std::string text)
 {
   for (char& c : text)
@@ -44,16 +44,16 @@ std::string Bar(const std::string& what, double fraction, double seconds)
 }
 
 Console::Console()
-  : TrueOutput(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3))
-  , TrueError(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3))
+  : Output(fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3))
+  , Errors(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3))
   , Terminal(isatty(STDERR_FILENO))
 {
 }
 
 Console::~Console()
 {
-  close(this->TrueOutput);
-  close(this->TrueError);
+  close(this->Output);
+  close(this->Errors);
 }
 
 void Console::Note(const std::string& sentence)
@@ -71,27 +71,27 @@ void Console::Error(const std::string& sentence)
   this->Write(fmt::format("penumbra: {}\n", OneLine(sentence)));
 }
 
-void Console::BeginStep(const std::string& what, double longest)
+void Console::BeginStep(const std::string& what, double limit)
 {
-  LimitProcessorTime(longest);
+  LimitProcessorTime(limit);
   if (this->Steps.empty())
   {
     this->Silence();
   }
   this->Steps.push_back(what);
   SetStage(what);
-  this->Started = this->Drawn = Clock::now();
+  this->Started = this->LastBar = Clock::now();
 }
 
 void Console::Advance(double fraction)
 {
   const auto now = Clock::now();
-  const bool due = now - this->Started > Patience && now - this->Drawn > Between;
+  const bool due = now - this->Started > FirstBar && now - this->LastBar > BarInterval;
   if (!this->Terminal || this->Quiet || !due || this->Steps.empty())
   {
     return;
   }
-  this->Drawn = now;
+  this->LastBar = now;
   this->BarShown = true;
   const double seconds = std::chrono::duration<double>(now - this->Started).count();
   this->Write(Bar(this->Steps.back(), std::clamp(fraction, 0.0, 1.0), seconds));
@@ -114,10 +114,10 @@ void Console::Write(const std::string& text)
   std::size_t done = 0;
   while (done < text.size())
   {
-    const ssize_t written = write(this->TrueError, text.data() + done, text.size() - done);
+    const ssize_t written = write(this->Errors, text.data() + done, text.size() - done);
     if (written <= 0)
     {
-      return; // nobody listens any more
+      return; // stderr is closed
     }
     done += static_cast<std::size_t>(written);
   }
@@ -147,7 +147,7 @@ void Console::Silence()
 void Console::Restore()
 {
   std::fflush(nullptr);
-  dup2(this->TrueOutput, STDOUT_FILENO);
-  dup2(this->TrueError, STDERR_FILENO);
+  dup2(this->Output, STDOUT_FILENO);
+  dup2(this->Errors, STDERR_FILENO);
 }
 }

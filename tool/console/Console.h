@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What the user sees on stderr: notes, one sentence per failure, and a progress bar.
-#ifndef penumbra_tool_Console_h
-#define penumbra_tool_Console_h
+/// Output on stderr: notes, one sentence per failure, and a progress bar.
+#pragma once
 
 #include "common/Reporter.h"
 
@@ -11,8 +10,8 @@
 
 namespace penumbra::tool
 {
-/// While a step runs, what libraries print on stdout and stderr is discarded, unless verbose: it would
-/// break the promise of one clear sentence, and the JSON on stdout.
+/// Discards the output of libraries on stdout and stderr while a step runs, unless verbose. It would break the JSON on
+/// stdout, and the promise of one clear sentence.
 class Console : public Reporter
 {
 public:
@@ -26,8 +25,8 @@ public:
   /// "penumbra: SENTENCE"
   void Error(const std::string& sentence);
 
-  /// Steps that take over two seconds show a bar with the time left, if stderr is a terminal.
-  void BeginStep(const std::string& what, double longest) override;
+  /// Steps of more than two seconds show a bar with the remaining time if stderr is a terminal.
+  void BeginStep(const std::string& what, double limit) override;
   void Advance(double fraction) override;
   void EndStep() override;
 
@@ -39,16 +38,14 @@ private:
   void Silence();
   void Restore();
 
-  int TrueOutput; ///< a copy of stdout, for when it is silenced
-  int TrueError;  ///< a copy of stderr
+  int Output; ///< copies of stdout and stderr, which are redirected during steps
+  int Errors;
   bool Terminal;
   bool Quiet = false;
   bool Verbose = false;
   bool BarShown = false;
-  std::vector<std::string> Steps; ///< those that run, outermost first
+  std::vector<std::string> Steps; ///< running steps, outermost first
   Clock::time_point Started;
-  Clock::time_point Drawn;
+  Clock::time_point LastBar;
 };
 }
-
-#endif

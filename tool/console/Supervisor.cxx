@@ -23,11 +23,11 @@ namespace penumbra::tool
 namespace
 {
 constexpr std::size_t StageLength = 1024;
-char* SharedStage = nullptr; ///< in memory that parent and child share
+char* SharedStage = nullptr; ///< in memory shared by parent and child
 bool Supervised = false;
 
-/// All the memory there is: a damaged file that asks for more gets an error at once instead of taking
-/// the machine down.
+/// Limits memory to what the machine has. A damaged file that asks for more then fails at once, and does not stall the
+/// machine.
 void LimitMemory()
 {
 #if !defined(__SANITIZE_ADDRESS__)
@@ -53,17 +53,17 @@ int ReportSignal(int signal)
 {
   if (signal == SIGINT || signal == SIGTERM)
   {
-    return 128 + signal; // the user's own wish, by the shell's convention
+    return 128 + signal; // interrupted by the user: the shell's convention
   }
   const std::string stage = SharedStage[0] ? SharedStage : "working";
   const std::map<std::string, std::string> remedies = {
-    { "reading", "the file is damaged, cut off or not of the format its name says" },
-    { "opening", "try another --backend (egl, osmesa, x11), and check DISPLAY for x11" },
+    { "reading", "the file is damaged, cut off or not in the format that its name suggests" },
+    { "opening", "try another --backend (egl, osmesa, x11); for x11, check DISPLAY" },
   };
   const auto remedy = remedies.find(stage.substr(0, stage.find(' ')));
   const std::map<int, std::string> known = {
-    { SIGKILL, "the system stopped it, most likely for want of memory" },
-    { SIGXCPU, "it came to no end" }, { SIGSEGV, "the reader or driver crashed" },
+    { SIGKILL, "the system stopped it, most likely because memory ran out" },
+    { SIGXCPU, "it took too long" }, { SIGSEGV, "the reader or driver crashed" },
     { SIGABRT, "the reader or driver gave up" }
   };
   const auto found = known.find(signal);
@@ -76,7 +76,7 @@ int ReportSignal(int signal)
 }
 }
 
-int Supervise(const std::function<int()>& work)
+int Supervise(const std::function<int()>& run)
 {
   void* shared =
     mmap(nullptr, StageLength, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -85,19 +85,19 @@ int Supervise(const std::function<int()>& work)
   const pid_t child = SharedStage && !std::getenv("PENUMBRA_NO_SUPERVISOR") ? fork() : -1;
   if (child < 0)
   {
-    return work();
+    return run();
   }
   if (child == 0)
   {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     LimitMemory();
     Supervised = true;
-    const int status = work();
+    const int status = run();
     std::fflush(nullptr);
-    // Not exit(): destructors of graphics drivers and readers of damaged files have nothing to add.
+    // Not exit(), which would run destructors of graphics drivers and of readers of damaged files.
     _exit(status);
   }
-  std::signal(SIGINT, SIG_IGN); // the child gets it too, and its end is awaited
+  std::signal(SIGINT, SIG_IGN); // the child receives it too; wait for it to end
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR)
   {

@@ -1,25 +1,21 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Runs the command in a child process, so that a crash in a file reader or a driver becomes a sentence.
-#ifndef penumbra_tool_Supervisor_h
-#define penumbra_tool_Supervisor_h
+/// Runs the command in a child process, to report a crash in a file reader or a driver in one sentence.
+#pragma once
 
 #include <functional>
 #include <string>
 
 namespace penumbra::tool
 {
-/// Runs work in a child process and returns its exit status. If the child is ended by a signal, prints
-/// one sentence with the stage it had reached and returns 1. With PENUMBRA_NO_SUPERVISOR set the work
-/// runs in this process, for debuggers.
-int Supervise(const std::function<int()>& work);
+/// Runs a function in a child process and returns its exit status. If a signal ends the child, prints one sentence that
+/// names its current stage, and returns 1. With PENUMBRA_NO_SUPERVISOR in the environment the function runs in this
+/// process, for debuggers.
+int Supervise(const std::function<int()>& run);
 
-/// Tells the supervising process what is being done: "reading 'head.vti'"; "" for nothing special.
+/// Sets the stage to report, such as "reading 'head.vti'"; "" for none.
 void SetStage(const std::string& stage);
 
-/// In a supervised process: lets the system stop it after so many further seconds of processor time; 0
-/// lifts the limit.
+/// Limits the processor time that a supervised process may use from now on, in seconds; 0 for no limit.
 void LimitProcessorTime(double seconds);
 }
-
-#endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/Capture.h"
 
+#include "base/ScopeExit.h"
 #include "common/Failure.h"
 
 #include <vtkDataArray.h>
@@ -17,6 +18,7 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -24,7 +26,7 @@ namespace penumbra::tool
 {
 namespace
 {
-/// VTK's first row is the bottom one.
+/// A picture with an image's values. VTK's first row is the bottom one.
 template <typename Convert>
 Picture FromImage(vtkImageData* image, int channels, Convert convert)
 {
@@ -47,40 +49,41 @@ Picture FromImage(vtkImageData* image, int channels, Convert convert)
   return picture;
 }
 
-/// Props that the opaque radiance does not contain, hidden for as long as this lives.
-class HiddenOverlays
+/// Visible props that the opaque radiance does not contain.
+std::vector<vtkProp*> FindOverlays(vtkRenderer* renderer)
 {
-public:
-  explicit HiddenOverlays(vtkRenderer* renderer)
+  std::vector<vtkProp*> overlays;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cursor;
+  props->InitTraversal(cursor);
+  while (vtkProp* prop = props->GetNextProp(cursor))
   {
-    vtkPropCollection* props = renderer->GetViewProps();
-    vtkCollectionSimpleIterator cursor;
-    props->InitTraversal(cursor);
-    while (vtkProp* prop = props->GetNextProp(cursor))
+    if (prop->GetVisibility() &&
+      (prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume") ||
+        prop->IsA("vtkActor2D")))
     {
-      const bool overlay = prop->HasTranslucentPolygonalGeometry() || prop->IsA("vtkVolume") ||
-        prop->IsA("vtkActor2D");
-      if (overlay && prop->GetVisibility())
-      {
-        prop->VisibilityOff();
-        this->Props.push_back(prop);
-      }
+      overlays.push_back(prop);
     }
   }
-  ~HiddenOverlays()
-  {
-    for (vtkProp* prop : this->Props)
-    {
-      prop->VisibilityOn();
-    }
-  }
-  HiddenOverlays(const HiddenOverlays&) = delete;
-  HiddenOverlays& operator=(const HiddenOverlays&) = delete;
-  bool None() const { return this->Props.empty(); }
+  return overlays;
+}
 
-private:
-  std::vector<vtkProp*> Props;
-};
+void SetVisible(const std::vector<vtkProp*>& props, bool visible)
+{
+  for (vtkProp* prop : props)
+  {
+    prop->SetVisibility(visible);
+  }
+}
+
+/// Standard error of a pixel's luminance, from the sums that the path tracer keeps.
+float StandardError(const float* shown, const float* encoded, float samples)
+{
+  const double sum = Luminance(shown[0] + encoded[0], shown[1] + encoded[1], shown[2] + encoded[2]);
+  const double mean = sum / samples;
+  const double variance = std::max(0.0, encoded[3] / samples - mean * mean);
+  return samples > 1.0f ? static_cast<float>(std::sqrt(variance / (samples - 1.0))) : 0.0f;
+}
 }
 
 Picture CaptureWindow(vtkRenderWindow* window, bool alpha)
@@ -95,29 +98,31 @@ Picture CaptureWindow(vtkRenderWindow* window, bool alpha)
 }
 
 Picture CaptureRadiance(
-  vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render)
+  vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& redraw)
 {
   vtkNew<vtkImageData> image;
   if (!pass->GetRadiance(renderer, image))
   {
-    Fail("the pass kept no radiance of the last frame, so that no linear picture can be written");
+    Fail("the pass kept no radiance of the last frame, so no linear picture can be written");
   }
   Picture radiance = FromImage(image, alpha ? 4 : 3, [](double value) { return value; });
-  // Rays draw translucent props themselves; and another scene would be traced from its beginning.
+  // Path tracing includes translucent props, and would start again without them.
   vtkGITechnique* tracer = pass->GetTechnique("path-tracing");
   if (tracer && tracer->GetEnabled())
   {
     return radiance;
   }
-  const HiddenOverlays hidden(renderer);
-  if (hidden.None())
+  const std::vector<vtkProp*> overlays = FindOverlays(renderer);
+  if (overlays.empty())
   {
     return radiance;
   }
   const Picture shown = CaptureWindow(renderer->GetRenderWindow(), alpha);
-  render();
+  SetVisible(overlays, false);
+  const ScopeExit restore([&overlays] { SetVisible(overlays, true); });
+  redraw();
   const Picture opaque = CaptureWindow(renderer->GetRenderWindow(), alpha);
-  constexpr float rounding = 1.5f / 255; // one step of the 8-bit picture is no difference
+  constexpr float rounding = 1.5f / 255; // ignore one step of the 8-bit picture
   for (std::size_t i = 0; i < radiance.PixelCount(); ++i)
   {
     bool differs = false;
@@ -133,40 +138,26 @@ Picture CaptureRadiance(
   return radiance;
 }
 
-namespace
-{
-/// Of the mean of a pixel's luminance, from the sums that the tracer keeps.
-float StandardError(const float* shown, const float* encoded, float samples)
-{
-  const float mean = (0.2126f * (shown[0] + encoded[0]) + 0.7152f * (shown[1] + encoded[1]) +
-                       0.0722f * (shown[2] + encoded[2])) /
-    samples;
-  const float variance = std::max(0.0f, encoded[3] / samples - mean * mean);
-  return samples > 1.0f ? std::sqrt(variance / (samples - 1.0f)) : 0.0f;
-}
-}
-
 void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture)
 {
   auto* tracer = vtkGIPathTracing::SafeDownCast(pass->GetTechnique("path-tracing"));
-  vtkNew<vtkImageData> albedoImage;
-  vtkNew<vtkImageData> normalImage;
-  vtkNew<vtkImageData> shownImage;
-  vtkNew<vtkImageData> encodedImage;
-  const bool present = tracer && tracer->GetEnabled() &&
-    pass->GetBuffer(renderer, "path-tracing.albedo", albedoImage) &&
-    pass->GetBuffer(renderer, "path-tracing.normal", normalImage) &&
-    pass->GetBuffer(renderer, "path-tracing.shown", shownImage) &&
-    pass->GetBuffer(renderer, "path-tracing.encoded", encodedImage);
-  if (!present)
+  if (!tracer || !tracer->GetEnabled())
   {
     return;
   }
-  const auto same = [](double value) { return value; };
-  const Picture albedo = FromImage(albedoImage, 4, same);
-  const Picture normal = FromImage(normalImage, 4, same);
-  const Picture shown = FromImage(shownImage, 4, same);
-  const Picture encoded = FromImage(encodedImage, 4, same);
+  std::array<Picture, 4> buffers;
+  const std::array<const char*, 4> bufferNames = { "path-tracing.albedo", "path-tracing.normal",
+    "path-tracing.shown", "path-tracing.encoded" };
+  for (std::size_t i = 0; i < buffers.size(); ++i)
+  {
+    vtkNew<vtkImageData> image;
+    if (!pass->GetBuffer(renderer, bufferNames[i], image))
+    {
+      return;
+    }
+    buffers[i] = FromImage(image, 4, [](double value) { return value; });
+  }
+  const auto& [albedo, normal, shown, encoded] = buffers;
   const auto samples = static_cast<float>(tracer->GetSamplesTaken(renderer));
   const std::vector<std::string> names = { "albedo.R", "albedo.G", "albedo.B", "normal.X",
     "normal.Y", "normal.Z", "Z", "samples", "error" };
@@ -175,9 +166,11 @@ void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& pictur
   for (std::size_t i = 0; i < all.PixelCount(); ++i)
   {
     float* out = std::copy_n(picture.Pixel(i), picture.Channels, all.Pixel(i));
-    const float met = std::max(1.0f, albedo.Pixel(i)[3]);
-    out = std::transform(albedo.Pixel(i), albedo.Pixel(i) + 3, out, [met](float v) { return v / met; });
-    out = std::transform(normal.Pixel(i), normal.Pixel(i) + 4, out, [met](float v) { return v / met; });
+    const float hits = std::max(1.0f, albedo.Pixel(i)[3]);
+    out = std::transform(
+      albedo.Pixel(i), albedo.Pixel(i) + 3, out, [hits](float v) { return v / hits; });
+    out = std::transform(
+      normal.Pixel(i), normal.Pixel(i) + 4, out, [hits](float v) { return v / hits; });
     *out++ = samples;
     *out = StandardError(shown.Pixel(i), encoded.Pixel(i), samples);
   }

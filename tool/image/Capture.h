@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Pictures of a rendered window.
-#ifndef penumbra_tool_Capture_h
-#define penumbra_tool_Capture_h
+#pragma once
 
 #include "image/Picture.h"
 
@@ -14,20 +13,17 @@ class vtkRenderer;
 
 namespace penumbra::tool
 {
-/// What the window shows, in display values; with alpha if asked for.
+/// The content of the window in display values, optionally with alpha.
 Picture CaptureWindow(vtkRenderWindow* window, bool alpha);
 
-/// The pass's linear radiance of opaque surfaces and background. Where translucent props, volumes or
-/// annotations change the picture, what the window shows replaces it; to find these pixels the scene is
-/// drawn once more without them, by calling render. A traced picture stays as it is: translucent props
-/// are in it, volumes and annotations are not. Throws a Failure where the pass kept no radiance.
+/// The pass's linear radiance of opaque surfaces and background. Where translucent props, volumes or annotations change the
+/// picture, the content of the window replaces it; redraw is called once without them to find these pixels. A path-traced
+/// picture remains unchanged: it includes translucent props, but no volumes or annotations. Throws a Failure if the pass
+/// kept no radiance.
 Picture CaptureRadiance(
-  vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& render);
+  vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& redraw);
 
-/// Appends what the path tracer knows of the surfaces in the picture: their albedo, normal (in the
-/// world), distance along the line of sight, the number of samples, and the standard error of each
-/// pixel's luminance. Nothing without it.
+/// Appends layers of the path tracer, if it is enabled: albedo, normal (in world coordinates), and depth of the surfaces,
+/// the number of samples, and the standard error of each pixel's luminance.
 void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture);
 }
-
-#endif

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/Metrics.h"
 
-#include "image/StructuralSimilarity.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +9,7 @@ namespace penumbra::tool
 {
 namespace
 {
-/// Of each pixel, whether it or one of its eight neighbours is too bright in one of the pictures.
+/// For each pixel, whether it or one of its eight neighbours is too bright in either picture.
 std::vector<char> TooBright(const Picture& a, const Picture& b, double limit)
 {
   std::vector<char> bright(a.PixelCount(), 0);
@@ -66,7 +64,7 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
     }
     squares += square / 3;
     bias += a.Luminance(i) - b.Luminance(i);
-    // Half a 255th absorbs the rounding of 8-bit files.
+    // Half a 255th allows for the rounding of 8-bit files.
     over += greatest > (options.Tolerance + 0.5) / 255 ? 1 : 0;
     worst.push_back(greatest);
   }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Measures of how far a picture is from a reference.
-#ifndef penumbra_tool_Metrics_h
-#define penumbra_tool_Metrics_h
+/// Differences between a picture and a reference.
+#pragma once
 
 #include "image/Picture.h"
 
@@ -13,20 +12,20 @@ namespace penumbra::tool
 struct MetricOptions
 {
   double Epsilon = 1e-2; ///< added to the squared reference in relMSE
-  double Tolerance = 2;  ///< in 255ths: a pixel differs where a channel is further off
-  /// Pixels where either picture is brighter in a channel are left out with their neighbours: lamps in
-  /// view, which would outweigh what they light.
+  double Tolerance = 2;  ///< in 255ths: a pixel is counted if any channel differs by more
+  /// Pixels where a channel of either picture is brighter are left out with their neighbours. Visible lights would outweigh
+  /// everything else.
   double MaskAbove = std::numeric_limits<double>::infinity();
 };
 
 struct Metrics
 {
   double RelativeMse = 0;  ///< mean of (a - b)^2 / (b^2 + epsilon) over channels and pixels
-  double SignedMean = 0;   ///< mean of luminance a - luminance b: bias, not noise
-  double Percentile99 = 0; ///< of the pixels' greatest channel difference
+  double SignedMean = 0;   ///< mean of luminance a - luminance b, which is bias, not noise
+  double Percentile99 = 0; ///< of the pixels' greatest difference in any channel
   double Maximum = 0;
   double Ssim = 1;           ///< mean structural similarity of the luminance
-  double FractionOver = 0;   ///< pixels further off than the tolerance
+  double FractionOver = 0;   ///< fraction of pixels that exceed the tolerance
   std::size_t NonFinite = 0; ///< pixels with NaN or infinity in either picture, left out
   std::size_t Masked = 0;    ///< pixels left out as too bright
 };
@@ -36,6 +35,8 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
 
 /// The absolute difference times a gain, in colour.
 Picture DifferencePicture(const Picture& a, const Picture& b, double gain);
-}
 
-#endif
+/// Mean SSIM of the luminance, taken as display values with a range of 1. Wang, Bovik, Sheikh and Simoncelli 2004, Image
+/// Quality Assessment: From Error Visibility to Structural Similarity.
+double StructuralSimilarity(const Picture& a, const Picture& b);
+}

@@ -3,6 +3,7 @@
 #include "image/Picture.h"
 
 #include "common/Failure.h"
+#include "common/Names.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -22,17 +23,14 @@ namespace penumbra::tool
 namespace
 {
 const std::vector<std::string> WrittenFormats = { ".png", ".exr", ".hdr", ".tif", ".tiff", ".jpg" };
-constexpr int LargestSide = 65536; // beyond it a picture file is damaged, not big
+constexpr int LargestSide = 65536; // larger sizes mean a damaged file
 
 std::string Extension(const std::string& path)
 {
-  std::string end = std::filesystem::path(path).extension();
-  std::transform(
-    end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
-  return end;
+  return Lower(std::filesystem::path(path).extension());
 }
 
-/// What is written of a picture that does not fit the disk is removed again.
+/// Writes a file. Removes an incomplete one if the disk is full.
 void WriteBytes(const std::string& path, const std::vector<unsigned char>& bytes)
 {
   std::ofstream file(path, std::ios::binary);
@@ -47,11 +45,11 @@ void WriteBytes(const std::string& path, const std::vector<unsigned char>& bytes
       std::error_code ignored;
       std::filesystem::remove(path, ignored);
     }
-    Fail("the output '{}' cannot be written to its end ({}): make room on the disk", path, reason);
+    Fail("the output '{}' cannot be written completely ({}): make room on the disk", path, reason);
   }
 }
 
-/// ITU-T T.81: a JPEG file ends with the marker EOI. The decoder fills what is missing with gray.
+/// A JPEG file ends with the marker EOI (ITU-T T.81). The decoder fills missing parts with gray.
 void RequireCompleteJpeg(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
@@ -73,7 +71,7 @@ Picture ReadPicture(const std::string& path)
   const auto file = OIIO::ImageInput::open(path);
   if (!file)
   {
-    Fail("the picture '{}' cannot be read: it is damaged or of an unknown format ({})", path,
+    Fail("the picture '{}' cannot be read: it is damaged or in an unknown format ({})", path,
       OIIO::geterror());
   }
   const OIIO::ImageSpec& spec = file->spec();
@@ -88,13 +86,13 @@ Picture ReadPicture(const std::string& path)
   {
     RequireCompleteJpeg(path);
   }
-  // A fourth channel that is not alpha is a layer of another kind.
+  // A fourth channel that is not alpha is another layer.
   const bool layers =
     spec.nchannels > 3 && spec.format == OIIO::TypeDesc::FLOAT && spec.alpha_channel < 0;
   Picture picture(spec.width, spec.height, layers ? 3 : std::min(spec.nchannels, 4));
   if (!file->read_image(0, 0, 0, picture.Channels, OIIO::TypeDesc::FLOAT, picture.Values.data()))
   {
-    Fail("the picture '{}' cannot be read to its end: it is damaged or cut off ({})", path,
+    Fail("the picture '{}' cannot be read completely: it is damaged or cut off ({})", path,
       file->geterror());
   }
   return picture;
@@ -105,7 +103,7 @@ void RequireWritablePicture(const std::string& path)
   const std::string end = Extension(path);
   if (std::find(WrittenFormats.begin(), WrittenFormats.end(), end) == WrittenFormats.end())
   {
-    FailUsage("the output '{}' has no picture format: end its name in one of {}", path,
+    FailUsage("the output '{}' has no extension of a picture format: use one of {}", path,
       fmt::join(WrittenFormats, ", "));
   }
   const auto folder = std::filesystem::absolute(path).parent_path();
@@ -139,7 +137,7 @@ bool HoldsLayers(const std::string& path)
 
 void WritePicture(const std::string& path, const Picture& picture)
 {
-  // Encoded in memory first: some of the encoders do not notice that a disk is full, one never ends.
+  // Encode in memory: some encoders do not detect a full disk, and one never returns.
   OIIO::Filesystem::IOVecOutput memory;
   const auto encoder = OIIO::ImageOutput::create(path);
   const OIIO::TypeDesc stored = HoldsRadiance(path) ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;

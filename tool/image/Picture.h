@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Pictures in memory and their files, through OpenImageIO.
-#ifndef penumbra_tool_Picture_h
-#define penumbra_tool_Picture_h
+/// Pictures and their files, read and written with OpenImageIO.
+#pragma once
+
+#include "base/Luminance.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +19,7 @@ struct Picture
   int Height = 0;
   int Channels = 0;
   std::vector<float> Values;
-  std::vector<std::string> Layers; ///< names of the channels after colour and alpha
+  std::vector<std::string> Layers; ///< names of channels after colour and alpha
 
   Picture() = default;
   Picture(int width, int height, int channels)
@@ -31,35 +32,33 @@ struct Picture
   std::size_t PixelCount() const { return std::size_t(this->Width) * this->Height; }
   float* Pixel(std::size_t index) { return &this->Values[index * this->Channels]; }
   const float* Pixel(std::size_t index) const { return &this->Values[index * this->Channels]; }
-  /// One of red, green and blue, or the only value of a grey picture.
+  /// Red, green or blue, or the value of a gray picture.
   float Color(std::size_t index, int channel) const
   {
     return this->Pixel(index)[this->Channels >= 3 ? channel : 0];
   }
-  /// Relative luminance with Rec. 709 weights, without any transfer curve.
+  /// Relative luminance, with Rec. 709 weights and without a transfer curve.
   float Luminance(std::size_t index) const
   {
-    return 0.2126f * this->Color(index, 0) + 0.7152f * this->Color(index, 1) +
-      0.0722f * this->Color(index, 2);
+    return static_cast<float>(
+      penumbra::Luminance(this->Color(index, 0), this->Color(index, 1), this->Color(index, 2)));
   }
 };
 
-/// Reads any file OpenImageIO knows, colour and alpha only; throws a Failure that names it.
+/// Reads colour and alpha of any file that OpenImageIO supports. Throws a Failure.
 Picture ReadPicture(const std::string& path);
 
-/// Throws a Failure unless the name ends in a format we write and its folder is writable.
+/// Throws a Failure if the extension is of no supported format, or the file cannot be written.
 void RequireWritablePicture(const std::string& path);
 
-/// True for formats that hold linear radiance (.exr, .hdr).
+/// Whether the format holds linear radiance (.exr, .hdr).
 bool HoldsRadiance(const std::string& path);
-/// Whether it can hold more than a picture: layers.
+/// Whether the format holds more channels than colour and alpha.
 bool HoldsLayers(const std::string& path);
 
-/// Writes the picture: floats (half in EXR would lose precision) for radiance formats, else 8 bits.
+/// Writes floats to formats for radiance (half floats in EXR would lose precision), and 8 bits to others.
 void WritePicture(const std::string& path, const Picture& picture);
 
-/// Replaces NaN and infinite values by 0 and returns how many pixels had one.
+/// Replaces NaN and infinite values by 0. Returns the number of pixels that had any.
 std::size_t RemoveNonFinite(Picture& picture);
 }
-
-#endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "image/StructuralSimilarity.h"
+#include "image/Metrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace
 {
 using Plane = std::vector<double>;
 
-/// The paper's window: 11 by 11 Gaussian weights of standard deviation 1.5; edges repeat.
+/// The paper's window: 11 by 11 Gaussian weights with a standard deviation of 1.5. Edge pixels are repeated.
 constexpr int Reach = 5;
 constexpr double Deviation = 1.5;
 

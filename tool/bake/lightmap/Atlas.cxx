@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bake/lightmap/Atlas.h"
 
-#include <fmt/format.h>
+#include "common/Failure.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
-// Sean Barrett's skyline packing; its functions are this file's own.
+// Sean Barrett's skyline packing, with functions local to this file.
 #define STB_RECT_PACK_IMPLEMENTATION
 #define STBRP_STATIC
 #if defined(__GNUC__)
@@ -30,7 +29,7 @@ Vec2 Scale(const Tile& tile, const Chart& chart)
   return Vec2(tile.Texels - 1) / chart.Size;
 }
 
-/// Whole texels that the chart takes; at least two, to interpolate between.
+/// Number of texels of a chart, at least two for interpolation.
 glm::ivec2 CountTexels(const Chart& chart, double texelSize)
 {
   constexpr double rounding = 1e-6;
@@ -39,8 +38,8 @@ glm::ivec2 CountTexels(const Chart& chart, double texelSize)
   return glm::max(glm::ivec2(count), glm::ivec2(1)) + 1;
 }
 
-/// Puts the tiles into a picture of this width, and says how high it gets; 0 where that is above the highest.
-int Pack(std::vector<Tile>& tiles, int width, int highest)
+/// Packs the tiles into an atlas of this width. Returns its height, or 0 if it exceeds the maximum.
+int Pack(std::vector<Tile>& tiles, int width, int maximumHeight)
 {
   std::vector<stbrp_rect> boxes;
   for (std::size_t i = 0; i < tiles.size(); ++i)
@@ -53,7 +52,7 @@ int Pack(std::vector<Tile>& tiles, int width, int highest)
   }
   std::vector<stbrp_node> nodes(static_cast<std::size_t>(width));
   stbrp_context context;
-  stbrp_init_target(&context, width, highest, nodes.data(), width);
+  stbrp_init_target(&context, width, maximumHeight, nodes.data(), width);
   if (!stbrp_pack_rects(&context, boxes.data(), static_cast<int>(boxes.size())))
   {
     return 0;
@@ -82,7 +81,7 @@ bool Fit(Atlas& atlas, int largestSide)
   {
     return false;
   }
-  // About square: taller ones are no worse to fetch from, but some software refuses them.
+  // About square, because some software rejects tall pictures.
   for (int width = std::max(widest, static_cast<int>(std::ceil(std::sqrt(area))));
        width <= largestSide; width = width * 21 / 20 + 1)
   {
@@ -94,10 +93,9 @@ bool Fit(Atlas& atlas, int largestSide)
       return true;
     }
   }
-  const int height = Pack(atlas.Tiles, largestSide, largestSide);
   atlas.Width = largestSide;
-  atlas.Height = height;
-  return height > 0;
+  atlas.Height = Pack(atlas.Tiles, largestSide, largestSide);
+  return atlas.Height > 0;
 }
 }
 
@@ -112,7 +110,7 @@ Atlas PackAtlas(const std::vector<Chart>& charts, const std::vector<std::array<b
 {
   Atlas atlas;
   constexpr double wider = 1.1;
-  constexpr int attempts = 120; // 100,000 times as wide
+  constexpr int attempts = 120; // up to 100,000 times as wide
   for (int attempt = 0; attempt < attempts; ++attempt)
   {
     atlas.TexelSize = texelSize * std::pow(wider, attempt);
@@ -133,7 +131,7 @@ Atlas PackAtlas(const std::vector<Chart>& charts, const std::vector<std::array<b
     }
     if (atlas.Tiles.empty())
     {
-      throw std::runtime_error("there is no surface that a lightmap could be made for");
+      tool::Fail("there is no surface for a lightmap");
     }
     if (Fit(atlas, largestSide))
     {
@@ -145,9 +143,8 @@ Atlas PackAtlas(const std::vector<Chart>& charts, const std::vector<std::array<b
       break;
     }
   }
-  throw std::runtime_error(fmt::format("the surfaces fall into {} flat pieces, which do not fit "
-                                       "into {}x{} texels: raise --max-size, or "
-                                       "light such rough surfaces by DDGI or probes",
-    atlas.Tiles.size(), largestSide, largestSide));
+  tool::Fail("the surfaces consist of {} charts, which do not fit into {}x{} texels: raise "
+             "--max-size, or light such rough surfaces with DDGI or probes",
+    atlas.Tiles.size(), largestSide, largestSide);
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Where the charts lie in one picture.
-#ifndef penumbra_tool_lightmap_Atlas_h
-#define penumbra_tool_lightmap_Atlas_h
+/// Packing of charts into an atlas.
+#pragma once
 
 #include "bake/lightmap/Charts.h"
 
@@ -10,32 +9,30 @@
 
 namespace penumbra::lightmap
 {
-/// One side of a chart. Texels' middles lie on the box around the chart, so that edges along it are met exactly;
-/// of the back the first axis runs the other way, so that it too winds counter-clockwise where it is seen.
+/// One side of a chart. Centres of texels lie on the bounding box of the chart, so that edges along it are exact. On the back
+/// the first axis is reversed, so that triangles are counter-clockwise as seen from there.
 struct Tile
 {
   std::uint32_t Chart = 0;
   bool Back = false;
   glm::ivec2 Texels{ 2 }; ///< along the axes, without the gutter
-  glm::ivec2 At{ 0 };     ///< of its lowest texel in the atlas
+  glm::ivec2 At{ 0 };     ///< its lowest texel in the atlas
 
-  /// From the chart's plane to texels of the tile, where whole numbers are texels' middles.
+  /// From the chart's plane to texels of the tile. Integers are centres of texels.
   Vec2 ToTexels(const lightmap::Chart& chart, const Vec2& inChart) const;
 };
 
 struct Atlas
 {
-  static constexpr int Gutter = 2; ///< texels around each tile that nothing else has
+  static constexpr int Gutter = 2; ///< texels around each tile that belong to it
   int Width = 0;
   int Height = 0;
-  double TexelSize = 0.0; ///< world units, at most
+  double TexelSize = 0.0; ///< maximum, in world units
   std::vector<Tile> Tiles;
 };
 
-/// Tiles for the sides of charts that are wanted, of texels as wide as asked for or, where they do not fit into
-/// the largest side, wider. Throws std::runtime_error with a sentence where that is of no help.
+/// Makes tiles for the requested sides of charts, with texels of the given width, or wider ones if they do not fit into the
+/// largest side. Throws a Failure if that does not help.
 Atlas PackAtlas(const std::vector<Chart>& charts, const std::vector<std::array<bool, 2>>& wanted,
   double texelSize, int largestSide);
 }
-
-#endif

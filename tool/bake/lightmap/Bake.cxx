@@ -4,7 +4,7 @@
 
 #include "bake/lightmap/EarlierBake.h"
 #include "bake/lightmap/GatherLight.h"
-#include "bake/lightmap/LampLight.h"
+#include "bake/lightmap/DirectLight.h"
 #include "bake/lightmap/Layout.h"
 #include "bake/lightmap/Progress.h"
 
@@ -16,14 +16,14 @@ namespace penumbra::lightmap
 {
 namespace
 {
-constexpr std::uint32_t BlockSize = 32768; // texels between two looks at the clock
+constexpr std::uint32_t BlockSize = 32768; // texels between checks whether to save
 
-/// What must be the same for light to be compared with.
+/// Settings that must be the same to reuse the light of an earlier bake.
 std::string Describe(const BakeSettings& settings)
 {
   return fmt::format("{} samples, {} bounces{}{}{}", settings.Samples, settings.Bounces,
     settings.Directional ? ", directional" : "", settings.Denoise ? ", denoised" : "",
-    settings.Lamps ? ", with the lamps' light" : "");
+    settings.Direct ? ", with the lamps' light" : "");
 }
 
 std::string DescribeScene(vtkRenderer* renderer, const BakeSettings& settings)
@@ -39,9 +39,9 @@ std::string DescribeScene(vtkRenderer* renderer, const BakeSettings& settings)
 Layout Unwrap(vtkRenderer* renderer, const BakeSettings& settings, GatherLight& gather,
   tool::Reporter& reporter)
 {
-  gather.Count(true, settings.Lamps);
+  gather.Include(true, settings.Direct);
   Layout layout = MakeLayout(renderer, settings, gather, reporter);
-  gather.Count(true, false);
+  gather.Include(true, false);
   return layout;
 }
 
@@ -50,24 +50,25 @@ class Baker
 public:
   Baker(vtkRenderer* renderer, const BakeSettings& settings, tool::Reporter& reporter)
     : Options(settings)
-    , Reporter(reporter)
+    , Notes(reporter)
     , Gather(renderer, settings.Bounces, settings.Directional)
-    , Place(Unwrap(renderer, settings, this->Gather, reporter))
-    , Lamps(this->Place, this->Gather, settings.Samples / BakeSettings::Rounds)
+    , Unwrapped(Unwrap(renderer, settings, this->Gather, reporter))
+    , Direct(this->Unwrapped, this->Gather, settings.Samples / BakeSettings::Rounds)
     , Earlier(settings, Describe(settings))
   {
     Lightmap& map = this->Result.Map;
     map.Settings = Describe(settings);
     map.Made = fmt::format("{}, {} texels up to {:.6g} wide in {} charts", map.Settings,
-      this->Place.Texels.size(), this->Place.Places.TexelSize, this->Place.Charts.size());
+      this->Unwrapped.Texels.size(), this->Unwrapped.Packing.TexelSize,
+      this->Unwrapped.Charts.size());
     map.Scene = DescribeScene(renderer, settings);
-    map.Patches = this->Place.Patches;
-    AddSurfaces(map, this->Place.Scene, this->Place.Charts, this->Place.Places);
-    this->Result.TexelSize = this->Place.Places.TexelSize;
-    this->Result.Charts = this->Place.Charts.size();
-    this->Result.Tiles = this->Place.Places.Tiles.size();
-    this->Result.Texels = this->Place.Texels.size();
-    this->Result.DarkSides = this->Place.DarkSides;
+    map.Patches = this->Unwrapped.Patches;
+    AddSurfaces(map, this->Unwrapped.Scene, this->Unwrapped.Charts, this->Unwrapped.Packing);
+    this->Result.TexelSize = this->Unwrapped.Packing.TexelSize;
+    this->Result.Charts = this->Unwrapped.Charts.size();
+    this->Result.Tiles = this->Unwrapped.Packing.Tiles.size();
+    this->Result.Texels = this->Unwrapped.Texels.size();
+    this->Result.DarkSides = this->Unwrapped.DarkSides;
   }
 
   BakeResult Run()
@@ -93,9 +94,9 @@ private:
     return sum.digest();
   }
 
-  void Begin()
+  void Allocate()
   {
-    const std::size_t count = this->Place.Texels.size();
+    const std::size_t count = this->Unwrapped.Texels.size();
     const auto channels = static_cast<std::size_t>(this->Gather.Channels());
     for (auto& half : this->Sums.Halves)
     {
@@ -104,40 +105,40 @@ private:
     this->Sums.First.assign(count * channels, 0.0f);
     this->Sums.Backs.assign(count, 0.0f);
     this->Sums.Kept.assign(count, 0);
-    this->Sums.Lamps.assign(this->Options.Lamps ? count * channels : 0, 0.0f);
-    this->Sums.LampRounds.assign(this->Options.Lamps ? count : 0, 0);
+    this->Sums.Direct.assign(this->Options.Direct ? count * channels : 0, 0.0f);
+    this->Sums.DirectRounds.assign(this->Options.Direct ? count : 0, 0);
   }
 
   ProgressFile GatherAll()
   {
-    this->Begin();
+    this->Allocate();
     ProgressFile file(this->Options.Output + ".baking", this->Identity());
-    if (!this->Options.Anew)
+    if (!this->Options.FromScratch)
     {
       const std::string reason = file.Load(this->Sums);
       if (!reason.empty())
       {
-        this->Reporter.Note(
-          fmt::format("'{}.baking' {}: baking begins anew", this->Options.Output, reason));
+        this->Notes.Note(
+          fmt::format("'{}.baking' {}: baking starts from scratch", this->Options.Output, reason));
       }
     }
-    const auto count = static_cast<std::uint32_t>(this->Place.Texels.size());
+    const auto count = static_cast<std::uint32_t>(this->Unwrapped.Texels.size());
     const std::uint32_t blocks = (count + BlockSize - 1) / BlockSize;
     const auto share = [&](double within) {
       return (this->Sums.Round + (this->Sums.Block + within) / blocks) / BakeSettings::Rounds;
     };
     this->Result.Resumed = share(0.0);
-    tool::Step step(this->Reporter, "gathering light");
+    tool::Step step(this->Notes, "gathering light");
     while (this->Sums.Round < BakeSettings::Rounds)
     {
       const std::size_t first = std::size_t(this->Sums.Block) * BlockSize;
       const std::size_t last = std::min<std::size_t>(first + BlockSize, count);
-      const double indirect = this->Options.Lamps ? 0.8 : 1.0; // of the time, about
+      const double indirect = this->Options.Direct ? 0.8 : 1.0; // approximate share of time
       this->GatherBlock(
         first, last, [&](double within) { step.Advance(share(indirect * within)); });
-      if (this->Options.Lamps)
+      if (this->Options.Direct)
       {
-        this->Lamps.AddRound(first, last, this->Sums,
+        this->Direct.AddRound(first, last, this->Sums,
           [&](double within) { step.Advance(share(indirect + (1.0 - indirect) * within)); });
       }
       if (++this->Sums.Block == blocks)
@@ -146,7 +147,7 @@ private:
         ++this->Sums.Round;
         if (this->Sums.Round == 1)
         {
-          this->Earlier.FindSame(this->Place, this->Sums.First,
+          this->Earlier.FindSame(this->Unwrapped, this->Sums.First,
             static_cast<std::size_t>(this->Gather.Channels()), this->Sums.Kept);
         }
       }
@@ -164,8 +165,8 @@ private:
       if (!this->Sums.Kept[i])
       {
         which.push_back(i);
-        points.push_back(this->Place.Texels[i].At);
-        normals.push_back(this->Place.Texels[i].Normal);
+        points.push_back(this->Unwrapped.Texels[i].At);
+        normals.push_back(this->Unwrapped.Texels[i].Normal);
       }
     }
     if (which.empty())
@@ -195,26 +196,26 @@ private:
 
   void Finish()
   {
-    tool::Step step(this->Reporter, "filtering light");
+    tool::Step step(this->Notes, "filtering light");
     Lightmap& map = this->Result.Map;
     std::vector<unsigned char> known;
-    map.Baked = this->Filtered(known);
-    this->Result.KeptTiles = this->Earlier.Copy(this->Place, this->Sums.Kept, map.Baked, known);
-    Dilate(map.Baked, known, this->Place.Places);
-    if (this->Options.Lamps)
+    map.Baked = this->FilterLight(known);
+    this->Result.KeptTiles = this->Earlier.Copy(this->Unwrapped, this->Sums.Kept, map.Baked, known);
+    Dilate(map.Baked, known, this->Unwrapped.Packing);
+    if (this->Options.Direct)
     {
-      map.Lamps = this->Lamps.Mean(this->Sums, known);
-      Dilate(map.Lamps, known, this->Place.Places);
+      map.Direct = this->Direct.Mean(this->Sums, known);
+      Dilate(map.Direct, known, this->Unwrapped.Packing);
     }
-    const auto lines = PlaceSeams(this->Place.Scene, this->Place.Charts, this->Place.Places,
-      FindSeams(this->Place.Scene, this->Place.Charts));
+    const auto lines = PlaceSeams(this->Unwrapped.Scene, this->Unwrapped.Charts,
+      this->Unwrapped.Packing, FindSeams(this->Unwrapped.Scene, this->Unwrapped.Charts));
     std::vector<unsigned char> kept(known.size(), 0), shown(known.size(), 0);
-    for (std::size_t i = 0; i < this->Place.Texels.size(); ++i)
+    for (std::size_t i = 0; i < this->Unwrapped.Texels.size(); ++i)
     {
-      kept[this->Place.Texels[i].Index] = this->Sums.Kept[i];
-      shown[this->Place.Texels[i].Index] = 1;
+      kept[this->Unwrapped.Texels[i].Index] = this->Sums.Kept[i];
+      shown[this->Unwrapped.Texels[i].Index] = 1;
     }
-    for (Light* light : { &map.Baked, &map.Lamps })
+    for (Light* light : { &map.Baked, &map.Direct })
     {
       if (light->Channels == 0)
       {
@@ -223,46 +224,46 @@ private:
       this->Result.OpenSeamStep = std::max(this->Result.OpenSeamStep, SeamStep(*light, lines));
       if (this->Options.CloseSeams)
       {
-        // What lamps send is gathered anew in any case.
+        // Direct light is always gathered again.
         CloseSeams(*light, lines, light == &map.Baked ? kept : std::vector<unsigned char>());
         auto filled = shown;
-        Dilate(*light, filled, this->Place.Places);
+        Dilate(*light, filled, this->Unwrapped.Packing);
       }
       this->Result.SeamStep = std::max(this->Result.SeamStep, SeamStep(*light, lines));
     }
   }
 
-  /// The mean of all rounds, and which texels have one; their first round goes to the map.
-  Light Filtered(std::vector<unsigned char>& known)
+  /// The mean of all rounds. Finds the texels that have one, and stores their first round in the map.
+  Light FilterLight(std::vector<unsigned char>& known)
   {
     const int channels = this->Gather.Channels();
-    const int width = this->Place.Places.Width, height = this->Place.Places.Height;
+    const int width = this->Unwrapped.Packing.Width, height = this->Unwrapped.Packing.Height;
     known.assign(std::size_t(width) * height, 0);
     Light halves[2] = { { width, height, channels }, { width, height, channels } };
     Light& first = this->Result.Map.First;
     first = Light(width, height, 3);
-    for (std::size_t i = 0; i < this->Place.Texels.size(); ++i)
+    for (std::size_t i = 0; i < this->Unwrapped.Texels.size(); ++i)
     {
-      const std::uint32_t index = this->Place.Texels[i].Index;
-      const bool dark = this->IsBuried(i);
-      known[index] = dark ? 0 : 1;
-      this->Result.Buried += dark ? 1 : 0;
+      const std::uint32_t index = this->Unwrapped.Texels[i].Index;
+      const bool buried = this->IsBuried(i);
+      known[index] = buried ? 0 : 1;
+      this->Result.Buried += buried ? 1 : 0;
       for (int c = 0; c < channels; ++c)
       {
         for (int half = 0; half < 2; ++half)
         {
-          halves[half].At(index)[c] =
+          halves[half].Pixel(index)[c] =
             this->Sums.Halves[half][i * channels + c] / (BakeSettings::Rounds / 2);
         }
         if (c < 3)
         {
-          first.At(index)[c] = this->Sums.First[i * channels + c];
+          first.Pixel(index)[c] = this->Sums.First[i * channels + c];
         }
       }
     }
     if (this->Options.Denoise)
     {
-      return Denoise(halves[0], halves[1], known, this->Place.Texels, this->Place.Places);
+      return Denoise(halves[0], halves[1], known, this->Unwrapped.Texels, this->Unwrapped.Packing);
     }
     for (std::size_t i = 0; i < halves[0].Values.size(); ++i)
     {
@@ -271,22 +272,22 @@ private:
     return std::move(halves[0]);
   }
 
-  /// Within a solid: no light at all, and around it mostly backs.
+  /// Whether a texel is within a solid: it receives no light, and most of its rays hit back faces.
   bool IsBuried(std::size_t i) const
   {
-    constexpr float mostly = 0.5f;
+    constexpr float most = 0.5f;
     const auto channels = static_cast<std::size_t>(this->Gather.Channels());
     const float* a = &this->Sums.Halves[0][i * channels];
     const float* b = &this->Sums.Halves[1][i * channels];
     const bool dark = a[0] + a[1] + a[2] + b[0] + b[1] + b[2] == 0.0f;
-    return dark && !this->Sums.Kept[i] && this->Sums.Backs[i] > mostly * BakeSettings::Rounds;
+    return dark && !this->Sums.Kept[i] && this->Sums.Backs[i] > most * BakeSettings::Rounds;
   }
 
   const BakeSettings& Options;
-  tool::Reporter& Reporter;
+  tool::Reporter& Notes;
   GatherLight Gather;
-  Layout Place;
-  LampLight Lamps;
+  Layout Unwrapped;
+  DirectLight Direct;
   EarlierBake Earlier;
   Gathered Sums;
   BakeResult Result;

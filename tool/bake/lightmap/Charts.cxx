@@ -17,7 +17,7 @@ namespace penumbra::lightmap
 namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
-constexpr double Shift = 15.0; // degrees that a chart's mean may turn while it grows
+constexpr double Shift = 15.0; // degrees by which a chart's mean normal may change while it grows
 
 /// Triangles across each edge.
 class Edges
@@ -37,7 +37,8 @@ public:
     std::sort(this->All.begin(), this->All.end());
   }
 
-  /// visit(a, b): corners that edges begin at, as 3 * triangle + corner, for all pairs of triangles at one edge.
+  /// Visits all pairs of triangles that share an edge. Arguments are the corners where the edge begins, as 3 * triangle +
+  /// corner.
   template <typename Visit>
   void ForPairs(const Visit& visit) const
   {
@@ -61,8 +62,8 @@ private:
   std::vector<std::pair<std::uint64_t, std::uint32_t>> All;
 };
 
-/// The cosine of the larger angle between the normals at an edge's two ends; turned: the triangles wind
-/// differently, and one's front goes on as the other's back.
+/// The cosine of the larger angle between normals at both ends of an edge. turned: whether the triangles have opposite
+/// winding, so that the front of one continues as the back of the other.
 double SmoothAcross(const Surfaces& surfaces, std::uint32_t a, std::uint32_t b, bool& turned)
 {
   const Triangle& one = surfaces.Triangles[a / 3];
@@ -75,15 +76,15 @@ double SmoothAcross(const Surfaces& surfaces, std::uint32_t a, std::uint32_t b, 
     side * glm::dot(one.Normals[end], other.Normals[turned ? there : here]));
 }
 
-class Grower
+class ChartBuilder
 {
 public:
-  Grower(const Surfaces& surfaces, const ChartSettings& settings)
-    : From(surfaces)
+  ChartBuilder(const Surfaces& surfaces, const ChartSettings& settings)
+    : Input(surfaces)
     , LeanCosine(std::cos(glm::radians(settings.Lean)))
     , LeastCosine(std::cos(glm::radians(settings.Lean + Shift)))
     , Owner(surfaces.Triangles.size(), None)
-    , Next(3 * surfaces.Triangles.size())
+    , Neighbors(3 * surfaces.Triangles.size())
   {
     const double crease = std::cos(glm::radians(settings.Crease));
     Edges(surfaces).ForPairs([&](std::uint32_t a, std::uint32_t b) {
@@ -91,8 +92,8 @@ public:
       const bool smooth = SmoothAcross(surfaces, a, b, turned) > crease;
       if (smooth && !turned && this->SameSides(a / 3, b / 3))
       {
-        this->Next[a].push_back(b / 3);
-        this->Next[b].push_back(a / 3);
+        this->Neighbors[a].push_back(b / 3);
+        this->Neighbors[b].push_back(a / 3);
       }
     });
   }
@@ -102,7 +103,7 @@ public:
     std::vector<std::uint32_t> order(this->Owner.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-      return this->From.Triangles[a].Area > this->From.Triangles[b].Area;
+      return this->Input.Triangles[a].Area > this->Input.Triangles[b].Area;
     });
     for (bool again = true; again;)
     {
@@ -122,7 +123,7 @@ public:
 private:
   bool SameSides(std::uint32_t a, std::uint32_t b) const
   {
-    return this->From.Triangles[a].Drawn == this->From.Triangles[b].Drawn;
+    return this->Input.Triangles[a].Visible == this->Input.Triangles[b].Visible;
   }
 
   void GrowFrom(std::uint32_t seed)
@@ -133,16 +134,16 @@ private:
     queue.push({ 1.0, seed });
     std::vector<std::uint32_t> members;
     Vec3 sum(0.0);
-    const Vec3& seeds = this->From.Triangles[seed].Normal;
+    const Vec3& seedNormal = this->Input.Triangles[seed].Normal;
     while (!queue.empty())
     {
       const std::uint32_t t = queue.top().second;
       queue.pop();
-      const Triangle& triangle = this->From.Triangles[t];
+      const Triangle& triangle = this->Input.Triangles[t];
       if (this->Owner[t] != None ||
         (!members.empty() &&
           (glm::dot(glm::normalize(sum), triangle.Normal) < this->LeanCosine ||
-            glm::dot(seeds, triangle.Normal) < this->LeastCosine)))
+            glm::dot(seedNormal, triangle.Normal) < this->LeastCosine)))
       {
         continue;
       }
@@ -151,11 +152,11 @@ private:
       sum += triangle.Area * triangle.Normal;
       for (int k = 0; k < 3; ++k)
       {
-        for (const std::uint32_t next : this->Next[3 * t + k])
+        for (const std::uint32_t next : this->Neighbors[3 * t + k])
         {
           if (this->Owner[next] == None)
           {
-            queue.push({ glm::dot(glm::normalize(sum), this->From.Triangles[next].Normal), next });
+            queue.push({ glm::dot(glm::normalize(sum), this->Input.Triangles[next].Normal), next });
           }
         }
       }
@@ -163,7 +164,7 @@ private:
     this->Charts.push_back(this->Flatten(members, glm::normalize(sum)));
   }
 
-  /// Those that lean too far from the mean, or overlap others, are left for another chart.
+  /// Leaves triangles that are tilted too far from the mean, or overlap others, for another chart.
   Chart Flatten(const std::vector<std::uint32_t>& members, const Vec3& normal)
   {
     Chart chart;
@@ -180,7 +181,7 @@ private:
       const Flat flat = this->Project(chart, t);
       const bool first = chart.Triangles.empty();
       if (!first &&
-        (glm::dot(this->From.Triangles[t].Normal, normal) < this->LeastCosine ||
+        (glm::dot(this->Input.Triangles[t].Normal, normal) < this->LeastCosine ||
           taken.CountHits(flat) > 0))
       {
         this->Owner[t] = None;
@@ -189,16 +190,16 @@ private:
       taken.Add(flat);
       chart.Triangles.push_back(t);
     }
-    this->Turn(chart);
+    this->Rotate(chart);
     this->SetBox(chart, chart.Triangles);
     return chart;
   }
 
   Flat Project(const Chart& chart, std::uint32_t t) const
   {
-    const auto& p = this->From.Triangles[t].Points;
-    return { chart.Project(this->From.Points[p[0]]), chart.Project(this->From.Points[p[1]]),
-      chart.Project(this->From.Points[p[2]]) };
+    const auto& p = this->Input.Triangles[t].Points;
+    return { chart.Project(this->Input.Points[p[0]]), chart.Project(this->Input.Points[p[1]]),
+      chart.Project(this->Input.Points[p[2]]) };
   }
 
   double MeanSize(const std::vector<std::uint32_t>& members) const
@@ -206,9 +207,9 @@ private:
     double sum = 0.0;
     for (const std::uint32_t t : members)
     {
-      sum += std::sqrt(this->From.Triangles[t].Area);
+      sum += std::sqrt(this->Input.Triangles[t].Area);
     }
-    constexpr double wide = 1.5; // a triangle's side, of the root of its area
+    constexpr double wide = 1.5; // a typical side, relative to the root of the area
     return wide * sum / static_cast<double>(members.size());
   }
 
@@ -230,20 +231,20 @@ private:
     return std::max(chart.Size.x, chart.Size.y);
   }
 
-  /// Turns the axes so that the box is smallest: along one of the outer edges, as the smallest box around a convex
-  /// shape lies (Freeman and Shapira 1975).
-  void Turn(Chart& chart) const
+  /// Rotates the axes to minimize the bounding box. The smallest box around a convex shape has a side along one of its edges
+  /// (Freeman and Shapira 1975).
+  void Rotate(Chart& chart) const
   {
     std::vector<std::pair<double, Vec3>> sides;
     for (const std::uint32_t t : chart.Triangles)
     {
       for (int k = 0; k < 3; ++k)
       {
-        const auto& around = this->Next[3 * t + k];
+        const auto& around = this->Neighbors[3 * t + k];
         const bool inner = std::any_of(around.begin(), around.end(),
           [&](std::uint32_t next) { return this->Owner[next] == this->Owner[t]; });
-        const auto& p = this->From.Triangles[t].Points;
-        Vec3 side = this->From.Points[p[(k + 1) % 3]] - this->From.Points[p[k]];
+        const auto& p = this->Input.Triangles[t].Points;
+        Vec3 side = this->Input.Points[p[(k + 1) % 3]] - this->Input.Points[p[k]];
         side -= glm::dot(side, chart.Normal) * chart.Normal;
         if (!inner && glm::length(side) > 0.0)
         {
@@ -259,31 +260,31 @@ private:
     const Chart before = chart;
     for (const auto& side : sides)
     {
-      Chart turned = before;
-      turned.Axes = { side.second, glm::cross(before.Normal, side.second) };
-      this->SetBox(turned, turned.Triangles);
-      const double area = turned.Size.x * turned.Size.y;
+      Chart rotated = before;
+      rotated.Axes = { side.second, glm::cross(before.Normal, side.second) };
+      this->SetBox(rotated, rotated.Triangles);
+      const double area = rotated.Size.x * rotated.Size.y;
       if (area < best * (1.0 - 1e-9))
       {
         best = area;
-        chart = turned;
+        chart = rotated;
       }
     }
   }
 
-  const Surfaces& From;
+  const Surfaces& Input;
   double LeanCosine;
   double LeastCosine;
   std::vector<std::uint32_t> Owner; ///< chart of each triangle
   std::vector<std::vector<std::uint32_t>>
-    Next; ///< triangles over each edge that may be of the same chart
+    Neighbors; ///< across each edge that does not separate charts
   std::vector<Chart> Charts;
 };
 }
 
 std::vector<Chart> MakeCharts(const Surfaces& surfaces, const ChartSettings& settings)
 {
-  return Grower(surfaces, settings).Grow();
+  return ChartBuilder(surfaces, settings).Grow();
 }
 
 std::vector<Seam> FindSeams(
@@ -304,6 +305,7 @@ std::vector<Seam> FindSeams(
     if (owner[a / 3] != owner[b / 3] && SmoothAcross(surfaces, a, b, seam.Turned) > least)
     {
       seam.Triangles = { a / 3, b / 3 };
+      seam.Charts = { owner[a / 3], owner[b / 3] };
       seam.Edges = { int(a % 3), int(b % 3) };
       seams.push_back(seam);
     }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Surfaces cut into charts: pieces that lie flat without overlap.
-#ifndef penumbra_tool_lightmap_Charts_h
-#define penumbra_tool_lightmap_Charts_h
+/// Segmentation of surfaces into charts, which are flattened without overlap.
+#pragma once
 
 #include "bake/lightmap/Surfaces.h"
 
@@ -10,17 +9,17 @@
 
 namespace penumbra::lightmap
 {
-/// Triangles projected to a plane, so that lengths in it are lengths in the world, shortened where a triangle
-/// leans by at most Settings::Lean.
+/// Triangles projected to a plane. Lengths are those in the world, shortened for triangles that are tilted, by at most
+/// ChartSettings::Lean.
 struct Chart
 {
   std::vector<std::uint32_t> Triangles;
   Vec3 Normal{ 0.0 };
-  std::array<Vec3, 2> Axes{}; ///< unit, across one another and the normal, right-handed
-  Vec2 Low{ 0.0 };            ///< least coordinates along the axes
+  std::array<Vec3, 2> Axes{}; ///< unit, perpendicular to one another and the normal, right-handed
+  Vec2 Low{ 0.0 };            ///< minimum coordinates along the axes
   Vec2 Size{ 0.0 };
 
-  /// Coordinates along the axes, from Low on.
+  /// Coordinates along the axes, relative to Low.
   Vec2 Project(const Vec3& point) const
   {
     return Vec2(glm::dot(point, this->Axes[0]), glm::dot(point, this->Axes[1])) - this->Low;
@@ -30,28 +29,24 @@ struct Chart
 struct ChartSettings
 {
   double Lean =
-    40.0; ///< degrees between a triangle and its chart's plane as it joins; 15 more in the end
-  double Crease = 20.0; ///< degrees between normals at an edge, above which it parts charts
+    40.0; ///< maximum degrees between a new triangle and its chart's plane; finally 15 more
+  double Crease = 20.0; ///< degrees between normals at an edge above which it separates charts
 };
 
-/// Every triangle is in one chart. Charts grow over edges, flattest first (after Sander, Wood, Gortler, Snyder and
-/// Hoppe 2003, Multi-Chart Geometry Images), and what would overlap in the plane starts another.
+/// Assigns every triangle to a chart. Charts grow across edges, flattest first (after Sander, Wood, Gortler, Snyder and Hoppe
+/// 2003, Multi-Chart Geometry Images). Triangles that would overlap in the plane start another chart.
 std::vector<Chart> MakeCharts(const Surfaces& surfaces, const ChartSettings& settings = {});
 
-/// An edge that two charts have in common, or one of one chart where its sides lie apart in the plane.
+/// An edge shared by two charts, or by two parts of a chart that are separate in the plane.
 struct Seam
 {
-  std::array<std::uint32_t, 2> Triangles{}; ///< on either side
-  std::array<int, 2> Edges{};               ///< from this corner of it to the next
-  bool Turned =
-    false; ///< the triangles wind differently: the front of one goes on as the other's back
+  std::array<std::uint32_t, 2> Triangles{}; ///< on both sides
+  std::array<std::uint32_t, 2> Charts{};    ///< of the triangles
+  std::array<int, 2> Edges{};               ///< the corner at which the edge begins in each
+  bool Turned = false; ///< opposite winding: the front of one continues as the back of the other
 };
 
-/// Edges between two triangles of different charts where shading runs on smoothly: normals there differ by less
-/// than so many degrees.
+/// Edges between charts across which shading is smooth. crease: maximum angle between normals there, in degrees.
 std::vector<Seam> FindSeams(const Surfaces& surfaces, const std::vector<Chart>& charts,
   double crease = ChartSettings().Crease);
-
 }
-
-#endif

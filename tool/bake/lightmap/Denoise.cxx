@@ -11,10 +11,10 @@ namespace penumbra::lightmap
 {
 namespace
 {
-constexpr int Reach = 5;       // texels that are averaged, to each side
-constexpr int Patch = 1;       // texels that are compared around each of two, to each side
-constexpr double Doubt = 0.45; // of the noise, within which values count as the same: Rousselle's k
-constexpr int Colors = 3;      // channels that are compared
+constexpr int Reach = 5;             // radius of the averaged texels
+constexpr int Patch = 1;             // radius of the patches that are compared
+constexpr double NoiseFactor = 0.45; // Rousselle's k: tolerance relative to the noise
+constexpr int Colors = 3;            // number of compared channels
 
 class Filter
 {
@@ -23,7 +23,7 @@ public:
     const std::vector<Texel>& texels, const Atlas& atlas)
     : Halves{ { first, second } }
     , Known(known)
-    , Places(atlas)
+    , Packing(atlas)
     , Normals(known.size())
     , Variance(first.Width, first.Height, Colors)
   {
@@ -37,8 +37,8 @@ public:
   /// The filtered mean of a texel.
   void Apply(const Texel& texel, float* result) const
   {
-    const Tile& tile = this->Places.Tiles[texel.Tile];
-    const int width = this->Places.Width;
+    const Tile& tile = this->Packing.Tiles[texel.Tile];
+    const int width = this->Packing.Width;
     const int x = static_cast<int>(texel.Index) % width, y = static_cast<int>(texel.Index) / width;
     const int channels = this->Halves[0].Channels;
     std::array<double, 2> sums{};
@@ -58,12 +58,12 @@ public:
         const double turned = std::pow(std::max(facing, 0.0), 8.0);
         for (int half = 0; half < 2; ++half)
         {
-          // What the other half knows: noise of this one must not choose what it is averaged with.
-          const double weight = turned * this->Likeness(1 - half, tile, { x, y }, { i, j });
+          // From the other half: the noise of this one must not influence its weights.
+          const double weight = turned * this->Similarity(1 - half, tile, { x, y }, { i, j });
           sums[half] += weight;
           for (int c = 0; c < channels; ++c)
           {
-            light[half * channels + c] += weight * this->Halves[half].At(other)[c];
+            light[half * channels + c] += weight * this->Halves[half].Pixel(other)[c];
           }
         }
       }
@@ -75,14 +75,14 @@ public:
   }
 
 private:
-  // Of one half's mean, from how far the two are apart; of the texels around together, as one tells little.
+  /// Variance of a half, from the difference of the two, averaged over the texels around.
   void MakeVariance(const std::vector<Texel>& texels)
   {
     for (const Texel& texel : texels)
     {
-      const Tile& tile = this->Places.Tiles[texel.Tile];
-      const int x = static_cast<int>(texel.Index) % this->Places.Width;
-      const int y = static_cast<int>(texel.Index) / this->Places.Width;
+      const Tile& tile = this->Packing.Tiles[texel.Tile];
+      const int x = static_cast<int>(texel.Index) % this->Packing.Width;
+      const int y = static_cast<int>(texel.Index) / this->Packing.Width;
       int count = 0;
       for (int j = std::max(y - 2, tile.At.y); j <= std::min(y + 2, tile.At.y + tile.Texels.y - 1);
            ++j)
@@ -90,28 +90,28 @@ private:
         for (int i = std::max(x - 2, tile.At.x);
              i <= std::min(x + 2, tile.At.x + tile.Texels.x - 1); ++i)
         {
-          const auto other = static_cast<std::size_t>(j) * this->Places.Width + i;
+          const auto other = static_cast<std::size_t>(j) * this->Packing.Width + i;
           if (this->Known[other])
           {
             ++count;
             for (int c = 0; c < Colors; ++c)
             {
-              const float apart = this->Halves[0].At(other)[c] - this->Halves[1].At(other)[c];
-              this->Variance.At(texel.Index)[c] += 0.5f * apart * apart;
+              const float apart = this->Halves[0].Pixel(other)[c] - this->Halves[1].Pixel(other)[c];
+              this->Variance.Pixel(texel.Index)[c] += 0.5f * apart * apart;
             }
           }
         }
       }
       for (int c = 0; c < Colors && count > 0; ++c)
       {
-        this->Variance.At(texel.Index)[c] /= static_cast<float>(count);
+        this->Variance.Pixel(texel.Index)[c] /= static_cast<float>(count);
       }
     }
   }
 
-  double Likeness(int half, const Tile& tile, const glm::ivec2& a, const glm::ivec2& b) const
+  double Similarity(int half, const Tile& tile, const glm::ivec2& a, const glm::ivec2& b) const
   {
-    constexpr double least = 1e-12; // keeps 0 from being divided by 0
+    constexpr double least = 1e-12; // avoids a division of 0 by 0
     const Light& light = this->Halves[half];
     double distance = 0.0;
     int count = 0;
@@ -124,14 +124,14 @@ private:
         {
           continue;
         }
-        const auto one = static_cast<std::size_t>(p.y) * this->Places.Width + p.x;
-        const auto other = static_cast<std::size_t>(q.y) * this->Places.Width + q.x;
+        const auto one = static_cast<std::size_t>(p.y) * this->Packing.Width + p.x;
+        const auto other = static_cast<std::size_t>(q.y) * this->Packing.Width + q.x;
         for (int c = 0; c < Colors; ++c)
         {
-          const double apart = double(light.At(one)[c]) - light.At(other)[c];
-          const double here = this->Variance.At(one)[c], there = this->Variance.At(other)[c];
+          const double apart = double(light.Pixel(one)[c]) - light.Pixel(other)[c];
+          const double here = this->Variance.Pixel(one)[c], there = this->Variance.Pixel(other)[c];
           distance += (apart * apart - (here + std::min(here, there))) /
-            (least + Doubt * Doubt * (here + there));
+            (least + NoiseFactor * NoiseFactor * (here + there));
         }
         count += Colors;
       }
@@ -143,12 +143,12 @@ private:
   {
     const glm::ivec2 there = p - tile.At;
     return there.x >= 0 && there.y >= 0 && there.x < tile.Texels.x && there.y < tile.Texels.y &&
-      this->Known[static_cast<std::size_t>(p.y) * this->Places.Width + p.x] != 0;
+      this->Known[static_cast<std::size_t>(p.y) * this->Packing.Width + p.x] != 0;
   }
 
   std::array<const Light, 2> Halves;
   const std::vector<unsigned char>& Known;
-  const Atlas& Places;
+  const Atlas& Packing;
   std::vector<glm::vec3> Normals;
   Light Variance;
 };
@@ -162,7 +162,7 @@ Light Denoise(const Light& first, const Light& second, const std::vector<unsigne
   tool::ForEach(texels.size(), [&](std::size_t i) {
     if (known[texels[i].Index])
     {
-      filter.Apply(texels[i], result.At(texels[i].Index));
+      filter.Apply(texels[i], result.Pixel(texels[i].Index));
     }
   });
   return result;
@@ -197,7 +197,7 @@ void Dilate(Light& light, std::vector<unsigned char>& known, const Atlas& atlas)
               count += known[other] ? 1 : 0;
               for (int c = 0; c < light.Channels && known[other]; ++c)
               {
-                sum[c] += light.At(other)[c];
+                sum[c] += light.Pixel(other)[c];
               }
             }
           }
@@ -214,7 +214,7 @@ void Dilate(Light& light, std::vector<unsigned char>& known, const Atlas& atlas)
       for (std::size_t i = 0; i < ring.size(); ++i)
       {
         known[ring[i]] = 1;
-        std::copy_n(&values[i * light.Channels], light.Channels, light.At(ring[i]));
+        std::copy_n(&values[i * light.Channels], light.Channels, light.Pixel(ring[i]));
       }
       grown = !ring.empty();
     }

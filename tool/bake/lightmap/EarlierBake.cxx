@@ -10,10 +10,10 @@
 
 namespace penumbra::lightmap
 {
-EarlierBake::EarlierBake(const BakeSettings& settings, const std::string& made)
+EarlierBake::EarlierBake(const BakeSettings& settings, const std::string& description)
 {
   std::error_code error;
-  if (settings.Anew || !std::filesystem::exists(settings.Output, error))
+  if (settings.FromScratch || !std::filesystem::exists(settings.Output, error))
   {
     return;
   }
@@ -23,16 +23,16 @@ EarlierBake::EarlierBake(const BakeSettings& settings, const std::string& made)
   }
   catch (const tool::Failure& failure)
   {
-    tool::Fail("{}; --anew bakes over it", failure.what());
+    tool::Fail("{}; --anew overwrites it", failure.what());
   }
-  if (this->Map->Settings != made)
+  if (this->Map->Settings != description)
   {
     this->Map.reset();
     return;
   }
   for (const Patch& patch : this->Map->Patches)
   {
-    this->Known[patch.Key] = &patch;
+    this->Patches[patch.Key] = &patch;
   }
 }
 
@@ -48,18 +48,18 @@ void EarlierBake::AddTo(OIIO::SHA1& identity) const
 
 const Patch* EarlierBake::Find(const Patch& patch) const
 {
-  const auto found = this->Known.find(patch.Key);
-  const bool same = found != this->Known.end() && found->second->Texels == patch.Texels;
+  const auto found = this->Patches.find(patch.Key);
+  const bool same = found != this->Patches.end() && found->second->Texels == patch.Texels;
   return same ? found->second : nullptr;
 }
 
-/// Where in the earlier bake's picture a texel was.
+/// A texel's index in the earlier atlas.
 std::size_t EarlierBake::IndexIn(const Patch& patch, const Layout& layout, const Texel& texel) const
 {
   const auto index = static_cast<int>(texel.Index);
-  const int width = layout.Places.Width;
+  const int width = layout.Packing.Width;
   const glm::ivec2 within =
-    glm::ivec2(index % width, index / width) - layout.Places.Tiles[texel.Tile].At;
+    glm::ivec2(index % width, index / width) - layout.Packing.Tiles[texel.Tile].At;
   const glm::ivec2 there = patch.At + within;
   return std::size_t(there.y) * this->Map->Baked.Width + there.x;
 }
@@ -76,16 +76,17 @@ void EarlierBake::FindSame(const Layout& layout, const std::vector<float>& first
   {
     same.push_back(this->Find(patch));
   }
-  constexpr float rounding = 2e-3f; // of half floats, and of another origin of the rays
+  constexpr float rounding = 2e-3f; // of half floats, and because of another origin of rays
   for (std::size_t i = 0; i < layout.Texels.size(); ++i)
   {
     const Texel& texel = layout.Texels[i];
     const Patch*& patch = same[texel.Tile];
-    const float* old = patch ? this->Map->First.At(this->IndexIn(*patch, layout, texel)) : nullptr;
+    const float* old =
+      patch ? this->Map->First.Pixel(this->IndexIn(*patch, layout, texel)) : nullptr;
     for (std::size_t c = 0; c < 3 && old; ++c)
     {
-      const float now = first[i * channels + c];
-      if (std::abs(now - old[c]) > rounding * std::max(now, old[c]) + 1e-6f)
+      const float current = first[i * channels + c];
+      if (std::abs(current - old[c]) > rounding * std::max(current, old[c]) + 1e-6f)
       {
         patch = nullptr;
         break;
@@ -109,8 +110,8 @@ std::size_t EarlierBake::Copy(const Layout& layout, const std::vector<unsigned c
     if (patch)
     {
       tiles[texel.Tile] = true;
-      const float* old = this->Map->Baked.At(this->IndexIn(*patch, layout, texel));
-      std::copy_n(old, to.Channels, to.At(texel.Index));
+      const float* old = this->Map->Baked.Pixel(this->IndexIn(*patch, layout, texel));
+      std::copy_n(old, to.Channels, to.Pixel(texel.Index));
       known[texel.Index] = 1;
     }
   }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The lightmap that a bake writes over, of which what did not change is kept.
-#ifndef penumbra_tool_lightmap_EarlierBake_h
-#define penumbra_tool_lightmap_EarlierBake_h
+/// The lightmap that a bake overwrites. Unchanged tiles keep their light.
+#pragma once
 
 #include "bake/lightmap/Layout.h"
 
@@ -16,21 +15,21 @@ namespace penumbra::lightmap
 class EarlierBake
 {
 public:
-  /// The file at the settings' output, if there is one, made as the text says. Throws a Failure where it is damaged.
-  EarlierBake(const BakeSettings& settings, const std::string& made);
+  /// Reads the output file if it exists and was made with the same settings. Throws a Failure if it is damaged.
+  EarlierBake(const BakeSettings& settings, const std::string& description);
   EarlierBake(const EarlierBake&) = delete;
   EarlierBake& operator=(const EarlierBake&) = delete;
 
-  /// Of what is compared with.
+  /// Adds the compared data to a checksum.
   void AddTo(OIIO::SHA1& identity) const;
 
-  /// Paths are the same for the same texel, sample and scene. Where the first round finds at every texel of a tile
-  /// what it found for the earlier bake, no path there met what has changed since: kept is set to 1 for its texels.
-  /// first: of the first round, so many channels of each texel.
+  /// Finds unchanged tiles, and sets kept to 1 for their texels. Paths are the same for the same texel, sample and scene, so
+  /// if the first round has the same result at all texels of a tile, none of its paths hit anything that changed.
+  /// first: light of the first round, with a number of channels per texel.
   void FindSame(const Layout& layout, const std::vector<float>& first, std::size_t channels,
     std::vector<unsigned char>& kept);
 
-  /// The light of kept texels. Returns how many tiles those are of.
+  /// Copies the light of kept texels. Returns the number of their tiles.
   std::size_t Copy(const Layout& layout, const std::vector<unsigned char>& kept, Light& to,
     std::vector<unsigned char>& known) const;
 
@@ -39,8 +38,6 @@ private:
   std::size_t IndexIn(const Patch& patch, const Layout& layout, const Texel& texel) const;
 
   std::optional<Lightmap> Map;
-  std::map<std::uint64_t, const Patch*> Known; ///< by key
+  std::map<std::uint64_t, const Patch*> Patches; ///< by key
 };
 }
-
-#endif

@@ -26,11 +26,11 @@ void Fill(vtkDoubleArray* array, const std::vector<Vec3>& values)
   }
 }
 
-// A normal that turns loses half as much of light that comes alike from everywhere above a surface as of light from straight
-// above: what sinks below the horizon of the one is gone, and takes nothing more away. How much lies near the horizon
-// is told by irradiance and the mean of radiance, as if radiance were linear in the cosine. The moment along the normal, which
-// is half of irradiance divided by pi and so would tell nothing new, has that part less.
-void SpareHorizon(float* values, const float* meanRadiance, const Vec3& normal)
+/// Reduces the first moment by the share of light near the horizon. A tilted normal loses only half as much of light from
+/// all directions above the surface as of light from straight above, because light that falls below the horizon cannot
+/// become negative. Irradiance and mean radiance give the radiance near the horizon, assuming that it is linear in the
+/// cosine. Without this change, the moment along the normal would be half of the irradiance divided by pi, and redundant.
+void ReduceMoments(float* values, const float* meanRadiance, const Vec3& normal)
 {
   for (int color = 0; color < 3; ++color)
   {
@@ -56,11 +56,11 @@ GatherLight::~GatherLight()
   this->Gatherer->ReleaseGraphicsResources(nullptr);
 }
 
-void GatherLight::Count(bool indirect, bool lamps)
+void GatherLight::Include(bool indirect, bool direct)
 {
   this->Indirect = indirect;
   this->Gatherer->SetIncludeIndirect(indirect);
-  this->Gatherer->SetIncludeLamps(lamps);
+  this->Gatherer->SetIncludeLamps(direct);
 }
 
 void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
@@ -72,7 +72,7 @@ void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<
   Fill(to, normals);
   this->Gatherer->SetFirstSample(firstSample);
   this->Gatherer->SetSamples(samples);
-  const tool::ProgressWatch watch(this->Gatherer, advance);
+  const tool::ProgressObserver observer(this->Gatherer, advance);
   const bool done = this->Gatherer->Gather(this->Renderer, at, to, light, around);
   if (!done)
   {
@@ -81,7 +81,7 @@ void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<
   const auto channels = static_cast<std::size_t>(this->Channels());
   this->Light.resize(points.size() * channels);
   this->Backs.resize(points.size());
-  constexpr int meanRadiance = 3; // values between irradiance and moments
+  constexpr int meanRadiance = 3; // components between irradiance and moments
   const int components = light->GetNumberOfComponents();
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -94,21 +94,15 @@ void GatherLight::operator()(const std::vector<Vec3>& points, const std::vector<
     }
     if (this->Directional && this->Indirect)
     {
-      SpareHorizon(&this->Light[i * channels], light->GetPointer(tuple * components) + meanRadiance,
-        normals[i]);
+      ReduceMoments(&this->Light[i * channels],
+        light->GetPointer(tuple * components) + meanRadiance, normals[i]);
     }
     this->Backs[i] = around->GetTypedComponent(tuple, 0);
   }
 }
 
-std::vector<std::string> GatherLight::Notes() const
+int GatherLight::CameraLights() const
 {
-  std::vector<std::string> notes;
-  if (const int lamps = this->Gatherer->GetNumberOfLampsLeftOut())
-  {
-    notes.push_back(fmt::format(
-      "{} lights follow the camera and are left out: their light cannot be baked", lamps));
-  }
-  return notes;
+  return this->Gatherer->GetNumberOfLampsLeftOut();
 }
 }

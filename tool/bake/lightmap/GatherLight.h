@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The module's gatherer for vectors of points.
-#ifndef penumbra_tool_lightmap_GatherLight_h
-#define penumbra_tool_lightmap_GatherLight_h
+/// The module's light gatherer, for vectors of points.
+#pragma once
 
 #include "bake/lightmap/Surfaces.h"
 
@@ -20,11 +19,11 @@ public:
   GatherLight(vtkRenderer* renderer, int bounces, bool directional);
   ~GatherLight();
 
-  /// What counts from now on; at first all but the lamps' own light.
-  void Count(bool indirect, bool lamps);
+  /// Sets which light to include. By default it is indirect light only.
+  void Include(bool indirect, bool direct);
 
-  /// Means over these samples: Channels() values of light for each point, and the share of rays that met backs.
-  /// Throws a Failure.
+  /// Computes means over samples: light with Channels() values per point, and the share of rays that hit back faces. Throws
+  /// a Failure.
   void operator()(const std::vector<Vec3>& points, const std::vector<Vec3>& normals,
     int firstSample, int samples, const std::function<void(double)>& advance);
 
@@ -32,15 +31,13 @@ public:
   std::vector<float> Light;
   std::vector<float> Backs;
 
-  /// What the scene has that is not in the light, a sentence each; after the first call.
-  std::vector<std::string> Notes() const;
+  /// Number of lights that follow the camera, which are left out. Valid after the first call.
+  int CameraLights() const;
 
 private:
   vtkRenderer* Renderer;
   bool Directional;
-  bool Indirect = true; // counts
+  bool Indirect = true; ///< included
   vtkNew<vtkGILightGatherer> Gatherer;
 };
 }
-
-#endif

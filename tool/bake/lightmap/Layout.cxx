@@ -17,7 +17,7 @@ namespace
 {
 using Sides = std::vector<std::array<bool, 2>>;
 
-/// Sides of charts that some light reaches: within solids, and where a room turns its back, there is none.
+/// Sides of charts that any light reaches. None reaches the inside of solids and the outside of rooms.
 Sides FindLitSides(const Layout& layout, double texel, GatherLight& gather, tool::Step& step)
 {
   constexpr int least = 8, most = 64, paths = 16;
@@ -30,14 +30,14 @@ Sides FindLitSides(const Layout& layout, double texel, GatherLight& gather, tool
     const int count = std::clamp(static_cast<int>(std::min(texels, 1e6) / 4), least, most);
     for (int back = 0; back < 2; ++back)
     {
-      if (layout.Scene.Triangles[chart.Triangles.front()].Drawn[back])
+      if (layout.Scene.Triangles[chart.Triangles.front()].Visible[back])
       {
         ScatterPoints(layout.Scene, chart, back != 0, count, points, normals);
         sides.resize(points.size(), { c, back });
       }
     }
   }
-  gather(points, normals, 0, paths, [&step](double share) { step.Advance(share); });
+  gather(points, normals, 0, paths, step.GetProgress());
   Sides lit(layout.Charts.size(), { { false, false } });
   const auto channels = static_cast<std::size_t>(gather.Channels());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -51,11 +51,13 @@ Sides FindLitSides(const Layout& layout, double texel, GatherLight& gather, tool
 
 std::vector<Patch> MakePatches(const Layout& layout)
 {
-  std::vector<OIIO::SHA1> keys(layout.Places.Tiles.size());
+  Vec3 center;
+  layout.Scene.Bounds().GetCenter(&center[0]);
+  std::vector<OIIO::SHA1> keys(layout.Packing.Tiles.size());
   for (const Texel& texel : layout.Texels)
   {
-    // Of the middle of the surfaces, as rays are traced from there: to its rounding.
-    const glm::vec3 at(texel.At - layout.Scene.Center());
+    // Relative to the centre of the surfaces, as in ray tracing, with the same rounding.
+    const glm::vec3 at(texel.At - center);
     const glm::vec3 normal(texel.Normal);
     keys[texel.Tile].append(&at, sizeof(at));
     keys[texel.Tile].append(&normal, sizeof(normal));
@@ -63,7 +65,7 @@ std::vector<Patch> MakePatches(const Layout& layout)
   std::vector<Patch> patches;
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    const Tile& tile = layout.Places.Tiles[i];
+    const Tile& tile = layout.Packing.Tiles[i];
     std::uint64_t key = 0;
     std::memcpy(&key, keys[i].digest().data(), sizeof(key));
     patches.push_back({ tile.At, tile.Texels, key });
@@ -77,23 +79,20 @@ Layout MakeLayout(vtkRenderer* renderer, const BakeSettings& settings, GatherLig
 {
   tool::Step step(reporter, "unwrapping surfaces");
   Layout layout;
-  layout.Scene = GatherSurfaces(renderer);
-  for (const std::string& note : layout.Scene.Notes)
-  {
-    reporter.Note(note);
-  }
+  layout.Scene = GatherSurfaces(renderer, reporter);
   if (layout.Scene.Triangles.empty())
   {
-    tool::Fail("the scene has no opaque surface that is lit: a lightmap is for such");
+    tool::Fail("the scene has no opaque surface that is lit, as a lightmap needs");
   }
   layout.Charts = MakeCharts(layout.Scene);
   constexpr double fine = 128.0;
-  const double texel =
-    settings.TexelSize > 0.0 ? settings.TexelSize : layout.Scene.Diagonal() / fine;
+  const double texel = settings.TexelSize > 0.0 ? settings.TexelSize
+                                                : layout.Scene.Bounds().GetDiagonalLength() / fine;
   const Sides wanted = FindLitSides(layout, texel, gather, step);
-  for (const std::string& note : gather.Notes())
+  if (const int lights = gather.CameraLights())
   {
-    reporter.Note(note);
+    reporter.Note(fmt::format(
+      "{} lights follow the camera and are left out: their light cannot be baked", lights));
   }
   for (const auto& side : wanted)
   {
@@ -101,24 +100,17 @@ Layout MakeLayout(vtkRenderer* renderer, const BakeSettings& settings, GatherLig
   }
   if (layout.DarkSides == 2 * wanted.size())
   {
-    tool::Fail("no {} reaches any surface: give the scene lights, an environment or surfaces "
-               "that glow",
-      settings.Lamps ? "light" : "indirect light");
+    tool::Fail("no {} reaches any surface: give the scene lights, an environment or emissive "
+               "surfaces",
+      settings.Direct ? "light" : "indirect light");
   }
-  try
-  {
-    layout.Places = PackAtlas(layout.Charts, wanted, texel, settings.LargestSide);
-  }
-  catch (const std::runtime_error& error)
-  {
-    tool::Fail("{}", error.what());
-  }
-  if (settings.TexelSize > 0.0 && layout.Places.TexelSize > texel)
+  layout.Packing = PackAtlas(layout.Charts, wanted, texel, settings.LargestSide);
+  if (settings.TexelSize > 0.0 && layout.Packing.TexelSize > texel)
   {
     reporter.Note(
-      fmt::format("texels are {:.3g} wide, to fit into --max-size", layout.Places.TexelSize));
+      fmt::format("texels are {:.3g} wide, because of --max-size", layout.Packing.TexelSize));
   }
-  layout.Texels = PlaceTexels(layout.Scene, layout.Charts, layout.Places);
+  layout.Texels = PlaceTexels(layout.Scene, layout.Charts, layout.Packing);
   layout.Patches = MakePatches(layout);
   return layout;
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A renderer's surfaces unwrapped: what a lightmap is baked for, and where in its picture.
-#ifndef penumbra_tool_lightmap_Layout_h
-#define penumbra_tool_lightmap_Layout_h
+/// A renderer's surfaces and their layout in the atlas.
+#pragma once
 
 #include "bake/lightmap/Bake.h"
 
@@ -14,15 +13,13 @@ struct Layout
 {
   Surfaces Scene;
   std::vector<Chart> Charts;
-  Atlas Places;
+  Atlas Packing;
   std::vector<Texel> Texels;
-  std::vector<Patch> Patches; ///< the atlas' tiles, for the file
-  std::size_t DarkSides = 0;  ///< of charts: no light reaches them, so that they have no tile
+  std::vector<Patch> Patches; ///< the tiles, for the file
+  std::size_t DarkSides = 0;  ///< sides of charts without a tile, because no light reaches them
 };
 
-/// With tiles for the sides that light reaches of which the gatherer counts any. Throws a Failure.
+/// Makes tiles for the sides that light reaches, of the kinds that the gatherer includes. Throws a Failure.
 Layout MakeLayout(vtkRenderer* renderer, const BakeSettings& settings, GatherLight& gather,
   tool::Reporter& reporter);
 }
-
-#endif

@@ -34,7 +34,7 @@ float Rounded(float value)
   return glm::unpackHalf1x16(glm::packHalf1x16(glm::clamp(value, -largest, largest)));
 }
 
-/// Some channels of light as an array at the image's points.
+/// Adds channels of light as an array at the image's points.
 void AddLayer(vtkImageData* image, const char* name, const Light& light, int first, int components)
 {
   vtkNew<vtkFloatArray> array;
@@ -44,12 +44,12 @@ void AddLayer(vtkImageData* image, const char* name, const Light& light, int fir
   float* to = array->GetPointer(0);
   for (std::size_t i = 0; i < std::size_t(light.Width) * light.Height; ++i)
   {
-    to = std::transform(light.At(i) + first, light.At(i) + first + components, to, Rounded);
+    to = std::transform(light.Pixel(i) + first, light.Pixel(i) + first + components, to, Rounded);
   }
   image->GetPointData()->AddArray(array);
 }
 
-/// Vectors of numbers as an array in the image's field data.
+/// Adds rows of numbers as an array in the image's field data.
 template <typename Array, typename Row>
 void AddTable(vtkImageData* image, const char* name, const std::vector<Row>& rows)
 {
@@ -62,8 +62,8 @@ void AddTable(vtkImageData* image, const char* name, const std::vector<Row>& row
   image->GetFieldData()->AddArray(array);
 }
 
-/// Layers of an image beside one another, those that there are.
-Light TakeLight(vtkImageData* image, std::initializer_list<const char*> layers)
+/// The existing layers of an image as consecutive channels.
+Light ReadLayers(vtkImageData* image, std::initializer_list<const char*> layers)
 {
   std::vector<vtkDataArray*> arrays;
   int channels = 0;
@@ -98,8 +98,8 @@ void AddSurfaces(Lightmap& lightmap, const Surfaces& surfaces, const std::vector
   for (const Tile& tile : atlas.Tiles)
   {
     const Chart& chart = charts[tile.Chart];
-    // Corners of one point with one normal are one.
-    std::map<std::pair<std::uint32_t, std::array<double, 3>>, int> made;
+    // Share corners with the same point and normal.
+    std::map<std::pair<std::uint32_t, std::array<double, 3>>, int> points;
     for (const std::uint32_t t : chart.Triangles)
     {
       const Triangle& triangle = surfaces.Triangles[t];
@@ -108,16 +108,16 @@ void AddSurfaces(Lightmap& lightmap, const Surfaces& surfaces, const std::vector
       {
         const Vec3 normal = triangle.Normals[k] * (tile.Back ? -1.0 : 1.0);
         const std::uint32_t point = triangle.Points[k];
-        const auto found =
-          made.emplace(std::make_pair(point, std::array<double, 3>{ normal.x, normal.y, normal.z }),
-            static_cast<int>(lightmap.Points.size()));
+        const auto found = points.emplace(
+          std::make_pair(point, std::array<double, 3>{ normal.x, normal.y, normal.z }),
+          static_cast<int>(lightmap.Points.size()));
         if (found.second)
         {
           const Vec3& at = surfaces.Points[point];
           lightmap.Points.push_back(at);
           lightmap.Normals.emplace_back(normal);
           const Vec2 place = tile.ToTexels(chart, chart.Project(at)) + Vec2(tile.At) + 0.5;
-          lightmap.Places.emplace_back(place / Vec2(atlas.Width, atlas.Height));
+          lightmap.TextureCoordinates.emplace_back(place / Vec2(atlas.Width, atlas.Height));
         }
         corners[tile.Back ? 2 - k : k] = found.first->second;
       }
@@ -131,7 +131,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap)
   namespace parts = lightmap_image;
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(lightmap.Baked.Width, lightmap.Baked.Height, 1);
-  const Light* lights[] = { &lightmap.Baked, &lightmap.Lamps };
+  const Light* lights[] = { &lightmap.Baked, &lightmap.Direct };
   for (std::size_t i = 0; i < parts::Layers.size(); ++i)
   {
     const int first = i % 2 == 0 ? 0 : parts::Layers[0].Components; // moments follow their light
@@ -144,7 +144,7 @@ vtkSmartPointer<vtkImageData> MakeImage(const Lightmap& lightmap)
   image->GetPointData()->SetActiveScalars(parts::Layers[0].Name);
   AddTable<vtkDoubleArray>(image, parts::Points, lightmap.Points);
   AddTable<vtkFloatArray>(image, parts::Normals, lightmap.Normals);
-  AddTable<vtkFloatArray>(image, parts::Places, lightmap.Places);
+  AddTable<vtkFloatArray>(image, parts::Places, lightmap.TextureCoordinates);
   AddTable<vtkIntArray>(image, parts::Triangles, lightmap.Triangles);
   std::vector<std::array<int, 6>> tiles;
   for (const Patch& p : lightmap.Patches)
@@ -187,8 +187,8 @@ Lightmap ReadLightmap(const std::string& path)
     Fail("the lightmap '{}' cannot be used: {}", path, error.what());
   }
   Lightmap map;
-  map.Baked = TakeLight(image, { lightmap_image::Layers[0].Name, lightmap_image::Layers[1].Name });
-  map.First = TakeLight(image, { lightmap_image::First });
+  map.Baked = ReadLayers(image, { lightmap_image::Layers[0].Name, lightmap_image::Layers[1].Name });
+  map.First = ReadLayers(image, { lightmap_image::First });
   vtkFieldData* fields = image->GetFieldData();
   map.Scene = GetText(fields, BakedSceneText);
   map.Made = GetText(fields, lightmap_image::Made);

@@ -39,7 +39,7 @@ Names LightChannels(const OIIO::ImageSpec& spec)
   return names;
 }
 
-/// Values of a part of the file, pixel by pixel, channels in this order. Empty where it cannot be read.
+/// Values of a part of the file, interleaved with the given order of channels. Empty if it cannot be read.
 template <typename Value>
 std::vector<Value> ReadPart(
   OIIO::ImageInput& input, int number, OIIO::TypeDesc type, const Names& channels)
@@ -64,16 +64,16 @@ std::vector<Value> ReadPart(
   return values;
 }
 
-void TakeLight(const std::vector<std::uint16_t>& halves, Lightmap& map)
+void SetLight(const std::vector<std::uint16_t>& halves, Lightmap& map)
 {
   const std::uint16_t* from = halves.data();
   for (std::size_t i = 0; i < std::size_t(map.Baked.Width) * map.Baked.Height; ++i)
   {
-    for (Light* light : { &map.Baked, &map.Lamps, &map.First })
+    for (Light* light : { &map.Baked, &map.Direct, &map.First })
     {
       for (int c = 0; c < light->Channels; ++c)
       {
-        light->At(i)[c] = glm::unpackHalf1x16(*from++);
+        light->Pixel(i)[c] = glm::unpackHalf1x16(*from++);
       }
     }
   }
@@ -119,29 +119,29 @@ Lightmap ReadOldLightmap(const std::string& path)
   Lightmap map;
   const int each = spec.channelindex("moment-x.R") >= 0 ? 12 : 3;
   map.Baked = Light(spec.width, spec.height, each);
-  map.Lamps = Light(spec.width, spec.height, spec.channelindex("lamps.R") >= 0 ? each : 0);
+  map.Direct = Light(spec.width, spec.height, spec.channelindex("lamps.R") >= 0 ? each : 0);
   map.First = Light(spec.width, spec.height, 3);
   std::istringstream head(text);
   Vec3 origin(0.0);
-  std::size_t counts[3] = {}; // the rest of a table's pixels is nothing
+  std::size_t counts[3] = {}; // other pixels of a table are unused
   head >> origin.x >> origin.y >> origin.z >> counts[0] >> counts[1] >> counts[2];
   head.ignore(1);
   std::getline(head, map.Made);
   std::getline(head, map.Settings);
   map.Scene.assign(std::istreambuf_iterator<char>(head), {});
   const std::size_t values =
-    map.Baked.Values.size() + map.Lamps.Values.size() + map.First.Values.size();
+    map.Baked.Values.size() + map.Direct.Values.size() + map.First.Values.size();
   if (sum.digest() != spec.get_string_attribute("penumbra:checksum") || light.size() != values ||
     counts[0] > points.size() / 8 || counts[1] > triangles.size() / 3 ||
     counts[2] > patches.size() / 6)
   {
-    Fail("the lightmap '{}' is damaged: its checksum does not fit; bake it again", path);
+    Fail("the lightmap '{}' is damaged: its checksum does not match; bake it again", path);
   }
-  TakeLight(light, map);
+  SetLight(light, map);
   for (const float* p = points.data(); map.Points.size() < counts[0]; p += 8)
   {
     map.Points.push_back(origin + Vec3(p[0], p[1], p[2]));
-    map.Places.emplace_back(p[3], p[4]);
+    map.TextureCoordinates.emplace_back(p[3], p[4]);
     map.Normals.emplace_back(p[5], p[6], p[7]);
   }
   for (const std::uint32_t* t = triangles.data(); map.Triangles.size() < counts[1]; t += 3)

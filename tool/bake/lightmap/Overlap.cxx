@@ -10,7 +10,7 @@ namespace penumbra::lightmap
 {
 bool Overlap(const Flat& a, const Flat& b, double tolerance)
 {
-  // Two convex shapes are apart where a line along one's edge has them on different sides (separating axes).
+  // Two convex shapes are separate if a line along an edge of either lies between them (separating axes).
   for (const Flat* shape : { &a, &b })
   {
     for (int k = 0; k < 3; ++k)
@@ -19,7 +19,7 @@ bool Overlap(const Flat& a, const Flat& b, double tolerance)
       const double length = glm::length(edge);
       if (!(length > 0.0))
       {
-        return false; // of no area
+        return false; // no area
       }
       const glm::dvec2 across = glm::dvec2(-edge.y, edge.x) / length;
       double range[2][2] = { { 1e300, -1e300 }, { 1e300, -1e300 } };

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Triangles in a plane, and which of them overlap.
-#ifndef penumbra_tool_lightmap_Overlap_h
-#define penumbra_tool_lightmap_Overlap_h
+/// Overlaps between triangles in a plane.
+#pragma once
 
 #include <glm/glm.hpp>
 
@@ -15,20 +14,20 @@ namespace penumbra::lightmap
 {
 using Flat = std::array<glm::dvec2, 3>;
 
-/// Whether two triangles have more in common than what rounding leaves along an edge.
+/// Whether two triangles overlap by more than the tolerance for rounding along an edge.
 bool Overlap(const Flat& a, const Flat& b, double tolerance);
 
-/// Triangles that were put down, found again by where they lie.
+/// A set of triangles, in cells of a grid.
 class FlatSet
 {
 public:
-  /// cell: about the size of triangles; tolerance: as Overlap()'s.
+  /// cell: about the size of triangles. tolerance: as for Overlap().
   FlatSet(double cell, double tolerance)
     : Cell(cell)
     , Tolerance(tolerance)
   {
   }
-  /// How many of those put down overlap this one.
+  /// The number of triangles in the set that overlap this one.
   std::size_t CountHits(const Flat& triangle) const;
   void Add(const Flat& triangle);
 
@@ -42,5 +41,3 @@ private:
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> Cells;
 };
 }
-
-#endif

@@ -20,21 +20,18 @@ constexpr const char* Head = "penumbra lightmap in the making 1\n";
 template <typename Visit>
 void ForEachArray(Gathered& gathered, const Visit& visit)
 {
-  const auto bytes = [&visit](std::vector<unsigned char>& values) {
-    visit(reinterpret_cast<char*>(values.data()), values.size());
-  };
-  const auto floats = [&visit](std::vector<float>& values) {
-    visit(reinterpret_cast<char*>(values.data()), values.size() * sizeof(float));
+  const auto array = [&visit](auto& values) {
+    visit(reinterpret_cast<char*>(values.data()), values.size() * sizeof(values[0]));
   };
   visit(reinterpret_cast<char*>(&gathered.Round), sizeof(gathered.Round));
   visit(reinterpret_cast<char*>(&gathered.Block), sizeof(gathered.Block));
-  floats(gathered.Halves[0]);
-  floats(gathered.Halves[1]);
-  floats(gathered.First);
-  floats(gathered.Backs);
-  bytes(gathered.Kept);
-  floats(gathered.Lamps);
-  bytes(gathered.LampRounds);
+  array(gathered.Halves[0]);
+  array(gathered.Halves[1]);
+  array(gathered.First);
+  array(gathered.Backs);
+  array(gathered.Kept);
+  array(gathered.Direct);
+  array(gathered.DirectRounds);
 }
 }
 
@@ -92,14 +89,15 @@ void ProgressFile::Save(const Gathered& gathered)
   if (!file || error)
   {
     fs::remove(half, error);
-    tool::Fail("'{}', which keeps what is baked so far, cannot be written: make room on the disk",
+    tool::Fail(
+      "'{}', which holds the progress of the bake, cannot be written: make room on the disk",
       this->Path);
   }
-  // So that it takes no more than a twentieth of the time.
+  // Saving takes at most a twentieth of the time.
   constexpr int share = 20;
-  const auto now = std::chrono::steady_clock::now();
+  const auto end = std::chrono::steady_clock::now();
   this->Next =
-    now + std::max<std::chrono::steady_clock::duration>(FirstWait, share * (now - start));
+    end + std::max<std::chrono::steady_clock::duration>(FirstWait, share * (end - start));
 }
 
 void ProgressFile::Remove() const

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What a bake has gathered so far, kept in a file that a killed bake goes on from.
-#ifndef penumbra_tool_lightmap_Progress_h
-#define penumbra_tool_lightmap_Progress_h
+/// A file with the progress of a bake, to resume after an interruption.
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -13,31 +12,31 @@ namespace penumbra::lightmap
 {
 struct Gathered
 {
-  std::uint32_t Round = 0; ///< the next to gather, and which block of texels of it
+  std::uint32_t Round = 0; ///< the next round, and its next block of texels
   std::uint32_t Block = 0;
-  std::vector<float> Halves[2]; ///< sums of the light of even and of odd rounds, texel by texel
-  std::vector<float> First;     ///< of the first round
-  std::vector<float> Lamps;     ///< sums of what lamps send, and how many rounds each is of
-  std::vector<unsigned char> LampRounds;
-  std::vector<float> Backs;        ///< sums of the share of rays that met backs
-  std::vector<unsigned char> Kept; ///< texels whose light is taken from an earlier bake
+  std::vector<float> Halves[2]; ///< sums of light of even and odd rounds
+  std::vector<float> First;     ///< light of the first round
+  std::vector<float> Direct;    ///< sums of direct light, and their numbers of rounds
+  std::vector<unsigned char> DirectRounds;
+  std::vector<float> Backs;        ///< sums of the shares of rays that hit back faces
+  std::vector<unsigned char> Kept; ///< 1 for texels with light of an earlier bake
 };
 
 class ProgressFile
 {
 public:
-  /// identity: tells what is baked.
+  /// identity: a checksum of the scene and settings.
   ProgressFile(std::string path, std::string identity)
     : Path(std::move(path))
     , Identity(std::move(identity))
   {
   }
 
-  /// Fills in what the file holds. Returns "" where it did or where there is no file, else why the file is of no use;
-  /// sizes of vectors must be as they were.
+  /// Reads the file into vectors of the right sizes. Returns "" on success or if there is no file, or else why the file is
+  /// rejected.
   std::string Load(Gathered& gathered) const;
 
-  /// Writes if it is time to. The file that is there stays whole until the new one is. Throws a Failure.
+  /// Writes the file if it is due. The existing file stays intact until the new one is complete. Throws a Failure.
   void Save(const Gathered& gathered);
 
   void Remove() const;
@@ -49,5 +48,3 @@ private:
   static constexpr std::chrono::milliseconds FirstWait{ 1000 };
 };
 }
-
-#endif

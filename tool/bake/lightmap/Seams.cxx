@@ -13,7 +13,7 @@ namespace penumbra::lightmap
 {
 namespace
 {
-constexpr double Spacing = 0.4; // texels between points of a seam that are compared
+constexpr double Spacing = 0.4; // distance in texels between the compared points of a seam
 
 struct Tap
 {
@@ -61,7 +61,7 @@ void ForPoints(const std::vector<SeamLine>& lines, const Visit& visit)
 
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Least squares of x from where it is: seams' differences, and each texel's change by how much it is to be kept.
+/// Least squares of the differences at seams, and of each texel's change from x, weighted by keep.
 Eigen::VectorXd Solve(const Matrix& squares, const Eigen::VectorXd& x, const Eigen::VectorXd& keep)
 {
   Matrix kept(x.size(), x.size());
@@ -79,12 +79,12 @@ Eigen::VectorXd Solve(const Matrix& squares, const Eigen::VectorXd& x, const Eig
 }
 }
 
-double Light::Sample(const Vec2& at, int channel) const
+double Sample(const Light& light, const Vec2& at, int channel)
 {
   double sum = 0.0;
-  for (const Tap& tap : TapsAt(*this, at))
+  for (const Tap& tap : TapsAt(light, at))
   {
-    sum += tap.Weight * this->At(tap.Texel)[channel];
+    sum += tap.Weight * light.Pixel(tap.Texel)[channel];
   }
   return sum;
 }
@@ -95,8 +95,7 @@ void CloseSeams(
   const auto isFixed = [&fixed](std::uint32_t texel) { return !fixed.empty() && fixed[texel]; };
   std::unordered_map<std::uint32_t, int> unknown;
   std::vector<std::uint32_t> texels;
-  std::vector<Eigen::Triplet<double>>
-    weights; // a row for each point of a seam: both sides of it are the same
+  std::vector<Eigen::Triplet<double>> weights; // one row per point of a seam: both sides are equal
   int rows = 0;
   ForPoints(lines, [&](const Vec2& a, const Vec2& b) {
     const std::array<Taps, 2> sides = { TapsAt(light, a), TapsAt(light, b) };
@@ -128,16 +127,16 @@ void CloseSeams(
   Matrix equations(rows, count);
   equations.setFromTriplets(weights.begin(), weights.end());
   const Matrix squares = equations.transpose() * equations;
-  constexpr double little = 1e-4; // what remains of a step is about this share of it
+  constexpr double little = 1e-4; // about the share of a step that remains
   constexpr double fast = 1000.0;
   constexpr int rounds = 4;
   for (int channel = 0; channel < light.Channels; ++channel)
   {
-    const bool irradiance = channel < 3; // is never below 0, its first moments may be
+    const bool irradiance = channel < 3; // never negative, unlike moments
     Eigen::VectorXd x(count), keep(count);
     for (Eigen::Index i = 0; i < count; ++i)
     {
-      x[i] = light.At(texels[i])[channel];
+      x[i] = light.Pixel(texels[i])[channel];
       keep[i] = isFixed(texels[i]) ? fast : little;
     }
     for (int round = 0; round < rounds; ++round)
@@ -147,7 +146,7 @@ void CloseSeams(
       {
         break;
       }
-      // What had to be darker than black is black, and the others make up for it.
+      // Negative texels become black, and others compensate for it.
       keep = (x.array() < 0.0).select(fast, keep);
       x = x.cwiseMax(0.0);
     }
@@ -155,7 +154,8 @@ void CloseSeams(
     {
       if (!isFixed(texels[i]))
       {
-        light.At(texels[i])[channel] = static_cast<float>(irradiance ? std::max(x[i], 0.0) : x[i]);
+        light.Pixel(texels[i])[channel] =
+          static_cast<float>(irradiance ? std::max(x[i], 0.0) : x[i]);
       }
     }
   }
@@ -168,7 +168,7 @@ double SeamStep(const Light& light, const std::vector<SeamLine>& lines)
   ForPoints(lines, [&](const Vec2& a, const Vec2& b) {
     for (int channel = 0; channel < 3; ++channel)
     {
-      mean += 0.5 * (light.Sample(a, channel) + light.Sample(b, channel));
+      mean += 0.5 * (Sample(light, a, channel) + Sample(light, b, channel));
       ++count;
     }
   });
@@ -177,8 +177,8 @@ double SeamStep(const Light& light, const std::vector<SeamLine>& lines)
   ForPoints(lines, [&](const Vec2& a, const Vec2& b) {
     for (int channel = 0; channel < 3 && mean > 0.0; ++channel)
     {
-      const double one = light.Sample(a, channel), other = light.Sample(b, channel);
-      constexpr double dark = 0.1; // of the mean, below which steps count as if it were so bright
+      const double one = Sample(light, a, channel), other = Sample(light, b, channel);
+      constexpr double dark = 0.1; // of the mean: the least light that steps are relative to
       most = std::max(most, std::abs(one - other) / std::max(0.5 * (one + other), dark * mean));
     }
   });

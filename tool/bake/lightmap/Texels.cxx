@@ -13,8 +13,8 @@ namespace penumbra::lightmap
 {
 namespace
 {
-/// Shares of the corners in the point of a triangle that is nearest to p.
-Vec3 Nearest(const Flat& t, const Vec2& p, double& distance2)
+/// Barycentric coordinates of the point of a triangle nearest to p.
+Vec3 NearestPoint(const Flat& t, const Vec2& p, double& distance2)
 {
   const double area = (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y);
   Vec3 share(0.0);
@@ -48,14 +48,14 @@ Vec3 Nearest(const Flat& t, const Vec2& p, double& distance2)
   return share;
 }
 
-/// Moves the point off the edges, into the triangle: on an edge that two walls meet at, rays would start in the
-/// plane of the other wall. inset: in the units of the triangle.
+/// Moves a point from the edges into the triangle. At an edge between two walls, rays would start in the plane of the other
+/// wall. inset: distance in units of the triangle.
 Vec3 Inset(const Flat& t, const Vec3& share, double inset)
 {
   const double twice =
     std::abs((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[2].x - t[0].x) * (t[1].y - t[0].y));
   Vec3 least(0.0);
-  constexpr double most = 0.25; // of a corner's share: of triangles that are small, well within
+  constexpr double most = 0.25; // of a barycentric coordinate, for small triangles
   for (int k = 0; k < 3 && twice > 0.0; ++k)
   {
     const double height = twice / std::max(glm::length(t[(k + 2) % 3] - t[(k + 1) % 3]), 1e-300);
@@ -65,8 +65,8 @@ Vec3 Inset(const Flat& t, const Vec3& share, double inset)
   return least + rest * share;
 }
 
-/// How far the flat triangle is below the round surface that its normals stand for, as the ray core lifts points
-/// (Hanika 2021, Hacking the Shadow Terminator).
+/// The offset from a flat triangle to the curved surface of its normals, as in the ray tracing shaders (Hanika 2021, Hacking
+/// the Shadow Terminator).
 Vec3 Lift(const Surfaces& surfaces, const Triangle& triangle, const Vec3& share, const Vec3& at,
   double side)
 {
@@ -105,7 +105,7 @@ Flat InTexels(
   return flat;
 }
 
-struct Found
+struct Candidate
 {
   double Distance2 = std::numeric_limits<double>::max();
   std::uint32_t Triangle = 0;
@@ -116,14 +116,14 @@ struct Found
 std::vector<Texel> PlaceTexels(
   const Surfaces& surfaces, const std::vector<Chart>& charts, const Atlas& atlas, const Vec2& shift)
 {
-  constexpr double reach2 = 2.0; // a texel's middle and what it has a part in, squared
+  constexpr double reach2 = 2.0; // squared distance within which interpolation uses a texel
   constexpr double inset = 0.02; // texels
   std::vector<Texel> texels;
   for (std::uint32_t index = 0; index < atlas.Tiles.size(); ++index)
   {
     const Tile& tile = atlas.Tiles[index];
     const Chart& chart = charts[tile.Chart];
-    std::vector<Found> found(static_cast<std::size_t>(tile.Texels.x) * tile.Texels.y);
+    std::vector<Candidate> found(static_cast<std::size_t>(tile.Texels.x) * tile.Texels.y);
     for (const std::uint32_t t : chart.Triangles)
     {
       const Flat flat = InTexels(surfaces, chart, tile, surfaces.Triangles[t]);
@@ -135,16 +135,16 @@ std::vector<Texel> PlaceTexels(
       {
         for (int x = first.x; x <= last.x; ++x)
         {
-          Found& best = found[static_cast<std::size_t>(y) * tile.Texels.x + x];
+          Candidate& best = found[static_cast<std::size_t>(y) * tile.Texels.x + x];
           double distance2 = 0.0;
-          Vec3 share = Nearest(flat, Vec2(x, y), distance2);
+          Vec3 share = NearestPoint(flat, Vec2(x, y), distance2);
           if (distance2 >= reach2)
           {
             continue;
           }
           if (shift != Vec2(0.0))
           {
-            share = Nearest(flat, Vec2(x, y) + shift, distance2);
+            share = NearestPoint(flat, Vec2(x, y) + shift, distance2);
           }
           if (distance2 < best.Distance2)
           {
@@ -186,7 +186,7 @@ void ScatterPoints(const Surfaces& surfaces, const Chart& chart, bool back, int 
     passed += surfaces.Triangles[t].Area;
     for (; made < count && (made + 0.5) * total <= passed * count; ++made)
     {
-      // The plastic number's sequence (Roberts 2018), folded into the triangle.
+      // The sequence of the plastic number (Roberts 2018), folded into the triangle.
       Vec2 u(std::fmod(0.5 + 0.7548776662466927 * (made + 1), 1.0),
         std::fmod(0.5 + 0.5698402909980532 * (made + 1), 1.0));
       u = u.x + u.y > 1.0 ? 1.0 - u : u;
@@ -201,14 +201,6 @@ void ScatterPoints(const Surfaces& surfaces, const Chart& chart, bool back, int 
 std::vector<SeamLine> PlaceSeams(const Surfaces& surfaces, const std::vector<Chart>& charts,
   const Atlas& atlas, const std::vector<Seam>& seams)
 {
-  std::vector<std::uint32_t> owner(surfaces.Triangles.size(), 0);
-  for (std::uint32_t c = 0; c < charts.size(); ++c)
-  {
-    for (const std::uint32_t t : charts[c].Triangles)
-    {
-      owner[t] = c;
-    }
-  }
   std::map<std::pair<std::uint32_t, bool>, std::uint32_t> tiles;
   for (std::uint32_t i = 0; i < atlas.Tiles.size(); ++i)
   {
@@ -224,7 +216,7 @@ std::vector<SeamLine> PlaceSeams(const Surfaces& surfaces, const std::vector<Cha
       for (int s = 0; s < 2 && both; ++s)
       {
         const std::uint32_t t = seam.Triangles[s];
-        const auto found = tiles.find({ owner[t], s == 1 && seam.Turned ? !back : back });
+        const auto found = tiles.find({ seam.Charts[s], s == 1 && seam.Turned ? !back : back });
         both = found != tiles.end();
         if (!both)
         {
@@ -232,8 +224,8 @@ std::vector<SeamLine> PlaceSeams(const Surfaces& surfaces, const std::vector<Cha
         }
         line.Tiles[s] = found->second;
         const Tile& tile = atlas.Tiles[found->second];
-        const Flat flat = InTexels(surfaces, charts[owner[t]], tile, surfaces.Triangles[t]);
-        // The other triangle runs along the edge the other way, unless it winds differently.
+        const Flat flat = InTexels(surfaces, charts[seam.Charts[s]], tile, surfaces.Triangles[t]);
+        // The edge is reversed in the other triangle, unless that has opposite winding.
         const bool reversed = s == 1 && !seam.Turned;
         for (int end = 0; end < 2; ++end)
         {

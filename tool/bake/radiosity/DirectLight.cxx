@@ -16,7 +16,7 @@ struct Polygon
   int Count = 0;
 };
 
-/// What of the triangle is above the plane, relative to the point on it.
+/// The part of a triangle above the horizon of a point, relative to the point.
 Polygon ClipToHorizon(const Point& at, const Point& normal, const std::array<Point, 3>& triangle)
 {
   Polygon kept;
@@ -45,14 +45,14 @@ struct Receiver
   double Height; ///< above the emitter's plane
 };
 
-/// The share of the emitter's light that nothing blocks.
-double ShareSeen(const Receiver& receiver, const Element& emitter, const PatchRays& rays, int count,
-  Random& random)
+/// The share of an emitter's light that is not occluded.
+double Visibility(const Receiver& receiver, const Element& emitter, const PatchRays& rays,
+  int samples, Random& random)
 {
-  const SeenTriangle seen(receiver.At, emitter.Corners);
-  int tried = 0;
-  int reached = 0;
-  for (const glm::dvec2& u : Strata(GridSide(count), random))
+  const SphericalTriangle seen(receiver.At, emitter.Corners);
+  int count = 0;
+  int visible = 0;
+  for (const glm::dvec2& u : Strata(GridSide(samples), random))
   {
     Point direction;
     if (!LightDirection(seen, receiver.Normal, u, random, direction))
@@ -60,44 +60,45 @@ double ShareSeen(const Receiver& receiver, const Element& emitter, const PatchRa
       continue;
     }
     const double distance = receiver.Height / -glm::dot(direction, emitter.Normal);
-    ++tried;
-    reached +=
-      rays.Blocked(receiver.At, receiver.Normal, receiver.At + distance * direction, emitter.Normal)
+    ++count;
+    visible += rays.Occluded(
+                 receiver.At, receiver.Normal, receiver.At + distance * direction, emitter.Normal)
       ? 0
       : 1;
   }
-  return tried > 0 ? double(reached) / tried : 0.0;
+  return count > 0 ? double(visible) / count : 0.0;
 }
 
-bool Reaches(const Lamp& lamp, const PatchRays& rays, const Point& at, const Point& normal)
+bool IsVisible(const Light& light, const PatchRays& rays, const Point& at, const Point& normal)
 {
-  return lamp.Positional ? !rays.Blocked(at, normal, lamp.Position, Point(0.0))
-                         : !rays.BlockedTowards(at, normal, -lamp.Travel);
+  return light.Positional ? !rays.Occluded(at, normal, light.WorldPosition, Point(0.0))
+                          : !rays.OccludedTowards(at, normal, -light.WorldDirection);
 }
 }
 
-Color Unblocked(const Lamp& lamp, const Point& at, const Point& normal)
+Color UnoccludedIrradiance(const Light& light, const Point& at, const Point& normal)
 {
-  Point travel = lamp.Travel;
+  Point travel = light.WorldDirection;
   double share = 1.0;
-  if (lamp.Positional)
+  if (light.Positional)
   {
-    const Point path = at - lamp.Position;
+    const Point path = at - light.WorldPosition;
     const double distance = glm::length(path);
     if (distance == 0.0)
     {
       return Color(0.0);
     }
     travel = path / distance;
-    const Point& c = lamp.Attenuation;
+    const Point& c = light.Attenuation;
     share = 1.0 / (c.x + c.y * distance + c.z * distance * distance);
-    if (lamp.ConeCosine >= -1.0)
+    if (light.IsCone())
     {
-      const double cosine = glm::dot(travel, lamp.Travel);
-      share *= cosine >= lamp.ConeCosine ? std::pow(cosine, lamp.Exponent) : 0.0;
+      const double cosine = glm::dot(travel, light.WorldDirection);
+      share *=
+        cosine >= std::cos(glm::radians(light.ConeAngle)) ? std::pow(cosine, light.Exponent) : 0.0;
     }
   }
-  return lamp.Strength * (share * std::max(0.0, -glm::dot(travel, normal)));
+  return light.Color * glm::pi<double>() * (share * std::max(0.0, -glm::dot(travel, normal)));
 }
 
 double PointFactor(const Point& at, const Point& normal, const std::array<Point, 3>& triangle)
@@ -118,16 +119,16 @@ double PointFactor(const Point& at, const Point& normal, const std::array<Point,
   return std::abs(sum) / (2.0 * glm::pi<double>());
 }
 
-Color ArrivingAt(const LightSources& sources, const PatchRays& rays, const Point& at,
+Color IrradianceAt(const LightSources& sources, const PatchRays& rays, const Point& at,
   const Point& normal, int shadowRays, std::uint64_t stream)
 {
   Color sum(0.0);
-  for (const Lamp& lamp : sources.Lamps)
+  for (const Light& light : sources.Lights)
   {
-    const Color light = Unblocked(lamp, at, normal);
-    if (light != Color(0.0) && Reaches(lamp, rays, at, normal))
+    const Color irradiance = UnoccludedIrradiance(light, at, normal);
+    if (irradiance != Color(0.0) && IsVisible(light, rays, at, normal))
     {
-      sum += light;
+      sum += irradiance;
     }
   }
   Random random(stream, 2);
@@ -138,7 +139,7 @@ Color ArrivingAt(const LightSources& sources, const PatchRays& rays, const Point
     if (factor > 0.0)
     {
       sum += emitter.Emission *
-        (factor * ShareSeen({ at, normal, height }, emitter, rays, shadowRays, random));
+        (factor * Visibility({ at, normal, height }, emitter, rays, shadowRays, random));
     }
   }
   return sum;
@@ -159,7 +160,7 @@ std::vector<Color> DirectIrradiance(const std::vector<Element>& elements, const 
     const auto strata = Strata(side, random);
     for (std::size_t k = 0; k < strata.size(); ++k)
     {
-      irradiance[i] += ArrivingAt(sources, rays, element.At(strata[k].x, strata[k].y),
+      irradiance[i] += IrradianceAt(sources, rays, element.At(strata[k].x, strata[k].y),
         element.Normal, 1, i * strata.size() + k);
     }
     irradiance[i] /= double(strata.size());

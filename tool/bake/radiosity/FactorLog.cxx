@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* Head = "penumbra form factors in the making 1\n";
 constexpr std::size_t Digits = 40; // of a checksum
 
-// Before the rows: whose they are, from which on, how many bytes. After them a checksum of both.
+// Precedes the rows: fingerprint of the elements, index of the first, number of bytes. A checksum of both follows the rows.
 struct BlockHead
 {
   char Elements[Digits];
@@ -26,7 +26,7 @@ struct BlockHead
 };
 
 template <typename T>
-void Append(std::string& bytes, const std::vector<T>& values)
+void AppendBytes(std::string& bytes, const std::vector<T>& values)
 {
   const std::uint64_t count = values.size();
   bytes.append(reinterpret_cast<const char*>(&count), sizeof(count));
@@ -84,44 +84,39 @@ std::string Fingerprint(const std::vector<Element>& elements)
   return sum.digest();
 }
 
-FactorLog::FactorLog(std::string path, const std::string& identity, bool anew)
+FactorLog::FactorLog(std::string path, const std::string& identity, bool fromScratch)
   : Path(std::move(path))
 {
   const std::string head = Head + OIIO::SHA1(identity.data(), identity.size()).digest() + "\n";
   std::error_code error;
-  const std::uint64_t size = anew ? 0 : fs::file_size(this->Path, error);
-  const bool known = !anew && !error;
-  std::uint64_t good = 0;
-  if (known)
+  const std::uint64_t size = fromScratch ? 0 : fs::file_size(this->Path, error);
+  std::uint64_t valid = 0;
+  if (!fromScratch && !error)
   {
     std::ifstream file(this->Path, std::ios::binary);
     std::string found(head.size(), '\0');
     if (!file.read(found.data(), static_cast<std::streamsize>(found.size())) || found != head)
     {
-      this->WhyRefused = "is of another scene or of other settings, or damaged";
+      this->Reason = "is of another scene or of other settings, or damaged";
     }
     else
     {
-      good = head.size();
+      valid = head.size();
       BlockHead block;
       std::string rows;
-      while (ReadBlock(file, block, rows, size - good))
+      while (ReadBlock(file, block, rows, size - valid))
       {
-        this->Blocks[{ std::string(block.Elements, Digits), block.First }] = { good + sizeof(block),
-          block.Size };
-        good += sizeof(block) + block.Size + Digits;
+        this->Blocks[{ std::string(block.Elements, Digits), block.First }] = {
+          valid + sizeof(block), block.Size
+        };
+        valid += sizeof(block) + block.Size + Digits;
       }
-      fs::resize_file(this->Path, good, error);
+      fs::resize_file(this->Path, valid, error);
     }
   }
-  this->Open(head, good == 0);
-}
-
-void FactorLog::Open(const std::string& head, bool anew)
-{
   const auto mode = std::ios::binary | std::ios::in | std::ios::out;
-  this->File.open(this->Path, anew ? mode | std::ios::trunc : mode);
-  if (anew)
+  this->File.open(this->Path, valid == 0 ? mode | std::ios::trunc : mode);
+  if (valid == 0)
   {
     this->File << head << std::flush;
   }
@@ -133,11 +128,11 @@ void FactorLog::Open(const std::string& head, bool anew)
 
 void FactorLog::FailToWrite() const
 {
-  tool::Fail("'{}', which keeps what is traced so far, cannot be written: make room on the disk",
+  tool::Fail("'{}', which holds the traced form factors, cannot be written: make room on the disk",
     this->Path);
 }
 
-bool FactorLog::Take(const std::string& elements, std::size_t first, TracedRows& rows)
+bool FactorLog::Read(const std::string& elements, std::size_t first, TracedRows& rows)
 {
   const auto found = this->Blocks.find({ elements, first });
   if (found == this->Blocks.end())
@@ -153,17 +148,17 @@ bool FactorLog::Take(const std::string& elements, std::size_t first, TracedRows&
     Extract(from, end, rows.Entries) && Extract(from, end, rows.Escaped) &&
     Extract(from, end, rows.Sky) && from == end;
   this->File.clear();
-  this->Taken += whole ? rows.Lengths.size() : 0;
+  this->Reused += whole ? rows.Lengths.size() : 0;
   return whole;
 }
 
-void FactorLog::Put(const std::string& elements, std::size_t first, const TracedRows& rows)
+void FactorLog::Append(const std::string& elements, std::size_t first, const TracedRows& rows)
 {
   std::string bytes;
-  Append(bytes, rows.Lengths);
-  Append(bytes, rows.Entries);
-  Append(bytes, rows.Escaped);
-  Append(bytes, rows.Sky);
+  AppendBytes(bytes, rows.Lengths);
+  AppendBytes(bytes, rows.Entries);
+  AppendBytes(bytes, rows.Escaped);
+  AppendBytes(bytes, rows.Sky);
   BlockHead head;
   std::memcpy(head.Elements, elements.data(), Digits);
   head.First = first;
@@ -180,10 +175,10 @@ void FactorLog::Put(const std::string& elements, std::size_t first, const Traced
   this->Traced += rows.Lengths.size();
 }
 
-double FactorLog::ShareTaken() const
+double FactorLog::ReusedShare() const
 {
-  const std::size_t all = this->Taken + this->Traced;
-  return all > 0 ? double(this->Taken) / double(all) : 0.0;
+  const std::size_t all = this->Reused + this->Traced;
+  return all > 0 ? double(this->Reused) / double(all) : 0.0;
 }
 
 void FactorLog::Remove()

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Traced form factors, kept in a file that a killed solution goes on from.
-#ifndef penumbra_tool_FactorLog_h
-#define penumbra_tool_FactorLog_h
+/// A file with traced form factors, to resume after an interruption.
+#pragma once
 
 #include "bake/radiosity/Patches.h"
 
@@ -15,7 +14,7 @@
 
 namespace penumbra::radiosity
 {
-/// What the rays of elements in a row met.
+/// Rows of form factors of consecutive elements.
 struct TracedRows
 {
   struct Entry
@@ -25,47 +24,44 @@ struct TracedRows
   };
   std::vector<std::uint32_t> Lengths; ///< entries of each row
   std::vector<Entry> Entries;         ///< row after row
-  std::vector<float> Escaped;         ///< of each row, the share that meets nothing
-  std::vector<Color> Sky;             ///< of each row, the irradiance from far away
+  std::vector<float> Escaped;         ///< share of each row that hits nothing
+  std::vector<Color> Sky;             ///< irradiance of each row from the environment
 };
 
-/// Tells elements apart by where they are: their form factors depend on nothing else.
+/// A hash of the positions of elements, which determine their form factors.
 std::string Fingerprint(const std::vector<Element>& elements);
 
 class FactorLog
 {
 public:
-  /// Opens the file, or makes it. identity: tells what is traced, beside the elements. A file of something else begins
-  /// anew, as it does if asked; a block that a kill cut off is cut away. Throws a Failure where it cannot be written.
-  FactorLog(std::string path, const std::string& identity, bool anew);
+  /// Opens or creates the file. identity: describes what is traced, besides the elements. A file with another identity is
+  /// cleared, also if fromScratch is set; an incomplete last block is removed. Throws a Failure if it cannot be written.
+  FactorLog(std::string path, const std::string& identity, bool fromScratch);
 
-  /// Why a file that was there is of no use; "" where it is, or where there was none.
-  const std::string& Refusal() const { return this->WhyRefused; }
+  /// Why an existing file was rejected, or "".
+  const std::string& Refusal() const { return this->Reason; }
 
-  /// Fills in the rows from an element on, of elements of this Fingerprint(). False where the file does not hold them.
-  bool Take(const std::string& elements, std::size_t first, TracedRows& rows);
+  /// Reads the rows from an element on. elements: their Fingerprint(). Returns false if the file does not hold them.
+  bool Read(const std::string& elements, std::size_t first, TracedRows& rows);
 
-  /// Throws a Failure where the disk is full.
-  void Put(const std::string& elements, std::size_t first, const TracedRows& rows);
+  /// Appends rows. Throws a Failure if the disk is full.
+  void Append(const std::string& elements, std::size_t first, const TracedRows& rows);
 
-  /// The share of rows so far that were taken from the file.
-  double ShareTaken() const;
+  /// The share of rows that were read from the file.
+  double ReusedShare() const;
 
-  /// The solution is written: the file is not needed any more.
+  /// Deletes the file, once the solution is written.
   void Remove();
 
 private:
-  void Open(const std::string& head, bool anew);
   [[noreturn]] void FailToWrite() const;
 
   std::string Path;
-  std::string WhyRefused;
+  std::string Reason;
   std::fstream File;
   std::map<std::pair<std::string, std::size_t>, std::pair<std::uint64_t, std::uint64_t>>
-    Blocks; ///< offset and size of their rows
-  std::size_t Taken = 0;
+    Blocks; ///< offset and size of their rows, by fingerprint and first element
+  std::size_t Reused = 0;
   std::size_t Traced = 0;
 };
 }
-
-#endif

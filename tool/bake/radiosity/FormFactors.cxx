@@ -18,18 +18,18 @@ struct Row
   Color Sky{ 0.0 };
 };
 
-/// Elements met, in any order and repeated, as shares.
-std::vector<FactorMatrix::Entry> Histogram(std::vector<std::uint32_t>& met, int rays)
+/// Shares of the elements in a list of hits.
+std::vector<FactorMatrix::Entry> Histogram(std::vector<std::uint32_t>& hits, int rays)
 {
-  std::sort(met.begin(), met.end());
+  std::sort(hits.begin(), hits.end());
   std::vector<FactorMatrix::Entry> entries;
-  for (std::size_t i = 0; i < met.size();)
+  for (std::size_t i = 0; i < hits.size();)
   {
     std::size_t end = i;
-    for (; end < met.size() && met[end] == met[i]; ++end)
+    for (; end < hits.size() && hits[end] == hits[i]; ++end)
     {
     }
-    entries.push_back({ met[i], static_cast<float>(end - i) / static_cast<float>(rays) });
+    entries.push_back({ hits[i], static_cast<float>(end - i) / static_cast<float>(rays) });
     i = end;
   }
   return entries;
@@ -42,8 +42,8 @@ Row TraceRow(
   const auto points = Strata(side, random);
   const auto directions = Strata(side, random);
   const int count = side * side;
-  std::vector<std::uint32_t> met;
-  met.reserve(points.size());
+  std::vector<std::uint32_t> hits;
+  hits.reserve(points.size());
   Row row;
   for (int i = 0; i < count; ++i)
   {
@@ -51,16 +51,16 @@ Row TraceRow(
     const auto hit = rays.Nearest(element.At(points[i].x, points[i].y), element.Normal, direction);
     if (hit.Element != PatchRays::Nothing)
     {
-      met.push_back(hit.Element);
+      hits.push_back(hit.Element);
     }
     else if (sky)
     {
       row.Sky += sky(direction);
     }
   }
-  row.Escaped = 1.0f - static_cast<float>(met.size()) / static_cast<float>(count);
+  row.Escaped = 1.0f - static_cast<float>(hits.size()) / static_cast<float>(count);
   row.Sky *= glm::pi<double>() / count;
-  row.Entries = Histogram(met, count);
+  row.Entries = Histogram(hits, count);
   return row;
 }
 
@@ -77,30 +77,11 @@ TracedRows Flatten(const std::vector<Row>& rows)
   return traced;
 }
 
-FactorMatrix Join(const std::vector<std::vector<FactorMatrix::Entry>>& rows, int rays)
-{
-  FactorMatrix matrix;
-  matrix.Rays = rays;
-  matrix.Begin.reserve(rows.size() + 1);
-  std::size_t total = 0;
-  for (const auto& row : rows)
-  {
-    total += row.size();
-    matrix.Begin.push_back(total);
-  }
-  matrix.Entries.reserve(total);
-  for (const auto& row : rows)
-  {
-    matrix.Entries.insert(matrix.Entries.end(), row.begin(), row.end());
-  }
-  return matrix;
-}
-
-/// Of the same exchange between i and j, the estimates from both ends.
+/// A row with both estimates of each exchange combined.
 std::vector<FactorMatrix::Entry> Merge(const FactorMatrix& matrix, const FactorMatrix& from,
   const std::vector<Element>& elements, std::size_t row)
 {
-  // The rays that i sends a unit of its area are the weight of its estimate A_i F_ij.
+  // The weight of the estimate A_i F_ij is the number of rays per area of i.
   std::vector<FactorMatrix::Entry> merged;
   std::size_t a = matrix.Begin[row];
   std::size_t b = from.Begin[row];
@@ -138,7 +119,7 @@ void Balance(FactorMatrix& matrix, const std::vector<float>& escaped)
       if (sum > 0.0 && target > 0.0)
       {
         worst = std::max(worst, std::abs(sum / target - 1.0));
-        // The root: both ends of an exchange answer for it.
+        // The root, because an exchange is scaled at both ends.
         next[i] *= std::sqrt(target / sum);
       }
     }
@@ -166,17 +147,16 @@ double FactorMatrix::RowSum(std::size_t row) const
   return sum;
 }
 
-double FactorMatrix::At(std::size_t row, std::size_t column) const
+void FactorMatrix::AddRow(const std::vector<Entry>& row)
 {
-  double found = 0.0;
-  this->ForEachIn(row, [&](std::size_t j, double value) { found += j == column ? value : 0.0; });
-  return found;
+  this->Entries.insert(this->Entries.end(), row.begin(), row.end());
+  this->Begin.push_back(this->Entries.size());
 }
 
 Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays, int count,
   const Sky& sky, const tool::Progress& advance, FactorLog* log)
 {
-  constexpr std::size_t block = 2048; // rows between two writings of what was traced
+  constexpr std::size_t block = 2048; // rows written to the log at a time
   const int side = GridSide(count);
   const std::string mesh = log ? Fingerprint(elements) : "";
   Factors factors;
@@ -186,7 +166,7 @@ Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays
   {
     const std::size_t number = std::min(block, elements.size() - first);
     TracedRows traced;
-    if (!log || !log->Take(mesh, first, traced))
+    if (!log || !log->Read(mesh, first, traced))
     {
       std::vector<Row> rows(number);
       const auto trace = [&](std::size_t i) {
@@ -204,7 +184,7 @@ Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays
       traced = Flatten(rows);
       if (log)
       {
-        log->Put(mesh, first, traced);
+        log->Append(mesh, first, traced);
       }
     }
     for (const std::uint32_t length : traced.Lengths)
@@ -220,26 +200,26 @@ Factors TraceFactors(const std::vector<Element>& elements, const PatchRays& rays
 
 FactorMatrix Transpose(const FactorMatrix& matrix)
 {
-  FactorMatrix turned;
-  turned.Rays = matrix.Rays;
-  turned.Begin.assign(matrix.Size() + 1, 0);
+  FactorMatrix transposed;
+  transposed.Rays = matrix.Rays;
+  transposed.Begin.assign(matrix.Size() + 1, 0);
   for (const auto& entry : matrix.Entries)
   {
-    ++turned.Begin[entry.Column + 1];
+    ++transposed.Begin[entry.Column + 1];
   }
   for (std::size_t i = 0; i < matrix.Size(); ++i)
   {
-    turned.Begin[i + 1] += turned.Begin[i];
+    transposed.Begin[i + 1] += transposed.Begin[i];
   }
-  turned.Entries.resize(matrix.Entries.size());
-  std::vector<std::size_t> next(turned.Begin.begin(), turned.Begin.end() - 1);
+  transposed.Entries.resize(matrix.Entries.size());
+  std::vector<std::size_t> next(transposed.Begin.begin(), transposed.Begin.end() - 1);
   for (std::size_t i = 0; i < matrix.Size(); ++i)
   {
     matrix.ForEachIn(i, [&](std::size_t j, double value) {
-      turned.Entries[next[j]++] = { static_cast<std::uint32_t>(i), static_cast<float>(value) };
+      transposed.Entries[next[j]++] = { static_cast<std::uint32_t>(i), static_cast<float>(value) };
     });
   }
-  return turned;
+  return transposed;
 }
 
 void MakeReciprocal(
@@ -248,7 +228,13 @@ void MakeReciprocal(
   const FactorMatrix from = Transpose(matrix);
   std::vector<std::vector<FactorMatrix::Entry>> rows(matrix.Size());
   tool::ForEach(rows.size(), [&](std::size_t i) { rows[i] = Merge(matrix, from, elements, i); });
-  matrix = Join(rows, matrix.Rays);
+  FactorMatrix combined;
+  combined.Rays = matrix.Rays;
+  for (const auto& row : rows)
+  {
+    combined.AddRow(row);
+  }
+  matrix = std::move(combined);
   Balance(matrix, escaped);
 }
 

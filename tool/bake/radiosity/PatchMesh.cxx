@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bake/radiosity/PatchMesh.h"
 
+#include <vtkBoundingBox.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +31,7 @@ bool PatchMesh::Add(const std::array<Vertex, 3>& corners, std::uint32_t surface,
   {
     return false;
   }
-  // Thinner than this its normal is rounding error.
+  // The normals of thinner triangles are rounding errors.
   constexpr double thinnest = 1e-12;
   const double longest = std::max({ glm::length(b - a), glm::length(c - b), glm::length(a - c) });
   if (!(glm::length(glm::cross(b - a, c - a)) > thinnest * longest * longest))
@@ -42,17 +44,17 @@ bool PatchMesh::Add(const std::array<Vertex, 3>& corners, std::uint32_t surface,
     face.Corners[i] = this->FindOrAdd(corners[i], surface);
   }
   face.Surface = surface;
-  face.Whole = static_cast<std::uint32_t>(this->Originals.size());
+  face.Input = static_cast<std::uint32_t>(this->Inputs.size());
   face.Tint = tint;
-  this->Pieces.push_back(face);
-  this->Originals.push_back(face);
+  this->Parts.push_back(face);
+  this->Inputs.push_back(face);
   return true;
 }
 
 std::uint32_t PatchMesh::AddSurface(const Surface& surface)
 {
-  this->Looks.push_back(surface);
-  return static_cast<std::uint32_t>(this->Looks.size() - 1);
+  this->Materials.push_back(surface);
+  return static_cast<std::uint32_t>(this->Materials.size() - 1);
 }
 
 std::uint32_t PatchMesh::FindOrAdd(const Vertex& vertex, std::uint32_t surface)
@@ -60,7 +62,7 @@ std::uint32_t PatchMesh::FindOrAdd(const Vertex& vertex, std::uint32_t surface)
   const Point& p = vertex.At;
   const Color& t = vertex.Tint;
   const auto next = static_cast<std::uint32_t>(this->Corners.size());
-  const auto found = this->Known.emplace(
+  const auto found = this->VertexIndex.emplace(
     std::array{ p.x, p.y, p.z, t.x, t.y, t.z, vertex.Uv.x, vertex.Uv.y, double(surface) }, next);
   if (found.second)
   {
@@ -80,7 +82,7 @@ double PatchMesh::Length2(Edge edge) const
   return glm::dot(along, along);
 }
 
-/// Of two edges of one length the one with the greater name, so that neighbours agree.
+/// The longest edge. Among edges of the same length it is the one with the greatest index, so that neighbours agree.
 PatchMesh::Edge PatchMesh::Longest(const Face& face) const
 {
   Edge longest = 0;
@@ -114,7 +116,7 @@ double PatchMesh::Area(const Face& face) const
 double PatchMesh::TotalArea() const
 {
   double total = 0.0;
-  for (const Face& face : this->Pieces)
+  for (const Face& face : this->Parts)
   {
     total += this->Area(face);
   }
@@ -123,21 +125,19 @@ double PatchMesh::TotalArea() const
 
 double PatchMesh::Diagonal() const
 {
-  Point low(std::numeric_limits<double>::max());
-  Point high(-std::numeric_limits<double>::max());
+  vtkBoundingBox bounds;
   for (const Vertex& vertex : this->Corners)
   {
-    low = glm::min(low, vertex.At);
-    high = glm::max(high, vertex.At);
+    bounds.AddPoint(vertex.At.x, vertex.At.y, vertex.At.z);
   }
-  return this->Corners.empty() ? 0.0 : glm::length(high - low);
+  return bounds.IsValid() ? bounds.GetDiagonalLength() : 0.0;
 }
 
 void PatchMesh::Link(std::uint32_t face)
 {
   for (int i = 0; i < 3; ++i)
   {
-    const auto& corners = this->Pieces[face].Corners;
+    const auto& corners = this->Parts[face].Corners;
     this->Neighbours[Between(corners[i], corners[(i + 1) % 3])].push_back(face);
   }
 }
@@ -146,7 +146,7 @@ void PatchMesh::Unlink(std::uint32_t face)
 {
   for (int i = 0; i < 3; ++i)
   {
-    const auto& corners = this->Pieces[face].Corners;
+    const auto& corners = this->Parts[face].Corners;
     const auto found = this->Neighbours.find(Between(corners[i], corners[(i + 1) % 3]));
     auto& faces = found->second;
     faces.erase(std::remove(faces.begin(), faces.end(), face), faces.end());
@@ -161,7 +161,7 @@ void PatchMesh::LinkAll()
 {
   if (this->Neighbours.empty())
   {
-    for (std::uint32_t i = 0; i < this->Pieces.size(); ++i)
+    for (std::uint32_t i = 0; i < this->Parts.size(); ++i)
     {
       this->Link(i);
     }
@@ -178,30 +178,30 @@ void PatchMesh::Bisect(Edge edge)
   for (const std::uint32_t face : faces)
   {
     this->Unlink(face);
-    Face half = this->Pieces[face];
+    Face half = this->Parts[face];
     std::replace(half.Corners.begin(), half.Corners.end(), a, middle);
-    auto& other = this->Pieces[face].Corners;
+    auto& other = this->Parts[face].Corners;
     std::replace(other.begin(), other.end(), b, middle);
-    this->Pieces.push_back(half);
+    this->Parts.push_back(half);
     this->Link(face);
-    this->Link(static_cast<std::uint32_t>(this->Pieces.size() - 1));
+    this->Link(static_cast<std::uint32_t>(this->Parts.size() - 1));
   }
 }
 
-/// Cuts the face at its longest edge; before it, neighbours for which that edge is not the longest.
+/// Bisects the longest edge of a face, but first those of neighbours with longer edges.
 void PatchMesh::BisectAround(std::uint32_t face)
 {
-  const Edge wanted = this->Longest(this->Pieces[face]);
-  while (this->Neighbours.count(wanted) > 0)
+  const Edge target = this->Longest(this->Parts[face]);
+  while (this->Neighbours.count(target) > 0)
   {
-    Edge edge = wanted;
-    // Edges grow longer along the way, so that it ends.
+    Edge edge = target;
+    // Edges become longer along the way, so the loop ends.
     for (bool ended = false; !ended;)
     {
       ended = true;
       for (const std::uint32_t next : this->Neighbours.at(edge))
       {
-        const Edge longest = this->Longest(this->Pieces[next]);
+        const Edge longest = this->Longest(this->Parts[next]);
         if (longest != edge)
         {
           edge = longest;
@@ -216,26 +216,26 @@ void PatchMesh::BisectAround(std::uint32_t face)
 
 void PatchMesh::LimitAll(double longest)
 {
-  for (Face& face : this->Pieces)
+  for (Face& face : this->Parts)
   {
-    face.LongestWanted = longest;
+    face.MaximumEdge = longest;
   }
 }
 
-bool PatchMesh::Refine(std::size_t most)
+bool PatchMesh::Refine(std::size_t maximum)
 {
   this->LinkAll();
-  for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    while (this->LongestEdge(this->Pieces[i]) > this->Pieces[i].LongestWanted)
+    while (this->LongestEdge(this->Parts[i]) > this->Parts[i].MaximumEdge)
     {
-      if (this->Pieces.size() >= most)
+      if (this->Parts.size() >= maximum)
       {
         return false;
       }
       this->BisectAround(static_cast<std::uint32_t>(i));
     }
   }
-  return this->Pieces.size() <= most;
+  return this->Parts.size() <= maximum;
 }
 }

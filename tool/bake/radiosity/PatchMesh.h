@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Triangles with a diffuse material, cut into patches: the surface that radiosity is solved on.
-#ifndef penumbra_tool_PatchMesh_h
-#define penumbra_tool_PatchMesh_h
+/// Diffuse triangles, subdivided into patches for radiosity.
+#pragma once
 
 #include "common/NumbersHash.h"
 
@@ -21,18 +20,18 @@ using Color = glm::dvec3; ///< red, green, blue, linear
 using Point = glm::dvec3;
 using Texture = std::function<Color(const glm::dvec2&)>;
 
-/// One side of a surface. A tint is a colour that data gives to a point or a cell.
+/// One side of a surface. A tint is a colour that data assigns to a point or a cell.
 struct SideMaterial
 {
-  bool Present = true; ///< false: seen from there it is not drawn, and light passes
+  bool Present = true; ///< false if it is not drawn from there, and light passes
   Color Reflectance{ 0.0 };
   Color Emission{ 0.0 };     ///< radiance
-  double TintReflects = 0.0; ///< a tint's share that replaces the reflectance
-  double TintEmits = 0.0;    ///< a tint's share that replaces the emission, as radiance
+  double TintReflects = 0.0; ///< factor from tint to reflectance
+  double TintEmits = 0.0;    ///< factor from tint to emission
   bool TintsEmission = false;
-  Texture Base; ///< times the reflectance
+  Texture Base; ///< factor of the reflectance
   bool BaseOnEmission = false;
-  Texture Glow; ///< times the emission
+  Texture Glow; ///< factor of the emission
 };
 
 struct Surface
@@ -58,38 +57,37 @@ struct Face
 {
   std::array<std::uint32_t, 3> Corners{};
   std::uint32_t Surface = 0;
-  std::uint32_t Whole = 0; ///< the face of the input that it is a piece of
+  std::uint32_t Input = 0; ///< the input face that it is part of
   Color Tint{ 1.0 };
-  double LongestWanted = std::numeric_limits<double>::infinity(); ///< edge; its pieces inherit it
+  double MaximumEdge = std::numeric_limits<double>::infinity(); ///< inherited by its parts
 };
 
 class PatchMesh
 {
 public:
-  /// Adds a triangle; false, and nothing done, where a corner is not finite or it has no area.
+  /// Adds a triangle. Returns false and adds nothing if it is not finite or has no area.
   bool Add(const std::array<Vertex, 3>& corners, std::uint32_t surface, const Color& tint);
   std::uint32_t AddSurface(const Surface& surface);
 
-  /// How long the face's edges may be at most, from the next Refine() on.
-  void Limit(std::size_t face, double longest) { this->Pieces[face].LongestWanted = longest; }
+  /// Sets the maximum length of a face's edges, for the next Refine().
+  void Limit(std::size_t face, double longest) { this->Parts[face].MaximumEdge = longest; }
   void LimitAll(double longest);
-  /// Cuts every face with a longer edge than wanted, and of its neighbours as many as keep corners off
-  /// edges. Longest edges are bisected: Rivara 1984, Algorithms for Refining Triangular Grids Suitable
-  /// for Adaptive and Multigrid Techniques. False, and cut in part, where that would make more than so
-  /// many faces.
-  bool Refine(std::size_t most);
+  /// Subdivides faces with edges above their maximum, and neighbours so that no corner lies within an edge, by bisecting
+  /// longest edges (Rivara 1984, Algorithms for Refining Triangular Grids Suitable for Adaptive and Multigrid Techniques).
+  /// Returns false, with incomplete refinement, if there would be more than a maximum number of faces.
+  bool Refine(std::size_t maximum);
 
   double LongestEdge(const Face& face) const;
   double Area(const Face& face) const;
   double TotalArea() const;
-  /// Of the box around all points.
+  /// The diagonal of the bounding box.
   double Diagonal() const;
 
   const std::vector<Vertex>& Vertices() const { return this->Corners; }
-  const std::vector<Face>& Faces() const { return this->Pieces; }
-  const std::vector<Surface>& Surfaces() const { return this->Looks; }
-  /// The faces as they were added; pieces name them by Face::Whole.
-  const std::vector<Face>& Wholes() const { return this->Originals; }
+  const std::vector<Face>& Faces() const { return this->Parts; }
+  const std::vector<Surface>& Surfaces() const { return this->Materials; }
+  /// The faces before subdivision, which Face::Input refers to.
+  const std::vector<Face>& InputFaces() const { return this->Inputs; }
 
 private:
   using Edge = std::uint64_t;
@@ -104,12 +102,10 @@ private:
   std::uint32_t FindOrAdd(const Vertex& vertex, std::uint32_t surface);
 
   std::vector<Vertex> Corners;
-  std::vector<Face> Pieces;
-  std::vector<Face> Originals;
-  std::vector<Surface> Looks;
+  std::vector<Face> Parts;
+  std::vector<Face> Inputs;
+  std::vector<Surface> Materials;
   std::unordered_map<Edge, std::vector<std::uint32_t>> Neighbours;
-  tool::NumbersMap<9, std::uint32_t> Known; ///< vertices by their numbers and surface
+  tool::NumbersMap<9, std::uint32_t> VertexIndex; ///< by the vertex's numbers and surface
 };
 }
-
-#endif

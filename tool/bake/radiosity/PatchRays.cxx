@@ -8,6 +8,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <vtkBoundingBox.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -18,11 +20,11 @@ struct PatchRays::Internals
 {
   RTCDevice Device = nullptr;
   RTCScene Scene = nullptr;
-  std::vector<char> Passable; ///< for each element
+  std::vector<char> Passable; ///< 1 for elements that light passes
   Point Center{ 0.0 };
-  double Offset = 0.0; ///< how far rays start off their surface
+  double Offset = 0.0; ///< distance of ray origins from their surface
 
-  /// Lets light through the sides that are not there.
+  /// Ignores hits on passable sides.
   static void Filter(const RTCFilterFunctionNArguments* arguments)
   {
     const auto& passable = *static_cast<std::vector<char>*>(arguments->geometryUserPtr);
@@ -113,20 +115,21 @@ PatchRays::PatchRays(const std::vector<Element>& elements)
   : Internal(std::make_unique<Internals>())
 {
   Internals& e = *this->Internal;
-  Point low(std::numeric_limits<double>::max());
-  Point high(-std::numeric_limits<double>::max());
+  vtkBoundingBox bounds;
   for (const Element& element : elements)
   {
     for (const Point& corner : element.Corners)
     {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
+      bounds.AddPoint(corner.x, corner.y, corner.z);
     }
   }
-  e.Center = elements.empty() ? Point(0.0) : 0.5 * (low + high);
-  // Floats near the scene's edge are off by 6e-8 of its size, and what is met by a few times that.
-  constexpr double away = 2e-6;
-  e.Offset = elements.empty() ? 0.0 : away * glm::length(high - low);
+  if (bounds.IsValid())
+  {
+    // Floats near the scene's edge have an error of 6e-8 of its size, and hits several times that.
+    constexpr double offset = 2e-6;
+    bounds.GetCenter(&e.Center[0]);
+    e.Offset = offset * bounds.GetDiagonalLength();
+  }
   e.Passable.resize(elements.size());
   e.Device = rtcNewDevice(nullptr);
   if (!e.Device)
@@ -167,10 +170,10 @@ PatchRays::Hit PatchRays::Nearest(
   return hit;
 }
 
-bool PatchRays::Blocked(
+bool PatchRays::Occluded(
   const Point& from, const Point& normal, const Point& to, const Point& toNormal) const
 {
-  // Both ends stand off their surfaces, so that neither is in the way.
+  // Both ends are offset from their surfaces, so that these do not occlude.
   const Point along =
     (to + this->Internal->Offset * toNormal) - (from + this->Internal->Offset * normal);
   RTCRay ray = this->Internal->Ray(from, normal, along);
@@ -178,7 +181,8 @@ bool PatchRays::Blocked(
   return this->Internal->Occluded(ray);
 }
 
-bool PatchRays::BlockedTowards(const Point& from, const Point& normal, const Point& direction) const
+bool PatchRays::OccludedTowards(
+  const Point& from, const Point& normal, const Point& direction) const
 {
   RTCRay ray = this->Internal->Ray(from, normal, direction);
   return this->Internal->Occluded(ray);

@@ -8,39 +8,40 @@ namespace penumbra::radiosity
 {
 namespace
 {
-struct Look
+struct Appearance
 {
   Color Reflectance{ 0.0 };
   Color Emission{ 0.0 };
 };
 
-Look LookAt(const SideMaterial& side, bool tinted, const Color& tint, const glm::dvec2& uv)
+Appearance AppearanceAt(
+  const SideMaterial& side, bool tinted, const Color& tint, const glm::dvec2& uv)
 {
-  Look look = { side.Reflectance, side.Emission };
+  Appearance result = { side.Reflectance, side.Emission };
   if (tinted)
   {
-    look.Reflectance = tint * side.TintReflects;
-    look.Emission = side.TintsEmission ? tint * side.TintEmits : look.Emission;
+    result.Reflectance = tint * side.TintReflects;
+    result.Emission = side.TintsEmission ? tint * side.TintEmits : result.Emission;
   }
   if (side.Base)
   {
     const Color base = side.Base(uv);
-    look.Reflectance *= base;
-    look.Emission *= side.BaseOnEmission ? base : Color(1.0);
+    result.Reflectance *= base;
+    result.Emission *= side.BaseOnEmission ? base : Color(1.0);
   }
-  look.Emission *= side.Glow ? side.Glow(uv) : Color(1.0);
-  return look;
+  result.Emission *= side.Glow ? side.Glow(uv) : Color(1.0);
+  return result;
 }
 
-/// The mean over the face, by the points of a grid where it has pictures.
-Look MeanLook(const PatchMesh& mesh, const Face& face, int s)
+/// The mean over a face, sampled on a grid if it has textures.
+Appearance MeanAppearance(const PatchMesh& mesh, const Face& face, int s)
 {
   const Surface& surface = mesh.Surfaces()[face.Surface];
   const SideMaterial& side = surface.Sides[s];
-  const bool pictured = side.Base || side.Glow;
+  const bool textured = side.Base || side.Glow;
   const bool tinted = surface.Tints != Surface::Untinted;
-  const int grid = pictured ? 6 : 1;
-  Look sum;
+  const int grid = textured ? 6 : 1;
+  Appearance sum;
   int count = 0;
   for (int i = 0; i < grid; ++i)
   {
@@ -57,9 +58,9 @@ Look MeanLook(const PatchMesh& mesh, const Face& face, int s)
         tint += surface.Tints == Surface::OfPoints ? weights[k] * corner.Tint : Color(0.0);
         uv += weights[k] * corner.Uv;
       }
-      const Look look = LookAt(side, tinted, tint, uv);
-      sum.Reflectance += look.Reflectance;
-      sum.Emission += look.Emission;
+      const Appearance point = AppearanceAt(side, tinted, tint, uv);
+      sum.Reflectance += point.Reflectance;
+      sum.Emission += point.Emission;
       ++count;
     }
   }
@@ -78,27 +79,27 @@ Element MakeElement(const PatchMesh& mesh, const Face& face, int side)
   element.Area = 0.5 * glm::length(across);
   element.Normal = element.Area > 0.0 ? across / glm::length(across) : Point(0.0, 0.0, 1.0);
   element.Present = mesh.Surfaces()[face.Surface].Sides[side].Present;
-  const Look look = MeanLook(mesh, face, side);
-  element.Reflectance = element.Present ? look.Reflectance : Color(0.0);
-  element.Emission = element.Present ? look.Emission * glm::pi<double>() : Color(0.0);
+  const Appearance mean = MeanAppearance(mesh, face, side);
+  element.Reflectance = element.Present ? mean.Reflectance : Color(0.0);
+  element.Emission = element.Present ? mean.Emission * glm::pi<double>() : Color(0.0);
   return element;
 }
 
-bool ShinesEvenly(const Surface& surface, int side)
+bool EmitsUniformly(const Surface& surface, int side)
 {
   const SideMaterial& material = surface.Sides[side];
   return !material.Glow && !(material.Base && material.BaseOnEmission) &&
     !(surface.Tints == Surface::OfPoints && material.TintsEmission);
 }
 
-void AddEmitters(
-  const PatchMesh& mesh, const std::vector<Face>& faces, bool even, std::vector<Element>& emitters)
+void AddEmitters(const PatchMesh& mesh, const std::vector<Face>& faces, bool uniform,
+  std::vector<Element>& emitters)
 {
   for (const Face& face : faces)
   {
     for (int side = 0; side < 2; ++side)
     {
-      if (ShinesEvenly(mesh.Surfaces()[face.Surface], side) != even)
+      if (EmitsUniformly(mesh.Surfaces()[face.Surface], side) != uniform)
       {
         continue;
       }
@@ -127,7 +128,7 @@ std::vector<Element> MakeElements(const PatchMesh& mesh)
 std::vector<Element> MakeEmitters(const PatchMesh& mesh)
 {
   std::vector<Element> emitters;
-  AddEmitters(mesh, mesh.Wholes(), true, emitters);
+  AddEmitters(mesh, mesh.InputFaces(), true, emitters);
   AddEmitters(mesh, mesh.Faces(), false, emitters);
   return emitters;
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The sides of patches that light is exchanged between, and the rays between them.
-#ifndef penumbra_tool_Patches_h
-#define penumbra_tool_Patches_h
+/// Sides of patches, which exchange light, and rays between them.
+#pragma once
 
 #include "bake/radiosity/PatchMesh.h"
 
@@ -20,9 +19,9 @@ struct Element
   double Area = 0.0;
   Color Reflectance{ 0.0 };
   Color Emission{ 0.0 }; ///< radiant exitance: pi times the radiance
-  bool Present = true;   ///< false: light passes from there
+  bool Present = true;   ///< false if light passes through it
 
-  Point At(double u, double v) const ///< evenly over the triangle for u, v in [0, 1)
+  Point At(double u, double v) const ///< uniform over the triangle for u, v in [0, 1)
   {
     // Osada et al. 2002, Shape Distributions, section 4.2.
     const double r = std::sqrt(u);
@@ -33,7 +32,7 @@ struct Element
 
 std::vector<Element> MakeElements(const PatchMesh& mesh);
 
-/// Of the mesh's input faces: what shines evenly is not cut for direct light.
+/// Emitters for direct light: input faces if their emission is uniform, or else patches.
 std::vector<Element> MakeEmitters(const PatchMesh& mesh);
 
 class PatchRays
@@ -42,7 +41,7 @@ public:
   static constexpr std::uint32_t Nothing = 0xffffffffu;
   struct Hit
   {
-    std::uint32_t Element = Nothing; ///< the side that was met
+    std::uint32_t Element = Nothing; ///< the side that was hit
     double Distance = 0.0;
     double U = 0.0, V = 0.0; ///< weights of the second and third corner of the patch's front side
   };
@@ -52,19 +51,16 @@ public:
   PatchRays(const PatchRays&) = delete;
   PatchRays& operator=(const PatchRays&) = delete;
 
-  /// What a ray from a point on a surface meets; normal: of the side that it leaves.
+  /// The nearest hit of a ray from a point on a surface. normal: of the side that it leaves.
   Hit Nearest(const Point& from, const Point& normal, const Point& direction) const;
-  /// Whether something is between a point on a surface and another; a normal of 0 for a point in free
-  /// space.
-  bool Blocked(
+  /// Whether anything lies between two points on surfaces. The normal is 0 for a point in free space.
+  bool Occluded(
     const Point& from, const Point& normal, const Point& to, const Point& toNormal) const;
-  /// Whether something is in the way at any distance.
-  bool BlockedTowards(const Point& from, const Point& normal, const Point& direction) const;
+  /// Whether anything lies in a direction.
+  bool OccludedTowards(const Point& from, const Point& normal, const Point& direction) const;
 
 private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
 }
-
-#endif

@@ -2,50 +2,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bake/radiosity/Radiosity.h"
 
+#include "common/Failure.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace penumbra::radiosity
 {
 namespace
 {
-/// Whether the rays of the form factors find what shines well enough: where a quarter of them do, and where to aim at each piece of it takes too long.
+/// Whether the rays of form factors sample emission well: if a quarter of them hit it, or if shadow rays to all emitters would
+/// take too long.
 bool EmissionIsBroad(const std::vector<Element>& elements, const FactorMatrix& factors,
   std::size_t emitters, const Settings& settings)
 {
   constexpr double mostShadowRays = 5e8;
   constexpr double broad = 0.25;
-  double shining = 0.0;
+  double emissive = 0.0;
   double all = 0.0;
   for (std::size_t i = 0; i < elements.size(); ++i)
   {
     all += elements[i].Area;
     factors.ForEachIn(i, [&](std::size_t j, double share) {
-      shining += elements[j].Emission != Color(0.0) ? share * elements[i].Area : 0.0;
+      emissive += elements[j].Emission != Color(0.0) ? share * elements[i].Area : 0.0;
     });
   }
-  return shining > broad * all ||
+  return emissive > broad * all ||
     double(elements.size()) * double(emitters) * settings.ShadowPoints > mostShadowRays;
 }
 
 void RequireLight(const std::vector<Element>& elements, const Illumination& light)
 {
-  const bool shines = std::any_of(elements.begin(), elements.end(),
+  const bool emits = std::any_of(elements.begin(), elements.end(),
     [](const Element& element) { return element.Emission != Color(0.0); });
-  const bool lamps = std::any_of(light.Lamps.begin(), light.Lamps.end(),
-    [](const Lamp& lamp) { return lamp.Strength != Color(0.0); });
-  if (!shines && !lamps && !light.Surroundings)
+  const bool lit = std::any_of(light.Lights.begin(), light.Lights.end(),
+    [](const Light& source) { return source.Color != Color(0.0); });
+  if (!emits && !lit && !light.Surroundings)
   {
-    throw std::runtime_error("nothing shines in the scene: add a light, an environment, or a "
-                             "material with an emission");
+    tool::Fail("the scene has no light: add a light, an environment, or a material with emission");
   }
   if (GreatestReflectance(elements) >= 1.0)
   {
-    throw std::runtime_error("a surface reflects all light or more, so that light between such "
-                             "surfaces would never end: give colours below 1");
+    tool::Fail("a surface reflects all light or more, so light between such surfaces would never "
+               "end: give colours below 1");
   }
 }
 
@@ -53,20 +54,21 @@ void Subdivide(PatchMesh& mesh, const Settings& settings, Solution& solution)
 {
   if (mesh.Faces().size() > settings.MaximumPatches)
   {
-    throw std::runtime_error("the scene has " + std::to_string(mesh.Faces().size()) +
-      " triangles, more than the " + std::to_string(settings.MaximumPatches) +
-      " patches that are allowed (--max-patches): simplify it, or allow more");
+    tool::Fail("the scene has {} triangles, more than the {} patches that --max-patches allows: "
+               "simplify it, or allow more",
+      mesh.Faces().size(), settings.MaximumPatches);
   }
   const bool chosen = settings.PatchSize > 0.0;
-  double size = chosen ? settings.PatchSize : DefaultPatchSize(mesh);
+  constexpr double share = 0.025; // of the diagonal
+  double size = chosen ? settings.PatchSize : share * mesh.Diagonal();
   PatchMesh cut = mesh;
   for (cut.LimitAll(size); !cut.Refine(settings.MaximumPatches); cut.LimitAll(size))
   {
     if (chosen)
     {
-      throw std::runtime_error("patches of that size would be more than the " +
-        std::to_string(settings.MaximumPatches) +
-        " that are allowed (--max-patches): give a larger --patch-size, or allow more");
+      tool::Fail("patches of that size would be more than the {} that --max-patches allows: give "
+                 "a larger --patch-size, or allow more",
+        settings.MaximumPatches);
     }
     constexpr double larger = 1.25;
     size *= larger;
@@ -77,21 +79,52 @@ void Subdivide(PatchMesh& mesh, const Settings& settings, Solution& solution)
   solution.PatchSize = size;
 }
 
-/// All that arrives before any reflection.
-std::vector<Color> Arriving(const PatchMesh& mesh, const Illumination& light,
-  const Settings& settings, const PatchRays& rays, const Factors& factors, LightSources& sources,
-  Solution& solution, const Watch& watch)
+/// Computes the irradiance at points between patches: exact direct light, and the mean of other light around them.
+void LightPoints(const PatchMesh& mesh, const PatchRays& rays, const LightSources& sources,
+  const std::vector<Color>& direct, const Settings& settings, Solution& solution,
+  tool::Reporter& reporter)
 {
-  sources = { light.Lamps, MakeEmitters(mesh) };
+  tool::Step step(reporter, "lighting corners of patches");
+  solution.Points = MakeSmoothPoints(mesh, solution.Elements);
+  std::vector<Color> rest = solution.Irradiance;
+  for (std::size_t i = 0; i < rest.size(); ++i)
+  {
+    rest[i] -= direct[i];
+  }
+  solution.Points.Irradiance = MeanAround(solution.Points, solution.Elements, rest);
+  const std::vector<Color> light = DirectAround(
+    solution.Points, solution.Elements, rays, sources, settings.ShadowPoints, step.GetProgress());
+  for (std::size_t i = 0; i < light.size(); ++i)
+  {
+    solution.Points.Irradiance[i] += light[i];
+  }
+}
+
+void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings& settings,
+  Solution& solution, tool::Reporter& reporter, FactorLog* log)
+{
+  solution.Elements = MakeElements(mesh);
+  const PatchRays rays(solution.Elements);
+  Factors factors;
+  {
+    tool::Step step(reporter, "tracing form factors");
+    factors = TraceFactors(
+      solution.Elements, rays, settings.Rays, light.Surroundings, step.GetProgress(), log);
+  }
+  LightSources sources = { light.Lights, MakeEmitters(mesh) };
   solution.EmissionByRays =
     EmissionIsBroad(solution.Elements, factors.Matrix, sources.Emitters.size(), settings);
   if (solution.EmissionByRays)
   {
     sources.Emitters.clear();
   }
-  watch.Begin("lighting patches");
-  std::vector<Color> arriving =
-    DirectIrradiance(solution.Elements, rays, sources, settings.ShadowPoints, watch.Advance);
+  std::vector<Color> direct;
+  {
+    tool::Step step(reporter, "lighting patches");
+    direct =
+      DirectIrradiance(solution.Elements, rays, sources, settings.ShadowPoints, step.GetProgress());
+  }
+  std::vector<Color> arriving = direct;
   for (std::size_t i = 0; i < arriving.size(); ++i)
   {
     arriving[i] += factors.SkyIrradiance[i];
@@ -101,78 +134,33 @@ std::vector<Color> Arriving(const PatchMesh& mesh, const Illumination& light,
         [&](std::size_t j, double share) { arriving[i] += share * solution.Elements[j].Emission; });
     }
   }
-  return arriving;
-}
-
-/// What the points between patches get: direct light as it is there, the rest as the mean around.
-void LightPoints(const PatchMesh& mesh, const PatchRays& rays, const LightSources& sources,
-  const std::vector<Color>& direct, const Settings& settings, Solution& solution,
-  const Watch& watch)
-{
-  solution.Points = MakeSmoothPoints(mesh, solution.Elements);
-  std::vector<Color> rest = solution.Irradiance;
-  for (std::size_t i = 0; i < rest.size(); ++i)
   {
-    rest[i] -= direct[i];
-  }
-  solution.Points.Irradiance = MeanAround(solution.Points, solution.Elements, rest);
-  watch.Begin("lighting corners of patches");
-  const std::vector<Color> light = DirectAround(
-    solution.Points, solution.Elements, rays, sources, settings.ShadowPoints, watch.Advance);
-  for (std::size_t i = 0; i < light.size(); ++i)
-  {
-    solution.Points.Irradiance[i] += light[i];
-  }
-}
-
-void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings& settings,
-  Solution& solution, const Watch& watch, FactorLog* log)
-{
-  solution.Elements = MakeElements(mesh);
-  const PatchRays rays(solution.Elements);
-  watch.Begin("tracing form factors");
-  Factors factors =
-    TraceFactors(solution.Elements, rays, settings.Rays, light.Surroundings, watch.Advance, log);
-  LightSources sources;
-  const std::vector<Color> arriving =
-    Arriving(mesh, light, settings, rays, factors, sources, solution, watch);
-  // What the rays of the form factors found is no direct light of points.
-  std::vector<Color> direct = arriving;
-  for (std::size_t i = 0; i < direct.size(); ++i)
-  {
-    direct[i] -= factors.SkyIrradiance[i];
-    if (solution.EmissionByRays)
+    tool::Step step(reporter, "solving");
+    if (settings.Reciprocal)
     {
-      factors.Matrix.ForEachIn(i,
-        [&](std::size_t j, double share) { direct[i] -= share * solution.Elements[j].Emission; });
+      MakeReciprocal(factors.Matrix, solution.Elements, factors.Escaped);
     }
+    const LightBalance balance = { solution.Elements, factors.Matrix, arriving };
+    if (settings.Method == Solver::Gathering || settings.Both)
+    {
+      solution.Gathered = GatherLight(balance, settings.Tolerance, step.GetProgress());
+    }
+    if (settings.Method == Solver::Shooting || settings.Both)
+    {
+      solution.Shot = ShootLight(balance, settings.Tolerance, step.GetProgress());
+    }
+    const Reflected& chosen =
+      settings.Method == Solver::Gathering ? solution.Gathered : solution.Shot;
+    solution.Irradiance = TotalIrradiance(balance, chosen.Light);
+    solution.Radiosity.resize(solution.Elements.size());
+    for (std::size_t i = 0; i < solution.Elements.size(); ++i)
+    {
+      solution.Radiosity[i] = solution.Elements[i].Emission + chosen.Light[i];
+    }
+    solution.Error =
+      GatherError(factors.Matrix, solution.EmissionByRays ? solution.Radiosity : chosen.Light);
   }
-  watch.Begin("solving");
-  if (settings.Reciprocal)
-  {
-    MakeReciprocal(factors.Matrix, solution.Elements, factors.Escaped);
-  }
-  const LightBalance balance = { solution.Elements, factors.Matrix, arriving };
-  const SolverLimits limits = { settings.Tolerance };
-  if (settings.Method == Solver::Gathering || settings.Both)
-  {
-    solution.Gathered = GatherLight(balance, limits, watch.Advance);
-  }
-  if (settings.Method == Solver::Shooting || settings.Both)
-  {
-    solution.Shot = ShootLight(balance, limits, watch.Advance);
-  }
-  const Reflected& chosen =
-    settings.Method == Solver::Gathering ? solution.Gathered : solution.Shot;
-  solution.Irradiance = TotalIrradiance(balance, chosen.Light);
-  solution.Radiosity.resize(solution.Elements.size());
-  for (std::size_t i = 0; i < solution.Elements.size(); ++i)
-  {
-    solution.Radiosity[i] = solution.Elements[i].Emission + chosen.Light[i];
-  }
-  solution.Error =
-    GatherError(factors.Matrix, solution.EmissionByRays ? solution.Radiosity : chosen.Light);
-  LightPoints(mesh, rays, sources, direct, settings, solution, watch);
+  LightPoints(mesh, rays, sources, direct, settings, solution, reporter);
   for (const auto& entry : factors.Matrix.Entries)
   {
     const double share = std::min(1.0, double(entry.Value));
@@ -183,16 +171,20 @@ void SolveOnce(const PatchMesh& mesh, const Illumination& light, const Settings&
   solution.Escaped = std::move(factors.Escaped);
 }
 
-/// Faces whose corners differ by more than the steepness, of the scene's mean or of their own where
-/// that is greater, by Weber's law.
+double Brightness(const Color& c)
+{
+  return c.x + c.y + c.z;
+}
+
+/// Faces whose corners differ by more than the steepness, relative to the mean of the scene, or to their own mean if that is
+/// greater (Weber's law).
 std::vector<char> FindSteep(const Solution& solution, double steepness)
 {
-  const auto brightness = [](const Color& c) { return c.x + c.y + c.z; };
   double mean = 0.0;
   double area = 0.0;
   for (std::size_t i = 0; i < solution.Elements.size(); ++i)
   {
-    const double light = brightness(solution.Irradiance[i]);
+    const double light = Brightness(solution.Irradiance[i]);
     mean += light * solution.Elements[i].Area;
     area += light > 0.0 ? solution.Elements[i].Area : 0.0;
   }
@@ -201,12 +193,12 @@ std::vector<char> FindSteep(const Solution& solution, double steepness)
   for (std::size_t i = 0; i < solution.Elements.size(); ++i)
   {
     const auto& corners = solution.Points.OfElement[i];
-    double low = brightness(solution.Points.Irradiance[corners[0]]);
+    double low = Brightness(solution.Points.Irradiance[corners[0]]);
     double high = low;
     for (const std::uint32_t corner : corners)
     {
-      low = std::min(low, brightness(solution.Points.Irradiance[corner]));
-      high = std::max(high, brightness(solution.Points.Irradiance[corner]));
+      low = std::min(low, Brightness(solution.Points.Irradiance[corner]));
+      high = std::max(high, Brightness(solution.Points.Irradiance[corner]));
     }
     const bool matters = solution.Elements[i].Reflectance != Color(0.0);
     if (matters && high - low > steepness * std::max(mean, 0.5 * (low + high)))
@@ -216,11 +208,8 @@ std::vector<char> FindSteep(const Solution& solution, double steepness)
   }
   return steep;
 }
-}
 
-namespace
-{
-/// Over the elements that light reaches, by area.
+/// The mean by area over lit elements.
 template <typename Value>
 double MeanOverLit(const Solution& solution, const Value& value)
 {
@@ -236,11 +225,6 @@ double MeanOverLit(const Solution& solution, const Value& value)
   }
   return area > 0.0 ? sum / area : 0.0;
 }
-
-double Sum(const Color& c)
-{
-  return c.x + c.y + c.z;
-}
 }
 
 double RelativeError(const Solution& solution)
@@ -248,7 +232,7 @@ double RelativeError(const Solution& solution)
   const double square = MeanOverLit(
     solution, [&](std::size_t i) { return glm::dot(solution.Error[i], solution.Error[i]); });
   const double mean =
-    MeanOverLit(solution, [&](std::size_t i) { return Sum(solution.Irradiance[i]); });
+    MeanOverLit(solution, [&](std::size_t i) { return Brightness(solution.Irradiance[i]); });
   return mean > 0.0 ? std::sqrt(3.0 * square) / mean : 0.0;
 }
 
@@ -265,28 +249,24 @@ double SolverDifference(const Solution& solution)
     most = std::max({ most, apart.x, apart.y, apart.z });
   }
   const double mean =
-    MeanOverLit(solution, [&](std::size_t i) { return Sum(solution.Radiosity[i]) / 3.0; });
+    MeanOverLit(solution, [&](std::size_t i) { return Brightness(solution.Radiosity[i]) / 3.0; });
   return mean > 0.0 ? most / mean : 0.0;
 }
 
-double DefaultPatchSize(const PatchMesh& mesh)
-{
-  constexpr double share = 0.025;
-  return share * mesh.Diagonal();
-}
-
 Solution Solve(PatchMesh mesh, const Illumination& light, const Settings& settings,
-  const Watch& watch, FactorLog* log)
+  tool::Reporter& reporter, FactorLog* log)
 {
   if (mesh.Faces().empty())
   {
-    throw std::runtime_error("the scene has no surface of any area that could be lit");
+    tool::Fail("the scene has no surface of any area that could be lit");
   }
   Solution solution;
   RequireLight(MakeElements(mesh), light);
-  watch.Begin("cutting patches");
-  Subdivide(mesh, settings, solution);
-  SolveOnce(mesh, light, settings, solution, watch, log);
+  {
+    tool::Step step(reporter, "subdividing surfaces");
+    Subdivide(mesh, settings, solution);
+  }
+  SolveOnce(mesh, light, settings, solution, reporter, log);
   double size = solution.PatchSize;
   for (int pass = 0; pass < settings.Refinements; ++pass)
   {
@@ -304,10 +284,10 @@ Solution Solve(PatchMesh mesh, const Illumination& light, const Settings& settin
     }
     if (finer.Faces().size() == mesh.Faces().size())
     {
-      break; // nowhere steep
+      break; // nothing is steep
     }
     mesh = std::move(finer);
-    SolveOnce(mesh, light, settings, solution, watch, log);
+    SolveOnce(mesh, light, settings, solution, reporter, log);
   }
   return solution;
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Random numbers and strata for rays; the same for the same element, whatever thread asks.
-#ifndef penumbra_tool_RadiositySampling_h
-#define penumbra_tool_RadiositySampling_h
+/// Random numbers and stratified samples. They depend only on the element, not on the thread.
+#pragma once
 
 #include "bake/radiosity/Patches.h"
 
@@ -37,7 +36,7 @@ private:
   std::uint64_t State;
 };
 
-/// side * side points of the unit square, one in each cell of a grid, in random order.
+/// Stratified points of the unit square: one in each cell of a grid, in random order.
 inline std::vector<glm::dvec2> Strata(int side, Random& random)
 {
   std::vector<glm::dvec2> points;
@@ -56,13 +55,13 @@ inline std::vector<glm::dvec2> Strata(int side, Random& random)
   return points;
 }
 
-/// The side of the smallest grid with so many cells.
+/// The side of the smallest grid with at least this number of cells.
 inline int GridSide(int samples)
 {
   return std::max(1, static_cast<int>(std::ceil(std::sqrt(double(samples)) - 1e-9)));
 }
 
-/// With a density of cosine / pi over the hemisphere: the disc below it, evenly (Malley's method:
+/// A direction with a density of cosine / pi over the hemisphere, by uniform sampling of the disc below it (Malley's method:
 /// Pharr, Jakob and Humphreys 2016, Physically Based Rendering, section 13.6.3).
 inline Point CosineDirection(const Point& normal, const glm::dvec2& u)
 {
@@ -74,5 +73,3 @@ inline Point CosineDirection(const Point& normal, const glm::dvec2& u)
     std::sqrt(std::max(0.0, 1.0 - u.x)) * normal;
 }
 }
-
-#endif

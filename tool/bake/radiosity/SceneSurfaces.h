@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A renderer's surfaces and lights as the radiosity solver takes them.
-#ifndef penumbra_tool_SceneSurfaces_h
-#define penumbra_tool_SceneSurfaces_h
+/// A renderer's surfaces and lights, as input of the radiosity solver.
+#pragma once
 
 #include "bake/radiosity/Radiosity.h"
 
@@ -14,13 +13,13 @@ struct GatheredScene
 {
   PatchMesh Mesh;
   Illumination Light;
-  std::vector<std::string> Notes; ///< what is left out, a sentence each
 };
 
-/// All visible opaque surfaces in world coordinates, as rays see them, with what they reflect
-/// diffusely and emit; cell arrays "albedo" and "emission" of three components, where polygons have
-/// them, in place of their look. And the lights, and the environment where it lights.
-GatheredScene GatherScene(vtkRenderer* renderer);
-}
+/// All visible opaque surfaces in world coordinates, with their diffuse reflectance and emission, the lights, and the
+/// environment. If polygons have cell arrays "albedo" and "emission" of three components, these replace the material. Prints
+/// notes on what is left out.
+GatheredScene GatherScene(vtkRenderer* renderer, tool::Reporter& reporter);
 
-#endif
+/// The lights that are on; a light of colour c gives the irradiance pi c. Headlights are left out with a note.
+Illumination GatherLights(vtkRenderer* renderer, tool::Reporter& reporter);
+}

@@ -13,7 +13,7 @@ SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>&
   SmoothPoints result;
   result.OfElement.resize(elements.size());
   std::vector<Point> normals;
-  // A vertex has few points: one for each side and each bundle of normals.
+  // A vertex has few points, one for each side and each group of similar normals.
   std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> known;
   for (std::size_t i = 0; i < elements.size(); ++i)
   {
@@ -22,9 +22,9 @@ SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>&
     for (int k = 0; k < 3; ++k)
     {
       const std::uint32_t vertex = face.Corners[i % 2 == 0 ? k : (3 - k) % 3];
-      auto& bundle = known[{ vertex, static_cast<std::uint32_t>(i % 2), face.Surface }];
+      auto& group = known[{ vertex, static_cast<std::uint32_t>(i % 2), face.Surface }];
       std::uint32_t point = static_cast<std::uint32_t>(result.Points.size());
-      for (const std::uint32_t other : bundle)
+      for (const std::uint32_t other : group)
       {
         const Point& normal = normals[other];
         point = glm::dot(normal, element.Normal) > crease * glm::length(normal) ? other : point;
@@ -33,7 +33,7 @@ SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>&
       {
         result.Points.push_back(mesh.Vertices()[vertex].At);
         normals.emplace_back(0.0);
-        bundle.push_back(point);
+        group.push_back(point);
       }
       normals[point] += element.Area * element.Normal;
       result.OfElement[i][k] = point;
@@ -44,7 +44,7 @@ SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>&
 
 namespace
 {
-/// The mean by area over the elements around every point; valueAt(element, corner).
+/// The mean by area over the elements around each point, of valueAt(element, corner).
 template <typename ValueAt>
 std::vector<Color> Mean(
   const SmoothPoints& points, const std::vector<Element>& elements, const ValueAt& valueAt)
@@ -70,20 +70,20 @@ std::vector<Color> Mean(
 std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<Element>& elements,
   const PatchRays& rays, const LightSources& sources, int shadowRays, const tool::Progress& advance)
 {
-  constexpr double nudge = 0.02; // of the way to the middle of the patch
-  constexpr int around = 6;      // patches meet at most points
-  const int each = std::max(1, shadowRays / around);
+  constexpr double offset = 0.02; // relative to the distance of the patch's centre
+  constexpr int typical = 6;      // number of patches around most points
+  const int each = std::max(1, shadowRays / typical);
   std::vector<std::array<Color, 3>> light(elements.size());
-  const auto meet = [&](std::size_t i) {
+  const auto sample = [&](std::size_t i) {
     const Element& element = elements[i];
     const auto& at = element.Corners;
     for (std::size_t k = 0; k < 3 && element.Present; ++k)
     {
-      light[i][k] = ArrivingAt(sources, rays, glm::mix(at[k], (at[0] + at[1] + at[2]) / 3.0, nudge),
-        element.Normal, each, 3 * i + k);
+      light[i][k] = IrradianceAt(sources, rays,
+        glm::mix(at[k], (at[0] + at[1] + at[2]) / 3.0, offset), element.Normal, each, 3 * i + k);
     }
   };
-  tool::ForEach(elements.size(), meet, advance);
+  tool::ForEach(elements.size(), sample, advance);
   return Mean(points, elements, [&](std::size_t i, std::size_t k) { return light[i][k]; });
 }
 

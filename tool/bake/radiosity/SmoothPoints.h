@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Irradiance at the corners of patches, to be interpolated between them.
-#ifndef penumbra_tool_SmoothPoints_h
-#define penumbra_tool_SmoothPoints_h
+/// Irradiance at the corners of patches, for interpolation.
+#pragma once
 
 #include "bake/radiosity/DirectLight.h"
 
@@ -10,7 +9,7 @@
 
 namespace penumbra::radiosity
 {
-/// Patches that meet at less than 30 degrees, of one surface, share the points between them.
+/// Points shared by patches of the same surface whose normals differ by less than 30 degrees.
 struct SmoothPoints
 {
   std::vector<Point> Points;
@@ -20,15 +19,13 @@ struct SmoothPoints
 
 SmoothPoints MakeSmoothPoints(const PatchMesh& mesh, const std::vector<Element>& elements);
 
-/// Direct light around every point: the mean by area over the elements there, each met a little off the
-/// corner, clear of what stands at its edge. shadowRays: about so many from each point to a source.
+/// Direct irradiance of each point: the mean by area over the elements around it, sampled slightly off the corner, to avoid
+/// surfaces at its edge. shadowRays: approximate number per point and source.
 std::vector<Color> DirectAround(const SmoothPoints& points, const std::vector<Element>& elements,
   const PatchRays& rays, const LightSources& sources, int shadowRays,
   const tool::Progress& advance = {});
 
-/// The mean of a value of the elements around every point, by their area.
+/// The mean by area of a value over the elements around each point.
 std::vector<Color> MeanAround(const SmoothPoints& points, const std::vector<Element>& elements,
   const std::vector<Color>& values);
 }
-
-#endif

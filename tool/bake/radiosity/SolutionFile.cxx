@@ -24,7 +24,7 @@ namespace penumbra::radiosity
 {
 namespace
 {
-/// An array of three components, a tuple for each of count elements or points.
+/// Adds an array of colours for elements or points.
 template <typename ColorOf>
 void AddColors(vtkFieldData* fields, const char* name, std::size_t count, const ColorOf& colorOf)
 {
@@ -73,7 +73,7 @@ void AddFields(vtkPolyData* data, const Solution& solution)
   AddField(data, "patch size", { solution.PatchSize });
 }
 
-/// What the points of the elements get; reflectance and emission are those of the patches around.
+/// Adds points and their data, with mean reflectance and emission of the patches around them.
 void AddPoints(vtkPolyData* data, const Solution& solution)
 {
   const SmoothPoints& smooth = solution.Points;
@@ -105,8 +105,8 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
     for (int k = 0; k < 3; ++k)
     {
       constexpr double white = 255.0;
-      shown->InsertNextValue(
-        static_cast<unsigned char>(std::lround(white * Display(light[k] / glm::pi<double>()))));
+      shown->InsertNextValue(static_cast<unsigned char>(
+        std::lround(white * DisplayValue(light[k] / glm::pi<double>()))));
     }
   }
   data->SetPoints(points);
@@ -114,7 +114,7 @@ void AddPoints(vtkPolyData* data, const Solution& solution)
 }
 }
 
-double Display(double radiance)
+double DisplayValue(double radiance)
 {
   constexpr double exponent = 1.0 / 2.2;
   return std::pow(std::clamp(radiance, 0.0, 1.0), exponent);
@@ -153,7 +153,7 @@ void WriteSolution(const std::string& file, const Solution& solution)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(MakePolyData(solution));
-  // Debian 12 stumbles over appended data: VTK before 9.3.1 with newer versions of Expat.
+  // VTK before 9.3.1 cannot read appended data with newer versions of Expat.
   writer->SetDataModeToBinary();
   if (!tool::WriteWhole(writer, file))
   {

@@ -1,28 +1,31 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// A solution as polygons with arrays, for any program that reads VTK's files.
-#ifndef penumbra_tool_SolutionFile_h
-#define penumbra_tool_SolutionFile_h
+/// Output of a solution: VTK polygons with arrays, and pictures.
+#pragma once
 
 #include "bake/radiosity/Radiosity.h"
+#include "image/Picture.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+class vtkRenderer;
+
 namespace penumbra::radiosity
 {
-/// The sides of patches that any light reaches, as triangles that face away from the surface. Cells:
-/// radiosity and irradiance (W/m2), albedo, emission (radiance), error (standard error of the
-/// irradiance). Points: radiosity, irradiance, and color, the radiance for display. Field: how it was
-/// solved.
+/// The sides of patches that any light reaches, as triangles that face away from the surface. Cell data: radiosity and
+/// irradiance (W/m2), albedo, emission (radiance), error (standard error of the irradiance). Point data: radiosity,
+/// irradiance, and color, the radiance for display. Field data: parameters and history of the solution.
 vtkSmartPointer<vtkPolyData> MakePolyData(const Solution& solution);
 
-/// Writes a .vtp under another name first, so that there is never half a file; throws
-/// std::runtime_error with a sentence.
+/// Writes a .vtp file, which is always complete. Throws a Failure.
 void WriteSolution(const std::string& file, const Solution& solution);
 
-/// Radiance as 8-bit displays show it: cut off at 1, with the exponent 1 / 2.2 of VTK's PBR shading.
-double Display(double radiance);
-}
+/// Radiance for 8-bit displays: clamped to 1, with the exponent 1 / 2.2 of VTK's PBR shading.
+double DisplayValue(double radiance);
 
-#endif
+/// A picture of the radiance that the renderer's camera sees. Irradiance is interpolated between the corners of patches
+/// unless flat. samples: rays per pixel, a square number.
+tool::Picture DrawSolution(const Solution& solution, vtkRenderer* renderer, int width, int height,
+  int samples, bool flat, const tool::Progress& advance = {});
+}

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bake/radiosity/SolutionView.h"
-
 #include "bake/radiosity/Sampling.h"
+#include "bake/radiosity/SolutionFile.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
@@ -12,11 +11,11 @@ namespace penumbra::radiosity
 {
 namespace
 {
-/// From a place in the picture, both coordinates from -1 to 1, to a line of sight.
-class Eye
+/// Rays through points of the picture, with coordinates from -1 to 1.
+class CameraRays
 {
 public:
-  Eye(vtkCamera* camera, double aspect)
+  CameraRays(vtkCamera* camera, double aspect)
   {
     vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
     for (int i = 0; i < 16; ++i)
@@ -48,7 +47,7 @@ Color RadianceOf(const Solution& solution, const PatchRays::Hit& hit, bool flat)
   {
     return solution.Radiosity[hit.Element] / glm::pi<double>();
   }
-  // The back's second and third corners are the front's third and second.
+  // On the back, the second and third corners are swapped.
   const bool back = hit.Element % 2 != 0;
   const double weights[3] = { 1.0 - hit.U - hit.V, back ? hit.V : hit.U, back ? hit.U : hit.V };
   Color irradiance(0.0);
@@ -73,7 +72,7 @@ tool::Picture DrawSolution(const Solution& solution, vtkRenderer* renderer, int 
 {
   tool::Picture picture(width, height, 3);
   const PatchRays rays(solution.Elements);
-  const Eye eye(renderer->GetActiveCamera(), double(width) / height);
+  const CameraRays camera(renderer->GetActiveCamera(), double(width) / height);
   const int side = GridSide(samples);
   const auto draw = [&](std::size_t row) {
     for (int x = 0; x < width; ++x)
@@ -83,7 +82,7 @@ tool::Picture DrawSolution(const Solution& solution, vtkRenderer* renderer, int 
       {
         const double u = (x + (i % side + 0.5) / side) / width;
         const double v = 1.0 - (double(row) + (i / side + 0.5) / side) / height;
-        const auto [from, direction] = eye.Through(2.0 * u - 1.0, 2.0 * v - 1.0);
+        const auto [from, direction] = camera.Through(2.0 * u - 1.0, 2.0 * v - 1.0);
         const auto hit = rays.Nearest(from, Point(0.0), direction);
         sum += hit.Element == PatchRays::Nothing ? BackgroundAt(renderer, v)
                                                  : RadianceOf(solution, hit, flat);

@@ -9,12 +9,14 @@ namespace penumbra::radiosity
 {
 namespace
 {
+constexpr int MaximumSweeps = 1000;
+
 double Power(const Color& exitance, const Element& element)
 {
   return (std::abs(exitance.x) + std::abs(exitance.y) + std::abs(exitance.z)) * element.Area;
 }
 
-/// What the elements reflect of the light that arrives first.
+/// The first reflection of arriving light.
 std::vector<Color> FirstReflection(const LightBalance& balance)
 {
   std::vector<Color> light(balance.Elements.size());
@@ -42,8 +44,8 @@ Color Gathered(const FactorMatrix& factors, std::size_t row, const std::vector<C
   return sum;
 }
 
-/// How far a residual that shrinks by powers has come.
-double Done(double residual, double tolerance)
+/// The progress of a residual that decreases exponentially.
+double FractionDone(double residual, double tolerance)
 {
   return residual > 0.0 ? std::clamp(std::log(residual) / std::log(tolerance), 0.0, 1.0) : 1.0;
 }
@@ -60,15 +62,14 @@ double GreatestReflectance(const std::vector<Element>& elements)
   return greatest;
 }
 
-Reflected GatherLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance)
+Reflected GatherLight(const LightBalance& balance, double tolerance, const tool::Progress& advance)
 {
   const std::vector<Color> first = FirstReflection(balance);
   const double initial = TotalPower(first, balance);
   Reflected result;
   result.Light = first;
   result.Converged = initial == 0.0;
-  for (int sweep = 0; sweep < limits.Sweeps && !result.Converged; ++sweep)
+  for (int sweep = 0; sweep < MaximumSweeps && !result.Converged; ++sweep)
   {
     double change = 0.0;
     for (std::size_t i = 0; i < first.size(); ++i)
@@ -80,17 +81,16 @@ Reflected GatherLight(
       result.Light[i] = next;
     }
     result.History.push_back({ sweep + 1.0, change / initial });
-    result.Converged = change / initial <= limits.Tolerance;
+    result.Converged = change / initial <= tolerance;
     if (advance)
     {
-      advance(Done(change / initial, limits.Tolerance));
+      advance(FractionDone(change / initial, tolerance));
     }
   }
   return result;
 }
 
-Reflected ShootLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance)
+Reflected ShootLight(const LightBalance& balance, double tolerance, const tool::Progress& advance)
 {
   // Column i of F holds what the others get of i's power; by reciprocity A_j F_ji = A_i F_ij.
   const FactorMatrix columns = Transpose(balance.Factors);
@@ -101,7 +101,7 @@ Reflected ShootLight(
   const double initial = TotalPower(unshot, balance);
   result.Converged = initial == 0.0;
   double work = 0.0;
-  while (!result.Converged && work < limits.Sweeps)
+  while (!result.Converged && work < MaximumSweeps)
   {
     double most = 0.0;
     for (std::size_t i = 0; i < unshot.size(); ++i)
@@ -125,10 +125,10 @@ Reflected ShootLight(
     }
     const double residual = TotalPower(unshot, balance) / initial;
     result.History.push_back({ work, residual });
-    result.Converged = residual <= limits.Tolerance;
+    result.Converged = residual <= tolerance;
     if (advance)
     {
-      advance(Done(residual, limits.Tolerance));
+      advance(FractionDone(residual, tolerance));
     }
   }
   return result;

@@ -1,26 +1,25 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The radiosity equation B = E + rho (D + F (B - E)) for diffuse surfaces, solved two ways.
-#ifndef penumbra_tool_RadiositySolvers_h
-#define penumbra_tool_RadiositySolvers_h
+/// Two solvers of the radiosity equation B = E + rho (D + F (B - E)) for diffuse surfaces.
+#pragma once
 
 #include "bake/radiosity/FormFactors.h"
 
 namespace penumbra::radiosity
 {
-/// What is known of every element. The unknown is R, what it reflects.
+/// Known values of the elements. The unknown is R, the reflected light.
 struct LightBalance
 {
   const std::vector<Element>& Elements;
   const FactorMatrix& Factors;
-  /// Irradiance before any reflection: of lights, of the sky, of what shines.
+  /// Irradiance before any reflection: from lights, the environment and emissive surfaces.
   const std::vector<Color>& Arriving;
 };
 
 struct SolverStep
 {
-  double Work = 0.0;     ///< exchanges between two elements so far, in matrices' worth
-  double Residual = 0.0; ///< power that is not yet accounted for, over the power first reflected
+  double Work = 0.0;     ///< exchanges between elements so far, relative to the size of the matrix
+  double Residual = 0.0; ///< remaining power, relative to the power first reflected
 };
 
 struct Reflected
@@ -30,30 +29,21 @@ struct Reflected
   bool Converged = false;
 };
 
-struct SolverLimits
-{
-  double Tolerance = 1e-4; ///< of the residual
-  int Sweeps = 1000;
-};
-
-/// Each element in turn takes in what the others reflect now; the residual is what a sweep would still
-/// change: the Gauss-Seidel method (Cohen and Greenberg 1985, The Hemi-Cube).
+/// The Gauss-Seidel method: each element in turn gathers the light of the others (Cohen and Greenberg 1985, The Hemi-Cube).
+/// The residual is the change of a sweep. tolerance: final residual.
 Reflected GatherLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance = {});
+  const LightBalance& balance, double tolerance, const tool::Progress& advance = {});
 
-/// The element with the most unshot power sends it to all others: progressive refinement (Cohen, Chen,
-/// Wallace and Greenberg 1988, A Progressive Refinement Approach to Fast Radiosity Image Generation). To
-/// find it costs a look at all; so those with at least half of the greatest power shoot before the next
-/// look. A history's step is a look.
+/// Progressive refinement: the element with the greatest unshot power distributes it to all others (Cohen, Chen, Wallace and
+/// Greenberg 1988, A Progressive Refinement Approach to Fast Radiosity Image Generation). Because a search is costly, each
+/// one, a step of the history, is followed by all elements with at least half of the greatest power.
 Reflected ShootLight(
-  const LightBalance& balance, const SolverLimits& limits, const tool::Progress& advance = {});
+  const LightBalance& balance, double tolerance, const tool::Progress& advance = {});
 
-/// The irradiance of every element, with what arrives from the reflections.
+/// The total irradiance of each element, with reflected light.
 std::vector<Color> TotalIrradiance(
   const LightBalance& balance, const std::vector<Color>& reflected);
 
-/// The greatest reflectance; from 1 on light would be made.
+/// The greatest reflectance. From 1 on, light would increase without limit.
 double GreatestReflectance(const std::vector<Element>& elements);
 }
-
-#endif

@@ -8,22 +8,22 @@ namespace penumbra::radiosity
 {
 namespace
 {
-/// Of a towards b, across b.
-Point Across(const Point& a, const Point& b)
+/// The unit vector from b towards a, perpendicular to b.
+Point Perpendicular(const Point& a, const Point& b)
 {
   const Point across = a - glm::dot(a, b) * b;
   const double length = glm::length(across);
   return length > 0.0 ? across / length : Point(0.0);
 }
 
-/// Between the sides of a spherical triangle at a.
+/// The angle between the sides of a spherical triangle at a.
 double AngleAt(const Point& a, const Point& b, const Point& c)
 {
-  return std::acos(std::clamp(glm::dot(Across(b, a), Across(c, a)), -1.0, 1.0));
+  return std::acos(std::clamp(glm::dot(Perpendicular(b, a), Perpendicular(c, a)), -1.0, 1.0));
 }
 }
 
-SeenTriangle::SeenTriangle(const Point& at, const std::array<Point, 3>& triangle)
+SphericalTriangle::SphericalTriangle(const Point& at, const std::array<Point, 3>& triangle)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -35,14 +35,14 @@ SeenTriangle::SeenTriangle(const Point& at, const std::array<Point, 3>& triangle
   const double volume = std::abs(glm::dot(t[0], glm::cross(t[1], t[2])));
   this->Excess = 2.0 *
     std::atan2(volume, 1.0 + glm::dot(t[0], t[1]) + glm::dot(t[1], t[2]) + glm::dot(t[2], t[0]));
-  // Below this the arithmetic of angles has too few digits left.
+  // For smaller solid angles, differences of angles lose too many digits.
   constexpr double least = 1e-6;
   this->Small = !(this->Excess > least);
   this->Angle = AngleAt(t[0], t[1], t[2]);
   this->CosineOpposite = glm::dot(t[0], t[1]);
 }
 
-Point SeenTriangle::Direction(const glm::dvec2& u) const
+Point SphericalTriangle::Direction(const glm::dvec2& u) const
 {
   if (this->Small)
   {
@@ -50,7 +50,7 @@ Point SeenTriangle::Direction(const glm::dvec2& u) const
     return glm::normalize((1.0 - r) * this->Corners[0] + r * (1.0 - u.y) * this->Corners[1] +
       r * u.y * this->Corners[2]);
   }
-  // The third corner moves along its side until the triangle has the share u.x of the solid angle.
+  // Move the third corner along its side until the triangle has a share u.x of the solid angle.
   const auto& t = this->Towards;
   const double beta = AngleAt(t[1], t[2], t[0]);
   const double gamma = AngleAt(t[2], t[0], t[1]);
@@ -64,21 +64,21 @@ Point SeenTriangle::Direction(const glm::dvec2& u) const
   const double below = (q * s + p * c) * sine;
   const double along =
     below != 0.0 ? std::clamp(((q * c - p * s) * cosine - q) / below, -1.0, 1.0) : 1.0;
-  const Point third = along * t[0] + std::sqrt(1.0 - along * along) * Across(t[2], t[0]);
-  // And then a point between it and the second, evenly by area of the sphere.
+  const Point third = along * t[0] + std::sqrt(1.0 - along * along) * Perpendicular(t[2], t[0]);
+  // Choose a point between it and the second corner, uniformly by area of the sphere.
   const double height = 1.0 - u.y * (1.0 - glm::dot(third, t[1]));
   return glm::normalize(
-    height * t[1] + std::sqrt(std::max(0.0, 1.0 - height * height)) * Across(third, t[1]));
+    height * t[1] + std::sqrt(std::max(0.0, 1.0 - height * height)) * Perpendicular(third, t[1]));
 }
 
-bool LightDirection(
-  const SeenTriangle& seen, const Point& normal, glm::dvec2 u, Random& random, Point& direction)
+bool LightDirection(const SphericalTriangle& triangle, const Point& normal, glm::dvec2 u,
+  Random& random, Point& direction)
 {
-  // Where fewer than that are found, the triangle lies so low that its light hardly counts.
+  // If none of so many is accepted, the triangle is so low that its light is negligible.
   constexpr int most = 256;
   for (int i = 0; i < most; ++i)
   {
-    direction = seen.Direction(u);
+    direction = triangle.Direction(u);
     if (random.Next() < glm::dot(direction, normal))
     {
       return true;

@@ -48,7 +48,7 @@ const std::map<std::string, Stops>& Maps()
   return maps;
 }
 
-/// The array at points, else at cells.
+/// The array at points, or else at cells.
 vtkDataArray* FindArray(vtkPolyData* geometry, const std::string& name, bool& atPoints)
 {
   vtkDataArray* array = geometry->GetPointData()->GetArray(name.c_str());
@@ -56,27 +56,7 @@ vtkDataArray* FindArray(vtkPolyData* geometry, const std::string& name, bool& at
   return array ? array : geometry->GetCellData()->GetArray(name.c_str());
 }
 
-std::vector<std::string> ArrayNames(const std::vector<Part>& parts)
-{
-  std::set<std::string> names;
-  for (const Part& part : parts)
-  {
-    for (vtkFieldData* fields : { static_cast<vtkFieldData*>(part.Geometry->GetPointData()),
-           static_cast<vtkFieldData*>(part.Geometry->GetCellData()) })
-    {
-      for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-      {
-        if (const char* name = fields->GetArray(i) ? fields->GetArray(i)->GetName() : nullptr)
-        {
-          names.insert(name);
-        }
-      }
-    }
-  }
-  return { names.begin(), names.end() };
-}
-
-/// -1 is the magnitude of a vector, as for vtkDataArray::GetRange.
+/// The index of a component; -1 for the magnitude, as in vtkDataArray::GetRange().
 int ComponentIndex(const ColorBy& color, int components, const std::string& what)
 {
   if (components == 1)
@@ -96,29 +76,23 @@ int ComponentIndex(const ColorBy& color, int components, const std::string& what
   if (index >= components)
   {
     FailUsage(
-      "array '{}' of {} has no component '{}': it has {}; take magnitude, x, y, z or 0 to {}",
+      "array '{}' of {} has no component '{}': it has {}; use magnitude, x, y, z or 0 to {}",
       color.Array, what, color.Component, components, components - 1);
   }
   return index;
 }
-}
-
-std::vector<std::string> ColorMapNames()
-{
-  std::vector<std::string> names;
-  for (const auto& map : Maps())
-  {
-    names.push_back(map.first);
-  }
-  return names;
-}
-
+/// The map as a table of 256 colours over a range. Throws a Failure for an unknown name.
 vtkSmartPointer<vtkLookupTable> MakeColorMap(const std::string& name, const double range[2])
 {
   const auto map = Maps().find(name);
   if (map == Maps().end())
   {
-    FailUsage("{}", UnknownName("colour map", name, "", ColorMapNames()));
+    std::vector<std::string> names;
+    for (const auto& row : Maps())
+    {
+      names.push_back(row.first);
+    }
+    FailUsage("{}", UnknownName("colour map", name, "", names));
   }
   vtkNew<vtkColorTransferFunction> curve;
   curve->SetColorSpaceToLab();
@@ -140,6 +114,7 @@ vtkSmartPointer<vtkLookupTable> MakeColorMap(const std::string& name, const doub
   table->SetTableRange(range[0], range[1]);
   table->SetNanColor(0.6, 0.6, 0.6, 1);
   return table;
+}
 }
 
 vtkSmartPointer<vtkLookupTable> MakeColoring(
@@ -163,7 +138,17 @@ vtkSmartPointer<vtkLookupTable> MakeColoring(
   }
   if (!found)
   {
-    FailUsage("{}", UnknownName("array", color.Array, what, ArrayNames(parts)));
+    std::set<std::string> names;
+    for (const Part& part : parts)
+    {
+      for (vtkFieldData* fields : std::initializer_list<vtkFieldData*>{
+             part.Geometry->GetPointData(), part.Geometry->GetCellData() })
+      {
+        const auto known = ArrayNames(fields);
+        names.insert(known.begin(), known.end());
+      }
+    }
+    FailUsage("{}", UnknownName("array", color.Array, what, { names.begin(), names.end() }));
   }
   if (color.Range)
   {
@@ -171,7 +156,7 @@ vtkSmartPointer<vtkLookupTable> MakeColoring(
   }
   if (!(range[0] < range[1]))
   {
-    // One value only, or none that is finite: any range that contains it.
+    // A single value, or no finite one: any range that contains it.
     range[1] = range[0] = range[0] > range[1] ? 0 : range[0];
     range[1] += 1;
   }

@@ -16,7 +16,7 @@ namespace penumbra::tool
 {
 namespace
 {
-constexpr double Border = 1.08; // the picture is this much wider than the scene
+constexpr double Border = 1.08; // width of the picture relative to the scene
 
 /// The camera's axes: to the right, up, and from the scene to the camera.
 struct Axes
@@ -24,7 +24,7 @@ struct Axes
   Vec3 Right, Up, Front;
 };
 
-Axes LookFrom(const Vec3& front, const Vec3& up)
+Axes ViewAxes(const Vec3& front, const Vec3& up)
 {
   Axes axes;
   axes.Front = front;
@@ -32,17 +32,17 @@ Axes LookFrom(const Vec3& front, const Vec3& up)
   vtkMath::Cross(up.data(), axes.Front.data(), axes.Right.data());
   if (vtkMath::Normalize(axes.Right.data()) < 1e-9)
   {
-    // Looking along the up axis: any direction across it will do.
+    // The view is along the up axis: any perpendicular direction is suitable.
     vtkMath::Perpendiculars(axes.Front.data(), axes.Right.data(), axes.Up.data(), 0);
   }
   vtkMath::Cross(axes.Front.data(), axes.Right.data(), axes.Up.data());
   return axes;
 }
 
-/// Turns the default side about the up axis, then raises it.
+/// Rotates the default view about the up axis, then raises it.
 Vec3 ViewDirection(const Camera& camera, const DefaultView& view)
 {
-  const Axes axes = LookFrom(view.Front, view.Up);
+  const Axes axes = ViewAxes(view.Front, view.Up);
   vtkNew<vtkTransform> turn;
   turn->RotateWXYZ(camera.Azimuth.value_or(view.Azimuth), view.Up.data());
   turn->RotateWXYZ(-camera.Elevation.value_or(view.Elevation), axes.Right.data());
@@ -51,9 +51,9 @@ Vec3 ViewDirection(const Camera& camera, const DefaultView& view)
   return direction;
 }
 
-/// The greatest of slope * |sideways| + depth on either side gives the two planes of the frustum that
-/// touch the scene; they meet at the camera.
-struct Reach
+/// Maxima of sideways + slope * depth on both sides. They are the two planes of the frustum that touch the scene and meet
+/// at the camera.
+struct Extent
 {
   double Low = -1e300, High = -1e300;
   void Add(double sideways, double depth, double slope)
@@ -67,7 +67,7 @@ struct Reach
 
 struct Fit
 {
-  Vec3 Center = { 0, 0, 0 }; ///< on the axis of view, at the depth of the scene's middle
+  Vec3 Center = { 0, 0, 0 }; ///< on the view axis, at the depth of the scene's centre
   double Distance = 1;
   double ParallelScale = 1;
 };
@@ -81,7 +81,7 @@ Fit FitPoints(
     return fit;
   }
   const double slopeX = slopeY * aspect;
-  Reach x, y, depth;
+  Extent x, y, depth;
   for (const Vec3& p : points)
   {
     const double forward = vtkMath::Dot(p.data(), axes.Front.data());
@@ -103,9 +103,10 @@ Fit FitPoints(
 }
 }
 
-void FramedPoints::Add(vtkPolyData* geometry, vtkMatrix4x4* placed, double margin)
+void AddFramedPoints(
+  vtkPolyData* geometry, vtkMatrix4x4* transform, double margin, std::vector<Vec3>& points)
 {
-  // Every so many points: the silhouette of a mesh is found well before all are looked at.
+  // A subset is enough for the silhouette of a mesh.
   constexpr vtkIdType most = 50000;
   const vtkIdType count = geometry->GetNumberOfPoints();
   const vtkIdType stride = std::max<vtkIdType>(1, count / most);
@@ -113,28 +114,27 @@ void FramedPoints::Add(vtkPolyData* geometry, vtkMatrix4x4* placed, double margi
   {
     double p[4] = { 0, 0, 0, 1 };
     geometry->GetPoint(i, p);
-    placed->MultiplyPoint(p, p);
+    transform->MultiplyPoint(p, p);
     for (int axis = 0; axis < (margin > 0 ? 3 : 1); ++axis)
     {
       for (double side : { -margin, margin })
       {
         Vec3 point = { p[0], p[1], p[2] };
         point[axis] += side;
-        this->Points.push_back(point);
+        points.push_back(point);
       }
     }
   }
 }
 
-void SetCamera(const Camera& described, const DefaultView& view, const FramedPoints& points,
+void SetCamera(const Camera& described, const DefaultView& view, const std::vector<Vec3>& points,
   double aspect, vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const Vec3 up = described.ViewUp.value_or(view.Up);
   Vec3 direction = ViewDirection(described, view);
   const double slope = std::tan(vtkMath::RadiansFromDegrees(described.ViewAngle) / 2);
-  Fit fit =
-    FitPoints(points.Get(), LookFrom(direction, up), slope / Border, aspect, described.Parallel);
+  Fit fit = FitPoints(points, ViewAxes(direction, up), slope / Border, aspect, described.Parallel);
   const Vec3 focal = described.FocalPoint.value_or(fit.Center);
   Vec3 position;
   for (int i = 0; i < 3; ++i)
@@ -147,7 +147,7 @@ void SetCamera(const Camera& described, const DefaultView& view, const FramedPoi
     position = *described.Position;
     vtkMath::Subtract(position.data(), focal.data(), direction.data());
   }
-  Axes axes = LookFrom(direction, up);
+  Axes axes = ViewAxes(direction, up);
   camera->SetPosition(position.data());
   camera->SetFocalPoint(focal.data());
   camera->SetViewUp(axes.Up.data());

@@ -1,32 +1,22 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Places the camera so that the scene fills the picture.
-#ifndef penumbra_tool_Framing_h
-#define penumbra_tool_Framing_h
+#pragma once
 
-#include "scene/model/Loaded.h"
+#include "scene/model/LoadedData.h"
 
 class vtkPolyData;
 class vtkRenderer;
 
 namespace penumbra::tool
 {
-/// A sample of the points that must be in view.
-class FramedPoints
-{
-public:
-  /// Adds points of the geometry, placed by the matrix and with a margin in world units.
-  void Add(vtkPolyData* geometry, vtkMatrix4x4* placed, double margin);
-  const std::vector<Vec3>& Get() const { return this->Points; }
+/// Adds a sample of the geometry's points to those that must be visible, after a transformation, with a margin in world
+/// units.
+void AddFramedPoints(
+  vtkPolyData* geometry, vtkMatrix4x4* transform, double margin, std::vector<Vec3>& points);
 
-private:
-  std::vector<Vec3> Points;
-};
-
-/// Sets the renderer's camera as described; what is not described is chosen so that all points are in
-/// view, seen from the default side.
-void SetCamera(const Camera& camera, const DefaultView& view, const FramedPoints& points,
+/// Sets the renderer's camera as described. What is not described is chosen so that all points are visible from the default
+/// view.
+void SetCamera(const Camera& camera, const DefaultView& view, const std::vector<Vec3>& points,
   double aspect, vtkRenderer* renderer);
 }
-
-#endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/build/Isosurfaces.h"
+#include "scene/build/Surfaces.h"
 
 #include "common/Failure.h"
 #include "common/Names.h"
@@ -21,20 +21,7 @@ namespace penumbra::tool
 {
 namespace
 {
-std::vector<std::string> ArrayNames(vtkFieldData* fields)
-{
-  std::vector<std::string> names;
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    if (const char* name = fields->GetArray(i) ? fields->GetArray(i)->GetName() : nullptr)
-    {
-      names.emplace_back(name);
-    }
-  }
-  return names;
-}
-
-/// The array to contour: the one asked for, else the active scalars, else the first of one component.
+/// The array to contour: the requested one, the active scalars, or the first one with a single component.
 vtkDataArray* ChooseArray(vtkDataSet* data, const Object& object)
 {
   vtkPointData* fields = data->GetPointData();
@@ -57,7 +44,7 @@ vtkDataArray* ChooseArray(vtkDataSet* data, const Object& object)
   return active;
 }
 
-/// Contouring works on values at points.
+/// Averages cell values to points, where contouring needs them.
 vtkSmartPointer<vtkDataSet> WithPointArrays(vtkDataSet* data)
 {
   const bool onlyCells =
@@ -106,8 +93,9 @@ vtkSmartPointer<vtkPolyData> Contour(
   vtkNew<vtkContourFilter> contour;
   return run(contour.GetPointer());
 }
-}
 
+/// The value that best separates the finite values into two classes.
+/// Otsu 1979, A Threshold Selection Method from Gray-Level Histograms.
 double OtsuThreshold(vtkDataArray* values)
 {
   double range[2];
@@ -145,16 +133,14 @@ double OtsuThreshold(vtkDataArray* values)
   return range[0] + (threshold + 1) * width;
 }
 
-namespace
-{
-// Computed tomography is in whole Hounsfield units: air has -1000, water 0, dense bone well over 1000.
+// Computed tomography has integer Hounsfield units: air is -1000, water 0, dense bone well over 1000.
 bool IsInHounsfieldUnits(vtkDataArray* values, const double (&range)[2])
 {
   const int type = values->GetDataType();
   return type != VTK_FLOAT && type != VTK_DOUBLE && range[0] <= -900.0 && range[1] >= 700.0;
 }
 
-// Between air and all else, where Otsu's threshold lies in CT, the table and the blanket are seen first.
+// Otsu's threshold for CT lies just above air, and shows mainly the table and the blanket.
 constexpr double BoneInHounsfieldUnits = 300.0;
 }
 

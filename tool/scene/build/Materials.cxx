@@ -21,8 +21,8 @@ bool Emits(const Material& material)
   return material.Emission != Vec3{ 0, 0, 0 } || !material.EmissionTexture.empty();
 }
 
-// For the points of faces of any number of corners: vtkPolyDataTangents knows triangles alone, and leaves the points of
-// others without, which makes them black.
+/// Tangents at the points of faces with any number of corners. vtkPolyDataTangents supports triangles only: the points of
+/// other faces get none and turn black.
 vtkSmartPointer<vtkDataArray> MakeTangents(vtkPolyData* geometry)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -35,23 +35,12 @@ vtkSmartPointer<vtkDataArray> MakeTangents(vtkPolyData* geometry)
 
 void ApplyShading(const Material& material, vtkProperty* property)
 {
-  switch (material.Model)
+  property->SetInterpolation(material.Shading);
+  if (material.Shading == VTK_PBR)
   {
-    case Shading::Flat:
-      property->SetInterpolationToFlat();
-      break;
-    case Shading::Gouraud:
-      property->SetInterpolationToGouraud();
-      break;
-    case Shading::Phong:
-      property->SetInterpolationToPhong();
-      break;
-    case Shading::Pbr:
-      property->SetInterpolationToPBR();
-      property->SetMetallic(material.Metallic);
-      property->SetBaseIOR(material.RefractiveIndex);
-      property->SetRoughness(material.Roughness);
-      break;
+    property->SetMetallic(material.Metallic);
+    property->SetBaseIOR(material.RefractiveIndex);
+    property->SetRoughness(material.Roughness);
   }
   property->SetColor(material.Color[0], material.Color[1], material.Color[2]);
   property->SetAmbient(material.Ambient);
@@ -62,13 +51,7 @@ void ApplyShading(const Material& material, vtkProperty* property)
   property->SetSpecularColor(specular.data());
   property->SetOpacity(material.Opacity);
   property->SetLighting(material.Lighting);
-}
-
-void ApplyStyle(const Material& material, vtkProperty* property)
-{
-  property->SetRepresentation(material.Style == Representation::Surface
-      ? VTK_SURFACE
-      : (material.Style == Representation::Wireframe ? VTK_WIREFRAME : VTK_POINTS));
+  property->SetRepresentation(material.Representation);
   property->SetBackfaceCulling(material.Cull == Culling::Back);
   property->SetFrontfaceCulling(material.Cull == Culling::Front);
   property->SetLineWidth(static_cast<float>(material.LineWidth));
@@ -76,16 +59,16 @@ void ApplyStyle(const Material& material, vtkProperty* property)
   if (material.EdgeColor)
   {
     property->EdgeVisibilityOn();
-    property->SetEdgeColor(
-      (*material.EdgeColor)[0], (*material.EdgeColor)[1], (*material.EdgeColor)[2]);
+    Vec3 edges = *material.EdgeColor;
+    property->SetEdgeColor(edges.data());
   }
 }
 
-/// VTK's PBR shader emits through a texture only, its Phong shader through the ambient term.
+/// VTK's PBR shader takes emission from a texture only, its Phong shader from the ambient term.
 void ApplyEmission(const Material& material, vtkProperty* property)
 {
   Vec3 emission = material.Emission;
-  if (material.Model == Shading::Pbr)
+  if (material.Shading == VTK_PBR)
   {
     property->SetEmissiveTexture(material.EmissionTexture.empty()
         ? MakeWhiteTexture()
@@ -102,7 +85,7 @@ void ApplyEmission(const Material& material, vtkProperty* property)
 void ApplyTextures(const Material& material, vtkActor* actor)
 {
   vtkProperty* property = actor->GetProperty();
-  if (!material.Texture.empty() && material.Model == Shading::Pbr)
+  if (!material.Texture.empty() && material.Shading == VTK_PBR)
   {
     property->SetBaseColorTexture(ReadTexture(material.Texture, TextureUse::Color));
   }
@@ -135,25 +118,25 @@ Material DefaultMaterial(std::size_t index, bool underEnvironment)
   };
   Material material;
   material.Color = palette[index % palette.size()];
-  material.Model = underEnvironment ? Shading::Pbr : Shading::Phong;
+  material.Shading = underEnvironment ? VTK_PBR : VTK_PHONG;
   material.Specular = underEnvironment ? 1 : 0.12;
   material.SpecularPower = 24;
   material.Roughness = 0.45;
   return material;
 }
 
-bool ShowsPictures(const Material& material)
+bool HasTextures(const Material& material)
 {
   return !(material.Texture.empty() && material.NormalTexture.empty() &&
     material.OrmTexture.empty() && material.EmissionTexture.empty());
 }
 
-vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* geometry)
+vtkSmartPointer<vtkPolyData> PrepareGeometry(const Material& material, vtkPolyData* geometry)
 {
-  vtkPointData* known = geometry->GetPointData();
+  vtkPointData* data = geometry->GetPointData();
   auto prepared = vtkSmartPointer<vtkPolyData>::New();
   prepared->ShallowCopy(geometry);
-  if (!known->GetTCoords() && Emits(material) && material.Model == Shading::Pbr)
+  if (!data->GetTCoords() && Emits(material) && material.Shading == VTK_PBR)
   {
     vtkNew<vtkFloatArray> coordinates;
     coordinates->SetName("texture coordinates");
@@ -162,8 +145,8 @@ vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* g
     coordinates->Fill(0.5);
     prepared->GetPointData()->SetTCoords(coordinates);
   }
-  if (!material.NormalTexture.empty() && known->GetTCoords() && known->GetNormals() &&
-    !known->GetTangents())
+  if (!material.NormalTexture.empty() && data->GetTCoords() && data->GetNormals() &&
+    !data->GetTangents())
   {
     prepared->GetPointData()->SetTangents(MakeTangents(geometry));
   }
@@ -173,7 +156,6 @@ vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* g
 void ApplyMaterial(const Material& material, vtkActor* actor)
 {
   ApplyShading(material, actor->GetProperty());
-  ApplyStyle(material, actor->GetProperty());
   ApplyTextures(material, actor);
   if (Emits(material))
   {
@@ -183,7 +165,8 @@ void ApplyMaterial(const Material& material, vtkActor* actor)
   {
     vtkNew<vtkProperty> back;
     back->DeepCopy(actor->GetProperty());
-    back->SetColor((*material.BackColor)[0], (*material.BackColor)[1], (*material.BackColor)[2]);
+    Vec3 color = *material.BackColor;
+    back->SetColor(color.data());
     actor->SetBackfaceProperty(back);
   }
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Materials as VTK properties and textures.
-#ifndef penumbra_tool_Materials_h
-#define penumbra_tool_Materials_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -12,18 +11,16 @@
 
 namespace penumbra::tool
 {
-/// A pleasing material for the index-th surface of a scene: each of the first few has its own colour.
+/// The default material of the index-th surface of a scene. The first few have different colours.
 Material DefaultMaterial(std::size_t index, bool underEnvironment);
 
-/// Whether the material wants texture coordinates.
-bool ShowsPictures(const Material& material);
+/// Whether the material needs texture coordinates.
+bool HasTextures(const Material& material);
 
-/// A shallow copy of the geometry with what the material needs (tangents for normal maps, texture coordinates for
-/// emission without a picture).
-vtkSmartPointer<vtkPolyData> PrepareFor(const Material& material, vtkPolyData* geometry);
+/// A shallow copy of the geometry, with tangents for normal maps, and with texture coordinates for emission without a
+/// texture.
+vtkSmartPointer<vtkPolyData> PrepareGeometry(const Material& material, vtkPolyData* geometry);
 
-/// Sets the actor's property and textures; throws a Failure for a texture that cannot be read.
+/// Sets the actor's property and textures. Throws a Failure if a texture cannot be read.
 void ApplyMaterial(const Material& material, vtkActor* actor);
 }
-
-#endif

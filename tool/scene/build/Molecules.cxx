@@ -23,8 +23,8 @@ namespace
 {
 using Rgb = std::array<unsigned char, 3>;
 
-/// Corey and Pauling 1953, Koltun 1965: the colours by which elements are known, in shades that keep
-/// room for light and shadow; elements not listed take the periodic table's.
+/// The usual colours of elements (Corey and Pauling 1953, Koltun 1965), in shades that leave room for light and shadow. Other
+/// elements have the colours of the periodic table.
 Rgb ElementColor(unsigned short number, vtkPeriodicTable* table)
 {
   static const std::map<unsigned short, Rgb> colors = {
@@ -38,8 +38,7 @@ Rgb ElementColor(unsigned short number, vtkPeriodicTable* table)
     { 17, { 84, 178, 84 } },  // chlorine
     { 26, { 196, 108, 58 } }, // iron
   };
-  const auto found = colors.find(number);
-  if (found != colors.end())
+  if (const auto found = colors.find(number); found != colors.end())
   {
     return found->second;
   }
@@ -53,7 +52,7 @@ Rgb ElementColor(unsigned short number, vtkPeriodicTable* table)
   return color;
 }
 
-constexpr double UnknownRadius = 1.7; // that of carbon, in Angstrom
+constexpr double UnknownRadius = 1.7; // of carbon, in Angstrom
 }
 
 vtkSmartPointer<vtkPolyData> MakeAtoms(vtkMolecule* molecule)

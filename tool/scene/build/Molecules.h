@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Molecules as balls and sticks.
-#ifndef penumbra_tool_Molecules_h
-#define penumbra_tool_Molecules_h
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -18,11 +17,9 @@ namespace penumbra::tool
 /// Atoms as points with the arrays "radius" (van der Waals, in Angstrom) and "element color".
 vtkSmartPointer<vtkPolyData> MakeAtoms(vtkMolecule* molecule);
 
-/// A mapper that draws a ball at each point, of the radius in the array.
+/// A mapper that draws a ball at each point, with the radius in an array.
 vtkSmartPointer<vtkOpenGLSphereMapper> MakeBallMapper(vtkPolyData* points, const char* radiusArray);
 
 /// Balls joined by sticks, or sticks only.
 vtkSmartPointer<vtkActor> MakeStickModel(vtkMolecule* molecule, MoleculeStyle style);
 }
-
-#endif

@@ -29,17 +29,17 @@ namespace penumbra::tool
 {
 namespace
 {
-Loaded Obtain(const Object& object, Reporter& reporter)
+LoadedData LoadObject(const Object& object, Reporter& reporter)
 {
   if (!object.Path.empty())
   {
     return Load(object.Path, reporter);
   }
-  Loaded made;
-  made.View = { { 0, -1, 0 }, { 0, 0, 1 }, 25, 25 };
-  made.Data =
+  LoadedData loaded;
+  loaded.View = { { 0, -1, 0 }, { 0, 0, 1 }, 25, 25 };
+  loaded.Data =
     object.Shape ? MakePrimitive(*object.Shape) : MakeMesh(*object.Geometry, Describe(object));
-  return made;
+  return loaded;
 }
 
 void Place(const Object& object, vtkActor* actor)
@@ -55,12 +55,11 @@ void Place(const Object& object, vtkActor* actor)
   }
 }
 
-/// Radius that suits what is thin: a part of the diagonal, smaller the more points there are.
-double PleasingRadius(vtkPolyData* geometry, const Object& object, double share)
+/// The object's radius of balls or tubes, or by default a share of the diagonal.
+double DefaultRadius(vtkPolyData* geometry, const Object& object, double share)
 {
   const double diagonal = geometry->GetLength();
-  const double own = share * (diagonal > 0 ? diagonal : 1);
-  return object.Radius > 0 ? object.Radius : own;
+  return object.Radius > 0 ? object.Radius : share * (diagonal > 0 ? diagonal : 1);
 }
 
 bool HasOnlyLines(vtkPolyData* geometry)
@@ -69,29 +68,29 @@ bool HasOnlyLines(vtkPolyData* geometry)
     geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() == 0;
 }
 
-/// Lines take light and shadow as tubes.
+/// Lines as tubes, which are lit and cast shadows.
 vtkSmartPointer<vtkPolyData> AsTubes(vtkPolyData* lines, const Object& object)
 {
   constexpr double share = 0.0015;
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(lines);
-  tubes->SetRadius(PleasingRadius(lines, object, share));
+  tubes->SetRadius(DefaultRadius(lines, object, share));
   tubes->SetNumberOfSides(12);
   tubes->CappingOn();
   tubes->Update();
   return tubes->GetOutput()->GetNumberOfCells() > 0 ? tubes->GetOutput() : lines;
 }
 
-bool IsUnlitPrimitive(const Object& object)
+bool IsWireframeOrPoints(const Object& object)
 {
-  return object.Look && object.Look->Style != Representation::Surface;
+  return object.Appearance && object.Appearance->Representation != VTK_SURFACE;
 }
 
 vtkSmartPointer<vtkPolyData> AsBalls(vtkPolyData* points, const Object& object, double& radius)
 {
-  // Balls that just touch where the points filled the box evenly.
+  // Balls that touch if the points fill the box evenly.
   const double count = std::max<double>(1, points->GetNumberOfPoints());
-  radius = PleasingRadius(points, object, 0.25 / std::cbrt(count));
+  radius = DefaultRadius(points, object, 0.25 / std::cbrt(count));
   vtkNew<vtkFloatArray> radii;
   radii->SetName("ball radius");
   radii->SetNumberOfTuples(points->GetNumberOfPoints());
@@ -108,26 +107,26 @@ vtkSmartPointer<vtkPolyData> AsBalls(vtkPolyData* points, const Object& object, 
   return balls;
 }
 
-class Maker
+class ActorBuilder
 {
 public:
-  Maker(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
-    FramedPoints& points, Reporter& reporter)
+  ActorBuilder(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
+    std::vector<Vec3>& points, Reporter& reporter)
     : Described(object)
     , UnderEnvironment(underEnvironment)
     , PaletteIndex(paletteIndex)
     , Points(points)
-    , Told(reporter)
+    , Notes(reporter)
   {
   }
 
-  ObjectActors Made;
+  ObjectActors Result;
 
   void AddParts(std::vector<Part> parts, const std::optional<ColorBy>& color)
   {
     if (color)
     {
-      this->Made.Coloring = MakeColoring(parts, *color, Describe(this->Described));
+      this->Result.Coloring = MakeColoring(parts, *color, Describe(this->Described));
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
@@ -137,20 +136,20 @@ public:
       if (this->Described.PointsAsBalls)
       {
         geometry = AsBalls(geometry, this->Described, ballRadius);
-        this->Made.Balls += geometry->GetNumberOfPoints();
+        this->Result.Balls += geometry->GetNumberOfPoints();
       }
-      else if (HasOnlyLines(geometry) && !IsUnlitPrimitive(this->Described))
+      else if (HasOnlyLines(geometry) && !IsWireframeOrPoints(this->Described))
       {
         geometry = AsTubes(geometry, this->Described);
       }
-      geometry = this->Prepared(material, geometry);
+      geometry = this->Prepare(material, geometry);
       vtkSmartPointer<vtkPolyDataMapper> mapper = ballRadius > 0
         ? vtkSmartPointer<vtkPolyDataMapper>(MakeBallMapper(geometry, "ball radius"))
         : vtkSmartPointer<vtkPolyDataMapper>::New();
       mapper->SetInputData(geometry);
       if (color)
       {
-        ColorMapper(mapper, geometry, *color, this->Made.Coloring);
+        ColorMapper(mapper, geometry, *color, this->Result.Coloring);
       }
       else
       {
@@ -176,16 +175,16 @@ public:
       auto mapper = MakeBallMapper(atoms, "radius");
       if (this->Described.Color)
       {
-        this->Made.Coloring =
+        this->Result.Coloring =
           MakeColoring({ { atoms, "" } }, *this->Described.Color, Describe(this->Described));
-        ColorMapper(mapper, atoms, *this->Described.Color, this->Made.Coloring);
+        ColorMapper(mapper, atoms, *this->Described.Color, this->Result.Coloring);
       }
       this->Add(mapper, material, atoms, largest);
     }
-    this->Made.Balls += atoms->GetNumberOfPoints();
+    this->Result.Balls += atoms->GetNumberOfPoints();
   }
 
-  /// Actors that bring their own materials keep them unless the object has one.
+  /// Actors with materials keep them, unless the object has one.
   void AddImported(const std::vector<vtkSmartPointer<vtkActor>>& actors, DroppedPoints& dropped)
   {
     for (vtkActor* actor : actors)
@@ -198,10 +197,10 @@ public:
         continue;
       }
       vtkSmartPointer<vtkPolyData> geometry = DropNonFinite(given, dropped);
-      if (geometry->GetNumberOfCells() > 0 && this->Described.Look)
+      if (geometry->GetNumberOfCells() > 0 && this->Described.Appearance)
       {
-        geometry = this->Prepared(*this->Described.Look, geometry);
-        ApplyMaterial(*this->Described.Look, actor);
+        geometry = this->Prepare(*this->Described.Appearance, geometry);
+        ApplyMaterial(*this->Described.Appearance, actor);
       }
       if (geometry != given)
       {
@@ -211,7 +210,7 @@ public:
       {
         continue;
       }
-      this->Made.Triangles += CountTriangles(geometry);
+      this->Result.Triangles += CountTriangles(geometry);
       this->Finish(actor, geometry, 0);
     }
   }
@@ -219,8 +218,8 @@ public:
 private:
   Material MaterialOf(std::size_t part)
   {
-    Material material = this->Described.Look
-      ? *this->Described.Look
+    Material material = this->Described.Appearance
+      ? *this->Described.Appearance
       : DefaultMaterial(this->PaletteIndex++, this->UnderEnvironment);
     const auto& opacities = this->Described.Opacities;
     if (!opacities.empty())
@@ -230,19 +229,19 @@ private:
     return material;
   }
 
-  vtkSmartPointer<vtkPolyData> Prepared(const Material& material, vtkPolyData* geometry)
+  vtkSmartPointer<vtkPolyData> Prepare(const Material& material, vtkPolyData* geometry)
   {
-    if (ShowsPictures(material) && !geometry->GetPointData()->GetTCoords() &&
-      !std::exchange(this->ToldOfPictures, true))
+    if (HasTextures(material) && !geometry->GetPointData()->GetTCoords() &&
+      !std::exchange(this->NotedTextures, true))
     {
-      this->Told.Note(
-        fmt::format("{} has no texture coordinates: the pictures of its material are not shown",
+      this->Notes.Note(
+        fmt::format("{} has no texture coordinates: the textures of its material are not shown",
           Describe(this->Described)));
     }
-    return PrepareFor(material, geometry);
+    return PrepareGeometry(material, geometry);
   }
 
-  /// Bytes of three or four components are colours; other arrays colour nothing unless asked to.
+  /// Uses scalars as colours if they are bytes with three or four components.
   static void UseOwnColors(vtkMapper* mapper, vtkPolyData* geometry)
   {
     vtkDataArray* scalars = geometry->GetPointData()->GetScalars();
@@ -257,30 +256,30 @@ private:
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     ApplyMaterial(material, actor);
-    this->Made.Triangles += CountTriangles(geometry);
+    this->Result.Triangles += CountTriangles(geometry);
     this->Finish(actor, geometry, margin);
   }
 
   void Finish(vtkActor* actor, vtkPolyData* geometry, double margin)
   {
     Place(this->Described, actor);
-    this->Points.Add(geometry, actor->GetMatrix(), margin);
-    this->Made.Actors.emplace_back(actor);
+    AddFramedPoints(geometry, actor->GetMatrix(), margin, this->Points);
+    this->Result.Actors.emplace_back(actor);
   }
 
   const Object& Described;
   bool UnderEnvironment;
   std::size_t& PaletteIndex;
-  FramedPoints& Points;
-  Reporter& Told;
-  bool ToldOfPictures = false;
+  std::vector<Vec3>& Points;
+  Reporter& Notes;
+  bool NotedTextures = false;
 };
 
-/// Terrain that is not told how to be coloured shows its elevation.
-std::optional<ColorBy> ColoringOf(const Object& object, const Loaded& loaded)
+/// The object's colouring; by default, terrain is coloured by elevation.
+std::optional<ColorBy> ColoringOf(const Object& object, const LoadedData& loaded)
 {
   const bool terrain = loaded.Kind == Content::Heights || object.Heights;
-  if (!terrain || object.Color || object.Look)
+  if (!terrain || object.Color || object.Appearance)
   {
     return object.Color;
   }
@@ -295,37 +294,37 @@ std::optional<ColorBy> ColoringOf(const Object& object, const Loaded& loaded)
 }
 
 ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
-  FramedPoints& points, const TriangleBudget& budget, Reporter& reporter)
+  std::vector<Vec3>& points, const TriangleBudget& budget, Reporter& reporter)
 {
-  const Loaded loaded = Obtain(object, reporter);
-  Maker maker(object, underEnvironment, paletteIndex, points, reporter);
+  const LoadedData loaded = LoadObject(object, reporter);
+  ActorBuilder builder(object, underEnvironment, paletteIndex, points, reporter);
   if (auto* molecule = vtkMolecule::SafeDownCast(loaded.Data))
   {
     if (molecule->GetNumberOfAtoms() == 0)
     {
       Fail("{} holds no atoms: there is nothing to draw", Describe(object));
     }
-    maker.AddMolecule(molecule);
+    builder.AddMolecule(molecule);
   }
   else if (loaded.Kind == Content::Actors)
   {
     DroppedPoints dropped;
-    maker.AddImported(loaded.Actors, dropped);
+    builder.AddImported(loaded.Actors, dropped);
     dropped.Report(Describe(object), reporter);
-    if (maker.Made.Actors.empty())
+    if (builder.Result.Actors.empty())
     {
       Fail("{} holds no triangles that could be drawn", Describe(object));
     }
   }
   else
   {
-    maker.AddParts(MakeParts(loaded, object, budget, reporter), ColoringOf(object, loaded));
+    builder.AddParts(MakeParts(loaded, object, budget, reporter), ColoringOf(object, loaded));
   }
-  maker.Made.View = loaded.View;
+  builder.Result.View = loaded.View;
   if (!object.Color || !object.Color->ScalarBar)
   {
-    maker.Made.Coloring = nullptr;
+    builder.Result.Coloring = nullptr;
   }
-  return maker.Made;
+  return builder.Result;
 }
 }

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// From one described object to its actors.
-#ifndef penumbra_tool_ObjectActors_h
-#define penumbra_tool_ObjectActors_h
+/// Actors of an object.
+#pragma once
 
 #include "scene/build/Framing.h"
 #include "scene/build/Surfaces.h"
@@ -17,13 +16,11 @@ struct ObjectActors
   DefaultView View;
   vtkIdType Triangles = 0;
   vtkIdType Balls = 0;
-  vtkSmartPointer<vtkLookupTable> Coloring; ///< where a scalar bar is asked for
+  vtkSmartPointer<vtkLookupTable> Coloring; ///< for a scalar bar; null if there is none
 };
 
-/// Reads or makes the object. Surfaces without a material take default ones from paletteIndex on,
-/// which is advanced. Adds what must be in view to points.
+/// Reads or makes an object. Surfaces without a material get the default materials from paletteIndex on, which is
+/// advanced. Adds the points that must be visible.
 ObjectActors MakeActors(const Object& object, bool underEnvironment, std::size_t& paletteIndex,
-  FramedPoints& points, const TriangleBudget& budget, Reporter& reporter);
+  std::vector<Vec3>& points, const TriangleBudget& budget, Reporter& reporter);
 }
-
-#endif

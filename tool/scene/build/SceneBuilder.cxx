@@ -4,11 +4,11 @@
 
 #include "common/Failure.h"
 #include "scene/build/ColorMaps.h"
-#include "scene/build/Lights.h"
 #include "scene/build/ObjectActors.h"
 #include "scene/build/TextureFiles.h"
 
 #include <vtkActor2D.h>
+#include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkPropCollection.h>
 #include <vtkScalarBarActor.h>
@@ -27,7 +27,8 @@ void SetBackground(const Background& background, vtkRenderer* renderer)
   renderer->SetBackgroundAlpha(background.Transparent ? 0 : 1);
 }
 
-void SetEnvironment(const Environment& environment, const DefaultView& view, vtkRenderer* renderer)
+void SetEnvironment(
+  const EnvironmentMap& environment, const DefaultView& view, vtkRenderer* renderer)
 {
   vtkSmartPointer<vtkTexture> texture = ReadEnvironmentTexture(environment.Path);
   Vec3 up = view.Up, right;
@@ -38,7 +39,7 @@ void SetEnvironment(const Environment& environment, const DefaultView& view, vtk
   renderer->SetEnvironmentRight(right.data());
   if (environment.Visible)
   {
-    // VTK's skybox begins a quarter turn from where its image-based light does.
+    // VTK's skybox is rotated by a quarter turn relative to its image-based light.
     Vec3 aside;
     vtkMath::Cross(right.data(), up.data(), aside.data());
     vtkNew<vtkSkybox> sky;
@@ -51,6 +52,58 @@ void SetEnvironment(const Environment& environment, const DefaultView& view, vtk
     sky->GammaCorrectOn();
     renderer->AddActor(sky);
   }
+}
+
+void Aim(vtkLight* light, const Light& from)
+{
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(from.Position[0], from.Position[1], from.Position[2]);
+  light->SetFocalPoint(from.Target[0], from.Target[1], from.Target[2]);
+}
+
+void AddLight(const Light& from, vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> light;
+  switch (from.Kind)
+  {
+    case LightKind::Key:
+      light->SetLightTypeToCameraLight();
+      light->SetDirectionAngle(from.Elevation, from.Azimuth);
+      break;
+    case LightKind::Head:
+      light->SetLightTypeToHeadlight();
+      break;
+    case LightKind::Directional:
+      Aim(light, from);
+      break;
+    case LightKind::Point:
+      Aim(light, from);
+      light->PositionalOn();
+      light->SetConeAngle(90); // VTK's convention for no cone
+      break;
+    case LightKind::Cone:
+      Aim(light, from);
+      light->PositionalOn();
+      light->SetConeAngle(from.Angle);
+      light->SetExponent(from.Exponent);
+      break;
+  }
+  light->SetAttenuationValues(from.Attenuation[0], from.Attenuation[1], from.Attenuation[2]);
+  light->SetColor(from.Color[0], from.Color[1], from.Color[2]);
+  light->SetIntensity(from.Intensity);
+  light->SetSwitch(from.On);
+  renderer->AddLight(light);
+}
+
+/// A key light from above left that follows the camera, and a weak headlight that brightens its shadows.
+std::vector<Light> DefaultLights()
+{
+  Light key, fill;
+  key.Kind = LightKind::Key;
+  key.Intensity = 0.95;
+  fill.Kind = LightKind::Head;
+  fill.Intensity = 0.15;
+  return { key, fill };
 }
 
 bool IsTranslucent(vtkRenderer* renderer)
@@ -98,23 +151,23 @@ void AddScalarBar(
 }
 }
 
-BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& reporter)
+BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& reporter)
 {
   BuiltScene built;
   built.Renderer = vtkSmartPointer<vtkRenderer>::New();
-  FramedPoints points;
-  TriangleBudget budget(limits.Triangles);
+  std::vector<Vec3> points;
+  TriangleBudget budget(maximumTriangles);
   DefaultView view;
   std::size_t paletteIndex = 0;
   bool hasScalarBar = false;
   for (const Object& object : scene.Objects)
   {
-    ObjectActors made =
-      MakeActors(object, scene.Surroundings.has_value(), paletteIndex, points, budget, reporter);
-    view = &object == &scene.Objects.front() ? made.View : view;
-    budget.Spend(made.Triangles, Describe(object));
-    built.Balls += made.Balls;
-    for (vtkActor* actor : made.Actors)
+    ObjectActors actors =
+      MakeActors(object, scene.Environment.has_value(), paletteIndex, points, budget, reporter);
+    view = &object == &scene.Objects.front() ? actors.View : view;
+    budget.Spend(actors.Triangles, Describe(object));
+    built.Balls += actors.Balls;
+    for (vtkActor* actor : actors.Actors)
     {
       built.Renderer->AddActor(actor);
       if (!object.Name.empty())
@@ -122,10 +175,10 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
         built.Names[actor] = object.Name;
       }
     }
-    if (made.Coloring)
+    if (actors.Coloring)
     {
       hasScalarBar = true;
-      AddScalarBar(made.Coloring, *object.Color, scene.Backdrop, built.Renderer);
+      AddScalarBar(actors.Coloring, *object.Color, scene.Backdrop, built.Renderer);
     }
   }
   if (scene.Objects.empty())
@@ -134,10 +187,14 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
   }
   built.Triangles = budget.GetSpent();
   SetBackground(scene.Backdrop, built.Renderer);
-  SetLights(scene.Lights.value_or(DefaultLights()), built.Renderer);
-  if (scene.Surroundings)
+  built.Renderer->AutomaticLightCreationOff();
+  for (const Light& light : scene.Lights.value_or(DefaultLights()))
   {
-    SetEnvironment(*scene.Surroundings, view, built.Renderer);
+    AddLight(light, built.Renderer);
+  }
+  if (scene.Environment)
+  {
+    SetEnvironment(*scene.Environment, view, built.Renderer);
   }
   if (scene.DepthPeeling && IsTranslucent(built.Renderer))
   {
@@ -146,7 +203,7 @@ BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& r
     built.Renderer->SetMaximumNumberOfPeels(8);
     built.Renderer->SetOcclusionRatio(0.001);
   }
-  // A scalar bar takes the right edge: what is framed keeps away from both.
+  // A scalar bar covers the right edge, so keep a margin on both sides.
   const double free = hasScalarBar ? 0.72 : 1;
   SetCamera(scene.View, view, points, free * scene.Width / scene.Height, built.Renderer);
   return built;
@@ -156,7 +213,7 @@ void ConfigureWindow(const Scene& scene, const BuiltScene& built, vtkRenderWindo
 {
   window->SetSize(scene.Width, scene.Height);
   window->SetAlphaBitPlanes(1); // for depth peeling and transparent backgrounds
-  // VTK's depth peeling loses translucent surfaces on a multisampled window.
+  // In a multisampled window, VTK's depth peeling loses translucent surfaces.
   constexpr int samples = 8;
   window->SetMultiSamples(built.DepthPeeling ? 0 : samples);
   built.Renderer->SetUseFXAA(built.DepthPeeling);

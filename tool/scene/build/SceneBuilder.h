@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Builds a renderer from a described scene.
-#ifndef penumbra_tool_SceneBuilder_h
-#define penumbra_tool_SceneBuilder_h
+#pragma once
 
 #include "common/Reporter.h"
 #include "scene/model/SceneModel.h"
@@ -15,27 +14,18 @@
 
 namespace penumbra::tool
 {
-/// What rendering may cost before it is refused.
-struct SceneLimits
-{
-  vtkIdType Triangles = 10000000;
-};
-
 struct BuiltScene
 {
   vtkSmartPointer<vtkRenderer> Renderer;
-  std::map<vtkProp*, std::string> Names; ///< of the objects that have one
+  std::map<vtkProp*, std::string> Names; ///< names of objects
   vtkIdType Triangles = 0;
   vtkIdType Balls = 0;
-  bool DepthPeeling = false; ///< the scene is translucent and peeling is not switched off
+  bool DepthPeeling = false; ///< whether the scene is translucent and peeling enabled
 };
 
-/// Reads and builds everything; throws a Failure for what cannot be drawn.
-BuiltScene BuildScene(const Scene& scene, const SceneLimits& limits, Reporter& reporter);
+/// Reads data and builds the scene. Throws a Failure for what cannot be drawn.
+BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& reporter);
 
-/// Gives the window the scene's renderer, its size and the settings they need. Call before the first
-/// picture.
+/// Adds the scene's renderer to the window, and sets its size and what the scene needs. Call before the first frame.
 void ConfigureWindow(const Scene& scene, const BuiltScene& built, vtkRenderWindow* window);
 }
-
-#endif

@@ -23,7 +23,9 @@
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
-#include <functional>
+#include <algorithm>
+#include <map>
+#include <type_traits>
 
 namespace penumbra::tool
 {
@@ -38,7 +40,7 @@ Geometry Run(Source* source)
   return source->GetOutput();
 }
 
-/// Turns a shape made about the given axis at the origin to its normal, and moves it to its centre.
+/// Rotates a shape about the origin from an axis to its normal, and moves it to its centre.
 Geometry Place(Geometry geometry, const Primitive& shape, Vec3 axis)
 {
   Vec3 normal = shape.Normal, about;
@@ -47,13 +49,13 @@ Geometry Place(Geometry geometry, const Primitive& shape, Vec3 axis)
   const double cosine = vtkMath::Dot(axis.data(), normal.data());
   if (vtkMath::Norm(about.data()) < 1e-12)
   {
-    // Parallel or opposite: any axis across does for half a turn.
+    // Parallel or opposite: half a turn about any perpendicular axis.
     about = { axis[1], axis[2], axis[0] };
   }
   vtkNew<vtkTransform> transform;
   transform->Translate(shape.Center.data());
   transform->RotateWXYZ(
-    vtkMath::DegreesFromRadians(std::acos(std::min(1.0, std::max(-1.0, cosine)))), about.data());
+    vtkMath::DegreesFromRadians(std::acos(std::clamp(cosine, -1.0, 1.0))), about.data());
   vtkNew<vtkTransformPolyDataFilter> placed;
   placed->SetInputData(geometry);
   placed->SetTransform(transform);
@@ -99,22 +101,16 @@ Geometry MakeDisk(const Primitive& shape)
   return Place(Run(source.GetPointer()), shape, { 0, 0, 1 });
 }
 
-Geometry MakeCylinder(const Primitive& shape)
+/// A cylinder or cone, which VTK makes about its own axis.
+template <typename Source>
+Geometry MakeUpright(const Primitive& shape)
 {
-  vtkNew<vtkCylinderSource> source;
+  vtkNew<Source> source;
   source->SetRadius(shape.Radius);
   source->SetHeight(shape.Height);
   source->SetResolution(shape.Resolution);
-  return Place(Run(source.GetPointer()), shape, { 0, 1, 0 });
-}
-
-Geometry MakeCone(const Primitive& shape)
-{
-  vtkNew<vtkConeSource> source;
-  source->SetRadius(shape.Radius);
-  source->SetHeight(shape.Height);
-  source->SetResolution(shape.Resolution);
-  return Place(Run(source.GetPointer()), shape, { 1, 0, 0 });
+  constexpr bool cone = std::is_same_v<Source, vtkConeSource>;
+  return Place(Run(source.GetPointer()), shape, cone ? Vec3{ 1, 0, 0 } : Vec3{ 0, 1, 0 });
 }
 
 Geometry MakeTorus(const Primitive& shape)
@@ -129,26 +125,27 @@ Geometry MakeTorus(const Primitive& shape)
   return Place(Run(source.GetPointer()), shape, { 0, 0, 1 });
 }
 
-const std::map<std::string, Geometry (*)(const Primitive&)>& Makers()
+const std::map<std::string, Geometry (*)(const Primitive&)>& PrimitiveTable()
 {
-  static const std::map<std::string, Geometry (*)(const Primitive&)> makers = {
+  static const std::map<std::string, Geometry (*)(const Primitive&)> table = {
     { "sphere", MakeSphere }, { "box", MakeBox }, { "plane", MakePlane }, { "disk", MakeDisk },
-    { "cylinder", MakeCylinder }, { "cone", MakeCone }, { "torus", MakeTorus }
+    { "cylinder", MakeUpright<vtkCylinderSource> }, { "cone", MakeUpright<vtkConeSource> },
+    { "torus", MakeTorus }
   };
-  return makers;
+  return table;
 }
 
 vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::vector<long long>>& cells,
   std::size_t points, std::size_t corners, const std::string& name)
 {
-  auto made = vtkSmartPointer<vtkCellArray>::New();
+  auto result = vtkSmartPointer<vtkCellArray>::New();
   for (const auto& cell : cells)
   {
     if (cell.size() < corners)
     {
       FailUsage("{} has a cell of {} points: it needs at least {}", name, cell.size(), corners);
     }
-    made->InsertNextCell(static_cast<int>(cell.size()));
+    result->InsertNextCell(static_cast<int>(cell.size()));
     for (const long long id : cell)
     {
       if (id < 0 || static_cast<std::size_t>(id) >= points)
@@ -156,10 +153,10 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<std::vector<long long>
         FailUsage("{} uses point {} but has points 0 to {} only", name, id,
           static_cast<long long>(points) - 1);
       }
-      made->InsertCellPoint(id);
+      result->InsertCellPoint(id);
     }
   }
-  return made;
+  return result;
 }
 
 void AddArrays(vtkFieldData* fields, const std::map<std::string, std::vector<double>>& arrays,
@@ -201,22 +198,19 @@ vtkSmartPointer<vtkFloatArray> PerPoint(const std::vector<std::array<double, N>>
 }
 }
 
-const std::vector<std::string>& PrimitiveKinds()
+std::vector<std::string> PrimitiveKinds()
 {
-  static const std::vector<std::string> kinds = [] {
-    std::vector<std::string> names;
-    for (const auto& maker : Makers())
-    {
-      names.push_back(maker.first);
-    }
-    return names;
-  }();
+  std::vector<std::string> kinds;
+  for (const auto& row : PrimitiveTable())
+  {
+    kinds.push_back(row.first);
+  }
   return kinds;
 }
 
 vtkSmartPointer<vtkPolyData> MakePrimitive(const Primitive& shape)
 {
-  return Makers().at(shape.Kind)(shape);
+  return PrimitiveTable().at(shape.Kind)(shape);
 }
 
 vtkSmartPointer<vtkPolyData> MakeMesh(const Mesh& mesh, const std::string& name)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Geometry described in the scene itself.
-#ifndef penumbra_tool_Shapes_h
-#define penumbra_tool_Shapes_h
+/// Geometry given in the scene file.
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -11,13 +10,11 @@
 
 namespace penumbra::tool
 {
-/// The kinds of primitives there are.
-const std::vector<std::string>& PrimitiveKinds();
+/// Names of the available primitives.
+std::vector<std::string> PrimitiveKinds();
 
 vtkSmartPointer<vtkPolyData> MakePrimitive(const Primitive& shape);
 
-/// Throws a Failure where an index is out of range or an array has the wrong length.
+/// Throws a Failure if an index is out of range or an array has the wrong length.
 vtkSmartPointer<vtkPolyData> MakeMesh(const Mesh& mesh, const std::string& name);
 }
-
-#endif

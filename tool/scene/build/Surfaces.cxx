@@ -3,15 +3,14 @@
 #include "scene/build/Surfaces.h"
 
 #include "common/Failure.h"
-#include "scene/build/Isosurfaces.h"
 #include "scene/build/Materials.h"
-#include "scene/build/TerrainSurface.h"
 #include "scene/readers/CleanGeometry.h"
 
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkImageData.h>
@@ -26,7 +25,7 @@ namespace penumbra::tool
 {
 namespace
 {
-/// Edges sharper than this stay sharp on grids and meshes that bring no normals.
+/// Angle in degrees above which edges are sharp, on grids and meshes without normals.
 constexpr double SharpEdge = 40;
 
 vtkSmartPointer<vtkPolyData> OuterSurface(vtkDataSet* data, Step& step)
@@ -45,7 +44,7 @@ vtkSmartPointer<vtkPolyData> OuterSurface(vtkDataSet* data, Step& step)
 vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* geometry, const Object& object, Step& step)
 {
   const bool hasOwn = geometry->GetPointData()->GetNormals() && !object.FeatureAngle;
-  const bool flat = object.Look && object.Look->Model == Shading::Flat;
+  const bool flat = object.Appearance && object.Appearance->Shading == VTK_FLAT;
   const bool hasFaces = geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() > 0;
   if (hasOwn || flat || !hasFaces)
   {
@@ -72,7 +71,7 @@ vtkSmartPointer<vtkPolyData> InWorld(vtkPolyData* geometry, vtkMatrix4x4* matrix
     placed->Update();
     return placed->GetOutput();
   }
-  // A mirroring turns faces inside out.
+  // A reflection turns faces inside out.
   vtkNew<vtkReverseSense> turned;
   turned->SetInputConnection(placed->GetOutputPort());
   turned->ReverseCellsOn();
@@ -81,11 +80,12 @@ vtkSmartPointer<vtkPolyData> InWorld(vtkPolyData* geometry, vtkMatrix4x4* matrix
   return turned->GetOutput();
 }
 
-/// One point where a reader made several, so that normals can be smooth across faces. Without a picture
-/// to place, texture coordinates are not needed.
+/// Merges points that a reader repeated, so that normals can be smooth across faces. Drops texture coordinates if there is
+/// no texture.
 vtkSmartPointer<vtkPolyData> Joined(vtkPolyData* geometry, const Object& object, Step& step)
 {
-  if (geometry->GetPointData()->GetNormals() || (object.Look && ShowsPictures(*object.Look)))
+  if (geometry->GetPointData()->GetNormals() ||
+    (object.Appearance && HasTextures(*object.Appearance)))
   {
     return geometry;
   }
@@ -116,17 +116,15 @@ void AddDataSet(std::vector<Part>& parts, vtkDataSet* data, const std::string& l
   const bool isosurfaces = IsVolume(data) || !object.IsoValues.empty();
   if (isosurfaces)
   {
-    for (Part& part : MakeIsosurfaces(data, object, reporter))
-    {
-      parts.push_back(std::move(part));
-    }
+    const std::vector<Part> made = MakeIsosurfaces(data, object, reporter);
+    parts.insert(parts.end(), made.begin(), made.end());
     return;
   }
-  Step step(reporter, fmt::format("taking the surface of {}", label));
+  Step step(reporter, fmt::format("extracting the surface of {}", label));
   parts.push_back({ OuterSurface(data, step), label });
 }
 
-std::vector<Part> PartsOfData(const Loaded& loaded, const Object& object, Reporter& reporter)
+std::vector<Part> PartsOfData(const LoadedData& loaded, const Object& object, Reporter& reporter)
 {
   std::vector<Part> parts;
   auto* composite = vtkCompositeDataSet::SafeDownCast(loaded.Data);
@@ -150,6 +148,19 @@ std::vector<Part> PartsOfData(const Loaded& loaded, const Object& object, Report
 }
 }
 
+std::vector<std::string> ArrayNames(vtkFieldData* fields)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    if (const char* name = fields->GetArray(i) ? fields->GetArray(i)->GetName() : nullptr)
+    {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
 std::string Describe(const Object& object)
 {
   if (!object.Path.empty())
@@ -160,14 +171,14 @@ std::string Describe(const Object& object)
 }
 
 std::vector<Part> MakeParts(
-  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter)
+  const LoadedData& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter)
 {
   const auto* image = vtkImageData::SafeDownCast(loaded.Data);
   const bool terrain = image && (loaded.Kind == Content::Heights || object.Heights);
   std::vector<Part> parts = terrain
     ? std::vector<Part>{ MakeTerrain(loaded, object, budget, reporter) }
     : PartsOfData(loaded, object, reporter);
-  std::vector<Part> drawn;
+  std::vector<Part> visible;
   DroppedPoints dropped;
   vtkIdType triangles = 0;
   for (Part& part : parts)
@@ -185,13 +196,13 @@ std::vector<Part> MakeParts(
     if (part.Geometry->GetNumberOfCells() > 0 ||
       (object.PointsAsBalls && part.Geometry->GetNumberOfPoints() > 0))
     {
-      drawn.push_back(part);
+      visible.push_back(part);
     }
   }
-  if (!drawn.empty())
+  if (!visible.empty())
   {
     dropped.Report(Describe(object), reporter);
-    return drawn;
+    return visible;
   }
   vtkIdType points = 0;
   for (const Part& part : parts)
@@ -215,7 +226,7 @@ std::vector<Part> MakeParts(
 
 vtkIdType CountTriangles(vtkPolyData* geometry)
 {
-  // A polygon of n corners takes n - 2 triangles, and so does a strip.
+  // A polygon or strip of n corners has n - 2 triangles.
   const auto count = [](vtkCellArray* cells) {
     return cells ? cells->GetNumberOfConnectivityIds() - 2 * cells->GetNumberOfCells() : 0;
   };

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// From what a file holds to the surfaces that are drawn.
-#ifndef penumbra_tool_Surfaces_h
-#define penumbra_tool_Surfaces_h
+/// Surfaces of loaded data.
+#pragma once
 
 #include "common/Reporter.h"
 #include "scene/build/TriangleBudget.h"
-#include "scene/model/Loaded.h"
+#include "scene/model/LoadedData.h"
 
 #include <vtkPolyData.h>
 
@@ -19,17 +18,25 @@ struct Part
   std::string Label;
 };
 
-/// Surfaces of an object whose content is data or heights: isosurfaces of volumes, terrain, the outer
-/// surface of grids, each block of a composite. Points that are not finite are dropped. Throws a
-/// Failure where nothing is left to draw, or more than the budget allows.
+/// The surfaces of an object of data or heights: isosurfaces of volumes, terrain, the outer surface of grids, and each
+/// block of a composite. Points that are not finite are dropped. Throws a Failure if nothing is left to draw, or if there
+/// are more triangles than the budget allows.
 std::vector<Part> MakeParts(
-  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter);
+  const LoadedData& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter);
 
-/// The object's name for sentences: its file, or the name given in the scene.
+/// One part for each of the object's isovalues, or for a chosen isovalue, which is reported.
+std::vector<Part> MakeIsosurfaces(vtkDataSet* data, const Object& object, Reporter& reporter);
+
+/// An image warped by its values, which remain the active scalars.
+Part MakeTerrain(
+  const LoadedData& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter);
+
+/// Names of the numeric arrays.
+std::vector<std::string> ArrayNames(vtkFieldData* fields);
+
+/// The object's name in messages: its file, or its name in the scene.
 std::string Describe(const Object& object);
 
-/// Triangles that drawing the polygons and strips takes.
+/// Number of triangles in the polygons and strips.
 vtkIdType CountTriangles(vtkPolyData* geometry);
 }
-
-#endif

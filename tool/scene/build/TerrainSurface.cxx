@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/build/TerrainSurface.h"
+#include "scene/build/Surfaces.h"
 
 #include "common/Failure.h"
 
@@ -18,7 +18,7 @@ namespace penumbra::tool
 {
 namespace
 {
-/// Relief of this part of the ground's width reads well from above.
+/// Relief relative to the width of the ground that is easy to see from above.
 constexpr double PleasingRelief = 0.09;
 
 vtkSmartPointer<vtkImageData> EveryNth(vtkImageData* image, int stride)
@@ -47,7 +47,7 @@ bool AllFinite(vtkDataArray* heights)
 }
 
 Part MakeTerrain(
-  const Loaded& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter)
+  const LoadedData& loaded, const Object& object, const TriangleBudget& budget, Reporter& reporter)
 {
   const Terrain settings = object.Heights.value_or(Terrain());
   Step step(reporter, fmt::format("raising terrain from {}", Describe(object)));
@@ -71,7 +71,7 @@ Part MakeTerrain(
   }
   if (AllFinite(heights))
   {
-    // Else those that remain are counted later.
+    // Otherwise the remaining triangles are counted later.
     image->GetDimensions(size);
     budget.Require(2 * vtkIdType(size[0] - 1) * vtkIdType(size[1] - 1), Describe(object));
   }
@@ -84,7 +84,7 @@ Part MakeTerrain(
   double exaggeration = settings.Exaggeration.value_or(1);
   if (!settings.Exaggeration && range[1] > range[0])
   {
-    // Two digits are enough, and honest about being a choice.
+    // Two digits are enough for a chosen value.
     const double wanted = PleasingRelief * width / (range[1] - range[0]);
     const double digit = std::pow(10, std::floor(std::log10(wanted)) - 1);
     exaggeration = std::round(wanted / digit) * digit;

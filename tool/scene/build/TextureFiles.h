@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Textures and environments from picture files.
-#ifndef penumbra_tool_TextureFiles_h
-#define penumbra_tool_TextureFiles_h
+/// Textures from picture files.
+#pragma once
 
 #include <vtkSmartPointer.h>
 #include <vtkTexture.h>
@@ -13,8 +12,8 @@ namespace penumbra::tool
 {
 enum class TextureUse
 {
-  Color, ///< display colours that PBR shading makes linear
-  Data   ///< values used as they are
+  Color, ///< display colours, made linear by PBR shading
+  Data   ///< values used unchanged
 };
 
 /// An 8-bit texture of a picture file.
@@ -23,8 +22,6 @@ vtkSmartPointer<vtkTexture> ReadTexture(const std::string& path, TextureUse use)
 /// One white pixel.
 vtkSmartPointer<vtkTexture> MakeWhiteTexture();
 
-/// A float texture of linear radiance, latitude by longitude; 8-bit files are made linear.
+/// A float texture of linear radiance in latitude-longitude format. 8-bit files are made linear.
 vtkSmartPointer<vtkTexture> ReadEnvironmentTexture(const std::string& path);
 }
-
-#endif

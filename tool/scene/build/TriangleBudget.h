@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Refuses a scene of too many triangles as soon as their number is known.
-#ifndef penumbra_tool_TriangleBudget_h
-#define penumbra_tool_TriangleBudget_h
+/// Rejects a scene with too many triangles as soon as their number is known.
+#pragma once
 
 #include "common/Failure.h"
 
@@ -20,7 +19,7 @@ public:
   {
   }
 
-  /// Throws a Failure where so many more would be too many; what names the object that brings them.
+  /// Throws a Failure if an object's triangles would exceed the limit. what: the object's name.
   void Require(vtkIdType triangles, const std::string& what) const
   {
     const vtkIdType all = this->Spent + triangles;
@@ -45,5 +44,3 @@ private:
   vtkIdType Spent = 0;
 };
 }
-
-#endif

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace penumbra::tool
 {
@@ -30,9 +31,9 @@ const nlohmann::json* JsonObject::Find(const std::string& key)
   return found == this->Value.end() ? nullptr : &*found;
 }
 
-void JsonObject::FailKind(const std::string& key, const std::string& wanted) const
+void JsonObject::FailType(const std::string& key, const std::string& type) const
 {
-  FailUsage("'{}' of {} must be {}", key, this->Name, wanted);
+  FailUsage("'{}' of {} must be {}", key, this->Name, type);
 }
 
 void JsonObject::FailChoice(
@@ -45,7 +46,7 @@ double JsonObject::Number(const nlohmann::json& value, const std::string& key) c
 {
   if (!value.is_number() || !std::isfinite(value.get<double>()))
   {
-    this->FailKind(key, "a finite number");
+    this->FailType(key, "a finite number");
   }
   return value.get<double>();
 }
@@ -75,31 +76,34 @@ void JsonObject::Read(const std::string& key, int& target, Bounds bounds)
   this->Read(key, number, Bounds{ std::max(bounds.Low, -most), std::min(bounds.High, most) });
   if (number != std::floor(number))
   {
-    this->FailKind(key, "a whole number");
+    this->FailType(key, "a whole number");
   }
   target = static_cast<int>(number);
 }
 
+const nlohmann::json* JsonObject::Find(
+  const std::string& key, bool (nlohmann::json::*isType)() const noexcept, const char* type)
+{
+  const nlohmann::json* value = this->Find(key);
+  if (value && !(value->*isType)())
+  {
+    this->FailType(key, type);
+  }
+  return value;
+}
+
 void JsonObject::Read(const std::string& key, bool& target)
 {
-  if (const auto* value = this->Find(key))
+  if (const auto* value = this->Find(key, &nlohmann::json::is_boolean, "true or false"))
   {
-    if (!value->is_boolean())
-    {
-      this->FailKind(key, "true or false");
-    }
     target = value->get<bool>();
   }
 }
 
 void JsonObject::Read(const std::string& key, std::string& target)
 {
-  if (const auto* value = this->Find(key))
+  if (const auto* value = this->Find(key, &nlohmann::json::is_string, "a text in quotes"))
   {
-    if (!value->is_string())
-    {
-      this->FailKind(key, "a text in quotes");
-    }
     target = value->get<std::string>();
   }
 }
@@ -116,7 +120,7 @@ void JsonObject::Read(const std::string& key, std::vector<double>& target)
     }
     if (!value->is_array())
     {
-      this->FailKind(key, "a list of numbers");
+      this->FailType(key, "a list of numbers");
     }
     for (const auto& element : *value)
     {
@@ -133,7 +137,7 @@ void JsonObject::Read(const std::string& key, Vec3& target)
     this->Read(key, numbers);
     if (numbers.size() != 3)
     {
-      this->FailKind(key, "a list of three numbers");
+      this->FailType(key, "a list of three numbers");
     }
     std::copy(numbers.begin(), numbers.end(), target.begin());
   }
@@ -144,7 +148,7 @@ void JsonObject::Read(const std::string& key, std::vector<std::string>& target)
   this->ForEach(key, [&](const nlohmann::json& value, const std::string&) {
     if (!value.is_string())
     {
-      this->FailKind(key, "a list of texts in quotes");
+      this->FailType(key, "a list of texts in quotes");
     }
     target.push_back(value.get<std::string>());
   });
@@ -165,7 +169,7 @@ void JsonObject::ReadColor(const std::string& key, Vec3& target)
   {
     if (channel < 0)
     {
-      this->FailKind(key, "a colour of numbers from 0");
+      this->FailType(key, "a colour of numbers from 0");
     }
   }
 }
@@ -183,13 +187,9 @@ void JsonObject::ReadColor(const std::string& key, std::optional<Vec3>& target)
 void JsonObject::ForEach(const std::string& key,
   const std::function<void(const nlohmann::json& value, const std::string& where)>& read)
 {
-  if (const auto* list = this->Find(key))
+  if (const auto* list = this->Find(key, &nlohmann::json::is_array, "a list in brackets"))
   {
-    if (!list->is_array())
-    {
-      this->FailKind(key, "a list in brackets");
-    }
-    // "object 2 of the scene": an element is named by the singular of its list.
+    // The name of an element is the singular of the key: "object 2 of the scene".
     const std::string singular = key.back() == 's' ? key.substr(0, key.size() - 1) : key;
     std::size_t index = 0;
     for (const auto& value : *list)
@@ -216,8 +216,7 @@ Vec3 ParseColor(const std::string& text, const std::string& where)
     { "white", { 1, 1, 1 } }, { "gray", { 0.5, 0.5, 0.5 } }, { "red", { 0.8, 0.15, 0.12 } },
     { "green", { 0.2, 0.6, 0.25 } }, { "blue", { 0.15, 0.3, 0.75 } },
     { "ivory", { 0.86, 0.80, 0.72 } }, { "charcoal", { 0.12, 0.13, 0.15 } } };
-  const auto named = names.find(text);
-  if (named != names.end())
+  if (const auto named = names.find(text); named != names.end())
   {
     return named->second;
   }
@@ -225,9 +224,8 @@ Vec3 ParseColor(const std::string& text, const std::string& where)
     text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!hexadecimal)
   {
-    FailUsage(
-      "{} is '{}': it must be a colour, as three numbers, #rrggbb, black, white, gray, red, "
-      "green, blue, ivory or charcoal",
+    FailUsage("{} is '{}': it must be a colour: three numbers, #rrggbb, black, white, gray, red, "
+              "green, blue, ivory or charcoal",
       where, text);
   }
   const unsigned long bits = std::stoul(text.substr(1), nullptr, 16);

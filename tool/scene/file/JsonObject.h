@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Reads a JSON object strictly: every key must be known and every value of the right kind.
-#ifndef penumbra_tool_JsonObject_h
-#define penumbra_tool_JsonObject_h
+/// Strict reading of JSON objects: all keys must be known, and all values of the right type.
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -15,7 +14,7 @@
 
 namespace penumbra::tool
 {
-/// Bounds of a number, included.
+/// Inclusive bounds of a number.
 struct Bounds
 {
   double Low = std::numeric_limits<double>::lowest();
@@ -26,16 +25,16 @@ constexpr Bounds Positive = { std::numeric_limits<double>::min(),
   std::numeric_limits<double>::max() };
 constexpr Bounds UnitInterval = { 0, 1 };
 
-/// Each Read() leaves its target alone where the key is absent, and makes the key known. Finish() then
-/// throws a Failure for a key that is not, naming the nearest.
+/// Each Read() makes a key known, and leaves its target unchanged if the key is absent. Finish() throws a Failure for an
+/// unknown key, and suggests the nearest one.
 class JsonObject
 {
 public:
-  /// where is how sentences name the object: "light 2".
+  /// where: the object's name in messages, such as "light 2".
   JsonObject(const nlohmann::json& value, std::string where);
 
   const std::string& Where() const { return this->Name; }
-  /// The value, or nullptr; makes the key known.
+  /// The value or nullptr. Makes the key known.
   const nlohmann::json* Find(const std::string& key);
 
   void Read(const std::string& key, double& target, Bounds bounds = {});
@@ -66,10 +65,6 @@ public:
   {
     std::string name;
     this->Read(key, name);
-    if (name.empty())
-    {
-      return;
-    }
     std::vector<std::string> names;
     for (const auto& choice : choices)
     {
@@ -80,10 +75,13 @@ public:
         return;
       }
     }
-    this->FailChoice(key, name, names);
+    if (!name.empty())
+    {
+      this->FailChoice(key, name, names);
+    }
   }
 
-  /// Calls read for each element of an array.
+  /// Calls a function for each element of an array.
   void ForEach(const std::string& key,
     const std::function<void(const nlohmann::json& value, const std::string& where)>& read);
 
@@ -91,7 +89,10 @@ public:
   void Finish() const;
 
 private:
-  [[noreturn]] void FailKind(const std::string& key, const std::string& wanted) const;
+  /// The value, or nullptr; throws a Failure if it is of another type.
+  const nlohmann::json* Find(
+    const std::string& key, bool (nlohmann::json::*isType)() const noexcept, const char* type);
+  [[noreturn]] void FailType(const std::string& key, const std::string& type) const;
   [[noreturn]] void FailChoice(
     const std::string& key, const std::string& name, const std::vector<std::string>& names) const;
   double Number(const nlohmann::json& value, const std::string& key) const;
@@ -101,8 +102,6 @@ private:
   std::vector<std::string> Known;
 };
 
-/// Three numbers from 0, "#rrggbb", or the name of one of a few colours; throws a Failure otherwise.
+/// A colour from "#rrggbb" or one of a few names. Throws a Failure for other text.
 Vec3 ParseColor(const std::string& text, const std::string& where);
 }
-
-#endif

@@ -26,17 +26,17 @@ json Parse(const std::string& path)
   }
   catch (const json::parse_error& error)
   {
-    // "[json.exception.parse_error.101] parse error at line 3, column 5: ..." from "parse error" on.
+    // Drop the prefix of "[json.exception.parse_error.101] parse error at line 3, column 5: ...".
     const std::string text = error.what();
     const auto start = text.find("] ");
-    Fail("the scene file '{}' is no valid JSON: {}", path,
+    Fail("the scene file '{}' is not valid JSON: {}", path,
       start == std::string::npos ? text : text.substr(start + 2));
   }
 }
 
-Environment ReadEnvironment(const json& value, const std::string& where)
+EnvironmentMap ReadEnvironment(const json& value, const std::string& where)
 {
-  Environment environment;
+  EnvironmentMap environment;
   JsonObject object(value, where);
   object.Read("file", environment.Path);
   object.Read("visible", environment.Visible);
@@ -48,7 +48,7 @@ Environment ReadEnvironment(const json& value, const std::string& where)
   return environment;
 }
 
-/// A parameter's value is given as number, text or truth value and checked by its technique.
+/// The text of a parameter's value (a number, text or truth value), which its technique checks.
 std::string ValueText(const json& value)
 {
   return value.is_string() ? value.get<std::string>()
@@ -93,21 +93,21 @@ void MakePathsAbsolute(Scene& scene, const std::filesystem::path& folder)
   for (Object& object : scene.Objects)
   {
     MakeAbsolute(object.Path, folder);
-    if (object.Look)
+    if (object.Appearance)
     {
-      MakeAbsolute(object.Look->Texture, folder);
-      MakeAbsolute(object.Look->NormalTexture, folder);
-      MakeAbsolute(object.Look->OrmTexture, folder);
-      MakeAbsolute(object.Look->EmissionTexture, folder);
+      MakeAbsolute(object.Appearance->Texture, folder);
+      MakeAbsolute(object.Appearance->NormalTexture, folder);
+      MakeAbsolute(object.Appearance->OrmTexture, folder);
+      MakeAbsolute(object.Appearance->EmissionTexture, folder);
     }
   }
   for (std::string& bake : scene.Bakes)
   {
     MakeAbsolute(bake, folder);
   }
-  if (scene.Surroundings)
+  if (scene.Environment)
   {
-    MakeAbsolute(scene.Surroundings->Path, folder);
+    MakeAbsolute(scene.Environment->Path, folder);
   }
 }
 
@@ -172,17 +172,16 @@ Camera ReadCamera(const json& value, const std::string& where)
 Background ReadBackground(const json& value, const std::string& where)
 {
   Background background;
+  if (value == "transparent")
+  {
+    background.Transparent = true;
+    background.Bottom = background.Top = { 0, 0, 0 };
+    return background;
+  }
   if (!value.is_object())
   {
     const json wrapped = { { "color", value } };
-    JsonObject object(wrapped, where);
-    if (value.is_string() && value.get<std::string>() == "transparent")
-    {
-      background.Transparent = true;
-      background.Bottom = background.Top = { 0, 0, 0 };
-      return background;
-    }
-    object.ReadColor("color", background.Bottom);
+    JsonObject(wrapped, where).ReadColor("color", background.Bottom);
     background.Top = background.Bottom;
     return background;
   }
@@ -202,21 +201,20 @@ Scene ReadSceneFile(const std::string& path)
   object.ForEach("objects", [&](const json& item, const std::string& where) {
     scene.Objects.push_back(ReadObject(item, where));
   });
+  if (object.Find("lights"))
+  {
+    scene.Lights.emplace();
+  }
   object.ForEach("lights", [&](const json& item, const std::string& where) {
-    scene.Lights = scene.Lights.value_or(std::vector<Light>());
     scene.Lights->push_back(ReadLight(item, where));
   });
-  if (const json* lights = object.Find("lights"); lights && lights->empty())
-  {
-    scene.Lights = std::vector<Light>();
-  }
   if (const json* camera = object.Find("camera"))
   {
     scene.View = ReadCamera(*camera, "the camera of " + object.Where());
   }
   if (const json* environment = object.Find("environment"))
   {
-    scene.Surroundings = ReadEnvironment(*environment, "the environment of " + object.Where());
+    scene.Environment = ReadEnvironment(*environment, "the environment of " + object.Where());
   }
   if (const json* background = object.Find("background"))
   {

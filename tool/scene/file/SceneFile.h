@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The scene file: docs/scene-file.md describes it.
-#ifndef penumbra_tool_SceneFile_h
-#define penumbra_tool_SceneFile_h
+/// The scene file, described in docs/scene-file.md.
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -12,17 +11,13 @@
 
 namespace penumbra::tool
 {
-/// Reads a scene; relative paths in it are taken from its folder. Throws a Failure that names the file
-/// and the key or place where it is not as documented.
+/// Reads a scene. Paths in it are relative to its folder. Throws a Failure that names the file, and the key or position of
+/// the error.
 Scene ReadSceneFile(const std::string& path);
 
-/// Parts of a scene, also used for the texts of --light, --camera and their like. where is how
-/// sentences name the part.
+/// Parts of a scene, also read from the texts of options such as --light. where: the part's name in messages.
 Light ReadLight(const nlohmann::json& value, const std::string& where);
 Camera ReadCamera(const nlohmann::json& value, const std::string& where);
 Background ReadBackground(const nlohmann::json& value, const std::string& where);
-Terrain ReadTerrain(const nlohmann::json& value, const std::string& where);
 Object ReadObject(const nlohmann::json& value, const std::string& where);
 }
-
-#endif

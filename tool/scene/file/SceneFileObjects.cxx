@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The objects of a scene file: geometry, materials, colouring.
+// Objects of a scene file: geometry, materials, colouring.
 #include "common/Failure.h"
 #include "common/Names.h"
 #include "scene/build/Shapes.h"
@@ -17,9 +17,9 @@ Material ReadMaterial(const json& value, const std::string& where)
 {
   Material material;
   JsonObject object(value, where);
-  object.ReadChoice<Shading>("shading", material.Model,
-    { { "flat", Shading::Flat }, { "gouraud", Shading::Gouraud }, { "phong", Shading::Phong },
-      { "pbr", Shading::Pbr } });
+  object.ReadChoice<int>("shading", material.Shading,
+    { { "flat", VTK_FLAT }, { "gouraud", VTK_GOURAUD }, { "phong", VTK_PHONG },
+      { "pbr", VTK_PBR } });
   object.ReadColor("color", material.Color);
   object.Read("ambient", material.Ambient, UnitInterval);
   object.Read("diffuse", material.Diffuse, UnitInterval);
@@ -32,9 +32,8 @@ Material ReadMaterial(const json& value, const std::string& where)
   object.ReadColor("emission", material.Emission);
   object.Read("opacity", material.Opacity, UnitInterval);
   object.Read("lighting", material.Lighting);
-  object.ReadChoice<Representation>("representation", material.Style,
-    { { "surface", Representation::Surface }, { "wireframe", Representation::Wireframe },
-      { "points", Representation::Points } });
+  object.ReadChoice<int>("representation", material.Representation,
+    { { "surface", VTK_SURFACE }, { "wireframe", VTK_WIREFRAME }, { "points", VTK_POINTS } });
   object.ReadChoice<Culling>("cull", material.Cull,
     { { "none", Culling::None }, { "back", Culling::Back }, { "front", Culling::Front } });
   object.ReadColor("edges", material.EdgeColor);
@@ -48,7 +47,7 @@ Material ReadMaterial(const json& value, const std::string& where)
   object.Finish();
   const bool onlyPbr = !material.NormalTexture.empty() || !material.OrmTexture.empty() ||
     !material.EmissionTexture.empty();
-  if (onlyPbr && material.Model != Shading::Pbr)
+  if (onlyPbr && material.Shading != VTK_PBR)
   {
     FailUsage("{} has a normal, orm or emission texture: these need \"shading\": \"pbr\"", where);
   }
@@ -100,7 +99,7 @@ Primitive ReadPrimitive(const std::string& kind, const json& value, const std::s
   {
     if (side <= 0)
     {
-      FailUsage("'size' of {} must be above zero", where);
+      FailUsage("'size' of {} must be above 0", where);
     }
   }
   if (shape.Normal == Vec3{ 0, 0, 0 })
@@ -125,12 +124,9 @@ void ReadLists(
     T item{};
     if constexpr (std::is_same_v<T, std::vector<long long>>)
     {
-      item.assign(numbers.begin(), numbers.end());
+      item.resize(numbers.size());
     }
-    else
-    {
-      std::copy(numbers.begin(), numbers.end(), item.begin());
-    }
+    std::copy(numbers.begin(), numbers.end(), item.begin());
     target.push_back(item);
   });
 }
@@ -181,7 +177,7 @@ ColorBy ReadColorBy(const json& value, const std::string& where)
   object.Finish();
   if (color.Array.empty() || (!range.empty() && (range.size() != 2 || range[0] >= range[1])))
   {
-    FailUsage("{} needs an 'array', and a 'range' of two rising numbers if any", where);
+    FailUsage("{} needs an 'array', and a 'range', if any, of two increasing numbers", where);
   }
   if (!range.empty())
   {
@@ -213,7 +209,22 @@ Placement ReadPlacement(const json& value, const std::string& where)
   return place;
 }
 
-/// Exactly one of "file", "mesh" and the primitives.
+Terrain ReadTerrain(const json& value, const std::string& where)
+{
+  Terrain terrain;
+  if (value.is_boolean() && value.get<bool>())
+  {
+    return terrain;
+  }
+  JsonObject object(value, where);
+  object.Read("exaggeration", terrain.Exaggeration);
+  object.Read("spacing", terrain.Spacing, Positive);
+  object.Read("stride", terrain.Stride, Bounds{ 1, 10000 });
+  object.Finish();
+  return terrain;
+}
+
+/// Reads exactly one of "file", "mesh" and the primitives.
 void ReadSource(JsonObject& object, Object& target)
 {
   int sources = 0;
@@ -239,21 +250,6 @@ void ReadSource(JsonObject& object, Object& target)
       "{} needs exactly one of the keys file, mesh, {}", object.Where(), Join(PrimitiveKinds()));
   }
 }
-}
-
-Terrain ReadTerrain(const json& value, const std::string& where)
-{
-  Terrain terrain;
-  if (value.is_boolean() && value.get<bool>())
-  {
-    return terrain;
-  }
-  JsonObject object(value, where);
-  object.Read("exaggeration", terrain.Exaggeration);
-  object.Read("spacing", terrain.Spacing, Positive);
-  object.Read("stride", terrain.Stride, Bounds{ 1, 10000 });
-  object.Finish();
-  return terrain;
 }
 
 Object ReadObject(const json& value, const std::string& where)
@@ -282,7 +278,7 @@ Object ReadObject(const json& value, const std::string& where)
   }
   if (const json* material = object.Find("material"))
   {
-    target.Look = ReadMaterial(*material, "the material of " + where);
+    target.Appearance = ReadMaterial(*material, "the material of " + where);
   }
   if (const json* place = object.Find("transform"))
   {

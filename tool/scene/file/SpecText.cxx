@@ -73,7 +73,7 @@ json ParseSpec(const std::string& text, SpecKind kind)
     }
     else if (!key.empty() && ToNumber(item))
     {
-      // A further number of the key before: "target=0,0,1".
+      // Another number of the previous key: "target=0,0,1".
       json& value = spec[key];
       value = value.is_array() ? value : (value.is_null() ? json::array() : json::array({ value }));
       value.push_back(*ToNumber(item));
@@ -95,7 +95,7 @@ std::vector<double> ParseNumbers(const std::string& text, const std::string& whe
     const auto number = ToNumber(item);
     if (!number)
     {
-      FailUsage("{} is '{}': it must be numbers with commas between them", where, text);
+      FailUsage("{} is '{}': it must be numbers separated by commas", where, text);
     }
     numbers.push_back(*number);
   }
@@ -114,7 +114,7 @@ Vec3 ParseColorOption(const std::string& text, const std::string& where)
   {
     if (number < 0)
     {
-      FailUsage("{} is '{}': the numbers of a colour start at 0", where, text);
+      FailUsage("{} is '{}': the numbers of a colour must not be negative", where, text);
     }
   }
   return { numbers[0], numbers[1], numbers[2] };

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The scene as plain data: what the command line and the scene file both describe.
-///
-/// A default-constructed value of each struct is the documented default of the scene file.
-#ifndef penumbra_tool_SceneModel_h
-#define penumbra_tool_SceneModel_h
+/// The scene as plain data, as described by the command line or the scene file. Default values are those documented for
+/// the scene file.
+#pragma once
+
+#include <vtkProperty.h>
 
 #include <array>
 #include <map>
@@ -16,21 +16,6 @@ namespace penumbra::tool
 {
 using Vec3 = std::array<double, 3>;
 
-enum class Shading
-{
-  Flat,
-  Gouraud,
-  Phong,
-  Pbr
-};
-
-enum class Representation
-{
-  Surface,
-  Wireframe,
-  Points
-};
-
 enum class Culling
 {
   None,
@@ -40,29 +25,29 @@ enum class Culling
 
 struct Material
 {
-  Shading Model = Shading::Gouraud;
+  int Shading = VTK_GOURAUD; ///< VTK_FLAT, VTK_GOURAUD, VTK_PHONG or VTK_PBR
   Vec3 Color = { 1, 1, 1 };
   double Ambient = 0;
   double Diffuse = 1;
   double Specular = 0;
   double SpecularPower = 1;
-  std::optional<Vec3> SpecularColor; ///< white unless given
-  double Metallic = 0;               ///< with Shading::Pbr, as roughness
-  double RefractiveIndex = 1.5;      ///< with Shading::Pbr: 1 has no highlight
+  std::optional<Vec3> SpecularColor; ///< white if not set
+  double Metallic = 0;               ///< PBR only, as roughness
+  double RefractiveIndex = 1.5;      ///< PBR only; 1 means no highlight
   double Roughness = 0.5;
   Vec3 Emission = { 0, 0, 0 }; ///< radiance
   double Opacity = 1;
   bool Lighting = true;
-  Representation Style = Representation::Surface;
+  int Representation = VTK_SURFACE;
   Culling Cull = Culling::None;
-  std::optional<Vec3> EdgeColor; ///< edges are drawn where given
+  std::optional<Vec3> EdgeColor; ///< edges are drawn if set
   double LineWidth = 1;
   double PointSize = 3;
-  std::string Texture; ///< colour picture; for Shading::Pbr the base colour
+  std::string Texture; ///< colour; for PBR, base colour
   std::string NormalTexture;
   std::string OrmTexture; ///< occlusion, roughness, metallic in red, green, blue
   std::string EmissionTexture;
-  std::optional<Vec3> BackColor; ///< colour of back faces where it differs
+  std::optional<Vec3> BackColor; ///< colour of back faces, if different
 };
 
 struct ColorBy
@@ -76,9 +61,9 @@ struct ColorBy
 
 struct Terrain
 {
-  std::optional<double> Exaggeration; ///< chosen from the relief where absent
-  std::optional<double> Spacing;      ///< world units between samples; the file's own or 1
-  int Stride = 1;                     ///< take every n-th sample
+  std::optional<double> Exaggeration; ///< chosen from the relief if not set
+  std::optional<double> Spacing;      ///< world units between samples; by default the file's, or 1
+  int Stride = 1;                     ///< use every n-th sample
 };
 
 enum class MoleculeStyle
@@ -88,10 +73,10 @@ enum class MoleculeStyle
   Sticks
 };
 
-/// A simple shape; each kind uses the fields that make sense for it.
+/// A simple shape. Each kind uses some of the fields.
 struct Primitive
 {
-  std::string Kind; ///< see Makers() in scene/build/Shapes.cxx
+  std::string Kind; ///< see PrimitiveTable() in scene/build/Shapes.cxx
   Vec3 Center = { 0, 0, 0 };
   Vec3 Size = { 1, 1, 1 };   ///< box; plane uses the first two
   Vec3 Normal = { 0, 0, 1 }; ///< plane and disk; axis of cylinder, cone and torus
@@ -101,7 +86,7 @@ struct Primitive
   int Resolution = 64;
 };
 
-/// Geometry written out in the scene file.
+/// Geometry given in the scene file.
 struct Mesh
 {
   std::vector<Vec3> Points;
@@ -123,21 +108,22 @@ struct Placement
 struct Object
 {
   std::string Name;
-  std::string Path;               ///< one of Path, Shape and Geometry
-  std::optional<Primitive> Shape; ///
+  std::string Path; ///< either Path, Shape or Geometry
+  std::optional<Primitive> Shape;
   std::optional<Mesh> Geometry;
   std::vector<double> IsoValues;
   std::string IsoArray;
-  std::vector<double> Opacities; ///< one per isosurface, outermost first; the last repeats
-  double Smoothing = 0;          ///< volumes: Gaussian standard deviation in voxels
+  std::vector<double>
+    Opacities;          ///< one per isosurface, outermost first; the last is used for all others
+  double Smoothing = 0; ///< volumes: Gaussian standard deviation in voxels
   std::optional<ColorBy> Color;
   std::optional<Terrain> Heights;
   MoleculeStyle Molecule = MoleculeStyle::Balls;
-  std::optional<Material> Look; ///< a pleasing one is chosen where absent
+  std::optional<Material> Appearance; ///< a default material if not set
   std::optional<Placement> Place;
-  std::optional<double> FeatureAngle; ///< degrees; edges sharper than this stay sharp
+  std::optional<double> FeatureAngle; ///< degrees; edges with a greater angle are sharp
   bool PointsAsBalls = false;
-  double Radius = 0; ///< of balls at points and of tubes along lines; 0 chooses one
+  double Radius = 0; ///< of balls at points and of tubes along lines; 0 for automatic
 };
 
 enum class LightKind
@@ -166,7 +152,7 @@ struct Light
 
 struct Camera
 {
-  std::optional<Vec3> Position; ///< the scene is framed where absent
+  std::optional<Vec3> Position; ///< chosen to show the whole scene if not set
   std::optional<Vec3> FocalPoint;
   std::optional<Vec3> ViewUp;
   double ViewAngle = 30;
@@ -178,10 +164,10 @@ struct Camera
   std::optional<double> ParallelScale;
 };
 
-struct Environment
+struct EnvironmentMap
 {
   std::string Path;
-  bool Visible = false; ///< drawn as the background too
+  bool Visible = false; ///< shown as the background
 };
 
 struct Background
@@ -209,18 +195,16 @@ struct TechniqueSettings
 struct Scene
 {
   std::vector<Object> Objects;
-  std::optional<std::vector<Light>> Lights; ///< a key light and a weak headlight where absent
+  std::optional<std::vector<Light>> Lights; ///< a key light and a weak headlight if not set
   Camera View;
-  std::optional<Environment> Surroundings;
+  std::optional<EnvironmentMap> Environment;
   Background Backdrop;
   TechniqueSettings Techniques;
   std::vector<std::string> Bakes; ///< files of baked light
   int Width = 1280;
   int Height = 720;
-  int Frames = 16;          ///< still frames to accumulate
-  bool FramesGiven = false; ///< on the command line, which also cuts the path tracer short
+  int Frames = 16;          ///< number of frames to accumulate
+  bool FramesGiven = false; ///< set on the command line, and valid for the path tracer too
   bool DepthPeeling = true;
 };
 }
-
-#endif

@@ -21,7 +21,7 @@ namespace penumbra::tool
 {
 namespace
 {
-/// The square of a larger coordinate overflows a float, and with it lengths and normals.
+/// Squares of larger coordinates overflow floats, and with them lengths and normals.
 constexpr double LargestCoordinate = 1e18;
 
 std::vector<char> FindUsable(vtkPoints* points)
@@ -31,13 +31,13 @@ std::vector<char> FindUsable(vtkPoints* points)
   {
     double p[3];
     points->GetPoint(static_cast<vtkIdType>(i), p);
-    // The comparison is false for NaN too.
+    // The comparison is also false for NaN.
     usable[i] = std::all_of(p, p + 3, [](double c) { return std::abs(c) < LargestCoordinate; });
   }
   return usable;
 }
 
-/// Cells with a point that is not usable or does not exist, by ids that run over all four arrays in VTK's order.
+/// Cells with a point that is unusable or does not exist. Their ids count all four arrays in VTK's order.
 std::vector<vtkIdType> FindBroken(vtkPolyData* geometry, const std::vector<char>& usable)
 {
   const auto points = static_cast<vtkIdType>(usable.size());
@@ -114,14 +114,14 @@ vtkSmartPointer<vtkPolyData> DropNonFinite(vtkPolyData* geometry, DroppedPoints&
     clean->DeleteCell(cell);
   }
   clean->RemoveDeletedCells();
-  // Unusable points stay as unused copies of the first usable one: ids and arrays keep their order.
+  // Unusable points become unused copies of the first usable one, so that ids and arrays keep their order.
   vtkNew<vtkPoints> points;
   points->DeepCopy(geometry->GetPoints());
-  const auto stand = std::find(usable.begin(), usable.end(), 1);
+  const auto substitute = std::find(usable.begin(), usable.end(), 1);
   double p[3] = {};
-  if (stand != usable.end())
+  if (substitute != usable.end())
   {
-    points->GetPoint(stand - usable.begin(), p);
+    points->GetPoint(substitute - usable.begin(), p);
   }
   for (std::size_t i = 0; i < usable.size(); ++i)
   {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Removes what cannot be drawn.
-#ifndef penumbra_tool_CleanGeometry_h
-#define penumbra_tool_CleanGeometry_h
+/// Removes points and cells that cannot be drawn.
+#pragma once
 
 #include "common/Reporter.h"
 
@@ -11,23 +10,21 @@
 
 namespace penumbra::tool
 {
-/// How much was removed, over several surfaces.
+/// Number of removed points and cells of several surfaces.
 struct DroppedPoints
 {
   vtkIdType Points = 0;
   vtkIdType Cells = 0;
 
-  /// One sentence, if anything was dropped.
+  /// Prints a note if anything was removed.
   void Report(const std::string& what, Reporter& reporter) const;
 };
 
-/// False where cells begin or end outside the list of their corners: to look at them is to read beyond
-/// memory. True for data without such lists, and for none.
+/// Whether cells lie within their list of corners; otherwise any access to them reads beyond memory. True for data without
+/// such lists, and for null.
 bool HasValidCells(vtkDataObject* data);
 
-/// The geometry without points that are NaN, infinite or beyond what floats can square, and without
-/// the cells that use them. Returns the input itself where all is well.
+/// The geometry without points that are NaN, infinite or too large to be squared in floats, and without the cells that use
+/// them. Returns the input if nothing is removed.
 vtkSmartPointer<vtkPolyData> DropNonFinite(vtkPolyData* geometry, DroppedPoints& dropped);
 }
-
-#endif

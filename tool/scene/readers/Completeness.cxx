@@ -3,6 +3,7 @@
 #include "scene/readers/Completeness.h"
 
 #include "common/Failure.h"
+#include "common/Names.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -37,7 +38,7 @@ void RequireSize(const std::string& path, double needed, double present, const c
   if (present < needed)
   {
     Fail(
-      "'{}' is cut off: its header asks for {:.0f} {} and it has {:.0f}; copy or download it again",
+      "'{}' is cut off: its header requires {:.0f} {} and it has {:.0f}; copy or download it again",
       path, needed, unit, present);
   }
 }
@@ -49,14 +50,7 @@ double FileSize(const std::string& path)
   return error ? 0 : static_cast<double>(size);
 }
 
-std::string Trimmed(std::string text)
-{
-  text.erase(0, text.find_first_not_of(" \t\r"));
-  text.erase(text.find_last_not_of(" \t\r") + 1);
-  return text;
-}
-
-/// Bytes of a number by the name of its type: "uchar", "int16", "float".
+/// Size in bytes of a type: "uchar", "int16", "float".
 double PlySize(const std::string& type)
 {
   const auto has = [&type](const char* part) { return type.find(part) != std::string::npos; };
@@ -66,9 +60,8 @@ double PlySize(const std::string& type)
                                     : 4;
 }
 
-/// Bytes of a classic netCDF file up to the end of its last value, by its header, which is read as in "The NetCDF Classic
-/// Format Specification" (Unidata 2011), whose names are used here; 0 where it is of another kind. Throws
-/// std::ios::failure where the header ends early.
+/// Size in bytes of a classic netCDF file up to its last value, according to its header; 0 for other files. Follows "The
+/// NetCDF Classic Format Specification" (Unidata 2011) and its names. Throws std::ios::failure if the header is truncated.
 double ClassicNetcdfSize(std::istream& file)
 {
   file.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
@@ -91,7 +84,7 @@ double ClassicNetcdfSize(std::istream& file)
     const double padded = std::min(1e12, 4 * std::ceil(bytes / 4));
     file.seekg(static_cast<std::streamoff>(padded), std::ios::cur);
   };
-  /// A tag, a length, and elements that begin with a name.
+  // A tag, a length, and elements that begin with a name.
   const auto forList = [&](const auto& read) {
     integer(4);
     for (double left = integer(wide); left > 0; --left)
@@ -130,19 +123,19 @@ double ClassicNetcdfSize(std::istream& file)
       recordSize += size;
     }
     else if (constexpr double tooLarge = 4294967295.0;
-             size != tooLarge) // which stands for what vsize cannot hold
+             size != tooLarge) // stands for sizes that vsize cannot hold
     {
       end = std::max(end, begin + size);
     }
   });
   return std::max(end, firstRecord > 0 ? firstRecord + records * recordSize : 0) -
-    3; // the last value needs no padding
+    3; // the last value may lack padding
 }
 }
 
 void RequireCompleteXml(const std::string& path, vtkDataObject*)
 {
-  // VTK's parser stops where appended data begins; values past the end it takes as they are.
+  // VTK's parser stops where appended data begins, and does not detect missing values.
   std::ifstream file(path, std::ios::binary);
   const std::string end = "</VTKFile>";
   constexpr double searched = 4096;
@@ -168,14 +161,14 @@ void RequireCompleteStl(const std::string& path, vtkDataObject*)
   RequireSize(path, text ? 0 : header + triangle * count, FileSize(path));
 }
 
-/// Counts bytes, and in texts words. Lists are as long as VTK's reader took them to be, the last of which it may have made up.
+/// Counts bytes, or words in a text file. Lists have the lengths that VTK's reader found; the last one may be invented.
 void RequireCompletePly(const std::string& path, vtkDataObject* data)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
   std::ifstream file(path, std::ios::binary);
   bool binary = false;
   double count = 0, needed = 0;
-  for (std::string line; std::getline(file, line) && Trimmed(line) != "end_header";)
+  for (std::string line; std::getline(file, line) && Trim(line) != "end_header";)
   {
     std::istringstream words(line);
     std::string key, type, listed, name;
@@ -192,7 +185,7 @@ void RequireCompletePly(const std::string& path, vtkDataObject* data)
     {
       if (type == "list")
       {
-        words >> type >> listed >> name; // the type of its length, the type of its values
+        words >> type >> listed >> name; // the types of its length and of its values
       }
       needed += count * (binary ? PlySize(type) : 1);
       if (surface && name.rfind("vertex_ind", 0) == 0)
@@ -224,8 +217,8 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data)
     const auto equals = line.find('=');
     if (equals != std::string::npos)
     {
-      const std::string key = Trimmed(line.substr(0, equals));
-      const std::string value = Trimmed(line.substr(equals + 1));
+      const std::string key = Trim(line.substr(0, equals));
+      const std::string value = Trim(line.substr(equals + 1));
       compressed = compressed || (key == "CompressedData" && value == "True");
       dataFile = key == "ElementDataFile" ? value : "";
     }
@@ -240,8 +233,8 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data)
     file = std::ifstream(dataFile, std::ios::binary);
     if (!file)
     {
-      Fail(
-        "'{}' keeps its values in '{}', which cannot be opened: put it beside it", path, dataFile);
+      Fail("'{}' stores its values in '{}', which cannot be opened: copy that file too", path,
+        dataFile);
     }
   }
   else
@@ -249,7 +242,7 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data)
     dataFile = path;
   }
   const auto start = static_cast<double>(file.tellg());
-  // MET_LONG has four bytes or eight, as the system had that wrote it.
+  // MET_LONG has four or eight bytes, depending on the system that wrote it.
   const int type = values->GetDataType();
   const bool either = type == VTK_LONG || type == VTK_UNSIGNED_LONG;
   const auto needed =
@@ -264,13 +257,13 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data)
   }
   const std::string packed{ std::istreambuf_iterator<char>(file), {} };
   std::vector<unsigned char> unpacked(needed);
-  vtkNew<vtkZLibDataCompressor> zlib; // what it finds wrong it reports as VTK's errors
+  vtkNew<vtkZLibDataCompressor> zlib; // reports damage as errors of VTK
   zlib->Uncompress(
     reinterpret_cast<const unsigned char*>(packed.data()), packed.size(), unpacked.data(), needed);
 }
 
-/// United States Geological Survey 1998, Standards for Digital Elevation Models, part 2: a record of 1024 bytes says in its
-/// columns 859 to 864 how many profiles follow.
+/// United States Geological Survey 1998, Standards for Digital Elevation Models, part 2: columns 859 to 864 of a record of
+/// 1024 bytes hold the number of profiles that follow.
 void RequireCompleteDem(const std::string& path)
 {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
@@ -306,7 +299,7 @@ void RequireCompleteNetcdf(const std::string& path)
   }
   catch (const std::ios::failure&)
   {
-    // The library says what it misses in a header.
+    // The library reports what is missing in a header.
   }
 }
 }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Finds files that end early where VTK's readers draw what there is, or zeros, without a word. Other damage is theirs to
-/// tell, and where one crashes, the supervisor does.
-#ifndef penumbra_tool_Completeness_h
-#define penumbra_tool_Completeness_h
+/// Detects truncated files for which VTK's readers silently return what there is, or zeros. The readers report other damage,
+/// and the supervisor reports their crashes.
+#pragma once
 
 #include <string>
 
@@ -11,8 +10,8 @@ class vtkDataObject;
 
 namespace penumbra::tool
 {
-/// Each throws a Failure where the file is shorter than its header and the data that was read from it say. What they do not
-/// understand they leave to the reader.
+/// Each throws a Failure if the file is shorter than its header and the data read from it imply. Files that they do not
+/// understand are left to the reader.
 void RequireCompleteXml(const std::string& path, vtkDataObject* data = nullptr);
 void RequireCompleteStl(const std::string& path, vtkDataObject* data);
 void RequireCompletePly(const std::string& path, vtkDataObject* data);
@@ -20,5 +19,3 @@ void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data);
 void RequireCompleteDem(const std::string& path);
 void RequireCompleteNetcdf(const std::string& path);
 }
-
-#endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK readers that need more than the file's name.
+// VTK readers that need more than the file name.
 #include "scene/readers/Completeness.h"
 #include "scene/readers/FormatReaders.h"
 
@@ -10,15 +10,15 @@
 
 namespace penumbra::tool
 {
-Loaded ReadNifti(const std::string& path, Step& step)
+LoadedData ReadNifti(const std::string& path, Step& step)
 {
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(path.c_str());
   step.Observe(reader);
   reader->Update();
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Data = reader->GetOutputDataObject(0);
-  // The sform is the better of the two placements where a file has both (NIfTI-1 standard).
+  // If a file has both transformations, the sform is preferred (NIfTI-1 standard).
   vtkMatrix4x4* placed =
     reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
   if (placed && placed->Determinant() != 0)
@@ -29,13 +29,13 @@ Loaded ReadNifti(const std::string& path, Step& step)
   return loaded;
 }
 
-Loaded ReadNrrd(const std::string& path, Step& step)
+LoadedData ReadNrrd(const std::string& path, Step& step)
 {
-  vtkNew<vtkNrrdReader> asks;
-  return asks->CanReadFile(path.c_str()) ? ReadWith<vtkNrrdReader>(path, step) : Loaded();
+  vtkNew<vtkNrrdReader> reader;
+  return reader->CanReadFile(path.c_str()) ? ReadWith<vtkNrrdReader>(path, step) : LoadedData();
 }
 
-Loaded ReadExodus(const std::string& path, Step& step)
+LoadedData ReadExodus(const std::string& path, Step& step)
 {
   RequireCompleteNetcdf(path);
   vtkNew<vtkExodusIIReader> reader;
@@ -47,7 +47,7 @@ Loaded ReadExodus(const std::string& path, Step& step)
     reader->SetAllArrayStatus(type, 1);
   }
   reader->Update();
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Data = reader->GetOutputDataObject(0);
   return loaded;
 }

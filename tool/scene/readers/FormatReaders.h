@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// The readers behind the table of formats.
-#ifndef penumbra_tool_FormatReaders_h
-#define penumbra_tool_FormatReaders_h
+/// The readers in the table of formats.
+#pragma once
 
 #include "common/Reporter.h"
-#include "scene/model/Loaded.h"
+#include "scene/model/LoadedData.h"
 
 #include <vtkNew.h>
 
@@ -13,38 +12,39 @@
 
 namespace penumbra::tool
 {
-/// Reads with a VTK reader that needs nothing but the file's name.
+/// Reads with a VTK reader that only needs the file name.
 template <typename Reader>
-Loaded ReadWith(const std::string& path, Step& step)
+LoadedData ReadWith(const std::string& path, Step& step)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   step.Observe(reader);
   reader->Update();
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Data = reader->GetOutputDataObject(0);
   return loaded;
 }
 
-/// As ReadWith, with a check that finds what the reader does not notice.
+/// Reads with a VTK reader, and checks for damage that it does not detect.
 template <typename Reader, void (*Check)(const std::string&, vtkDataObject*)>
-Loaded ReadChecked(const std::string& path, Step& step)
+LoadedData ReadChecked(const std::string& path, Step& step)
 {
-  Loaded loaded = ReadWith<Reader>(path, step);
+  LoadedData loaded = ReadWith<Reader>(path, step);
   Check(path, loaded.Data);
   return loaded;
 }
 
-/// As ReadWith, for pictures whose values are elevations.
-Loaded ReadObj(const std::string& path, Step& step);
-Loaded ReadGltf(const std::string& path, Step& step);
-Loaded ReadPdb(const std::string& path, Step& step);
-Loaded ReadNifti(const std::string& path, Step& step);
-Loaded ReadNrrd(const std::string& path, Step& step);
-Loaded ReadExodus(const std::string& path, Step& step);
-Loaded ReadDemHeights(const std::string& path, Step& step);
-Loaded ReadNumpyHeights(const std::string& path, Step& step);
-Loaded ReadPictureHeights(const std::string& path, Step& step);
-}
+/// Readers that need more.
+LoadedData ReadObj(const std::string& path, Step& step);
+LoadedData ReadGltf(const std::string& path, Step& step);
+LoadedData ReadPdb(const std::string& path, Step& step);
+LoadedData ReadNifti(const std::string& path, Step& step);
+LoadedData ReadNrrd(const std::string& path, Step& step);
+LoadedData ReadExodus(const std::string& path, Step& step);
+LoadedData ReadDemHeights(const std::string& path, Step& step);
+LoadedData ReadNumpyHeights(const std::string& path, Step& step);
+LoadedData ReadPictureHeights(const std::string& path, Step& step);
 
-#endif
+/// Links ExpatDeferral.cxx, which replaces XML_ParserCreate(). Does nothing else.
+void KeepXmlReadable();
+}

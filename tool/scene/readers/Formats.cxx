@@ -7,7 +7,6 @@
 #include "common/VtkMessages.h"
 #include "scene/readers/CleanGeometry.h"
 #include "scene/readers/Completeness.h"
-#include "scene/readers/ExpatDeferral.h"
 #include "scene/readers/FormatReaders.h"
 
 #include <vtkGenericDataObjectReader.h>
@@ -22,8 +21,6 @@
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -31,26 +28,34 @@ namespace penumbra::tool
 {
 namespace
 {
-/// Shapes made by modellers stand along y and face z.
+struct Format
+{
+  std::string Extension; ///< with the dot, in lower case
+  std::string Description;
+  LoadedData (*Read)(const std::string& path, Step& step);
+  DefaultView View;
+};
+
+/// Modelled shapes stand along y and face z.
 const DefaultView Model = { { 0, 0, 1 }, { 0, 1, 0 }, 25, 12 };
 /// Simulations and volumes stand along z; x points right.
 const DefaultView Simulation = { { 0, -1, 0 }, { 0, 0, 1 }, 30, 20 };
-/// Right, anterior, superior coordinates: look into the face.
+/// Right, anterior, superior coordinates: a view of the face.
 const DefaultView Patient = { { 0, 1, 0 }, { 0, 0, 1 }, 30, 2 };
-/// North is away from the camera.
+/// The camera looks north.
 const DefaultView Land = { { 0, -1, 0 }, { 0, 0, 1 }, -20, 38 };
 
 template <typename Reader>
 constexpr auto ReadXml = ReadChecked<Reader, RequireCompleteXml>;
 
-/// Some readers never end on damaged files; the slowest good ones (text, XML) do ten megabytes a second.
-double LongestReading(const std::string& path)
+/// Maximum reading time in seconds: some readers never return for damaged files. The slowest formats (text, XML) take a
+/// tenth of a second per megabyte.
+double ReadingLimit(const std::string& path)
 {
   constexpr double least = 10, secondsPerByte = 1e-6;
   std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   return least + (error ? 0 : secondsPerByte * static_cast<double>(size));
-}
 }
 
 const std::vector<Format>& Formats()
@@ -92,11 +97,10 @@ const std::vector<Format>& Formats()
   return formats;
 }
 
+/// The row for a file name, or nullptr. The longest extension wins (".nii.gz").
 const Format* FindFormat(const std::string& path)
 {
-  std::string lower = path;
-  std::transform(
-    lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string lower = Lower(path);
   const Format* found = nullptr;
   for (const Format& format : Formats())
   {
@@ -109,6 +113,7 @@ const Format* FindFormat(const std::string& path)
     }
   }
   return found;
+}
 }
 
 void RequireReadableFile(const std::string& path)
@@ -133,7 +138,7 @@ void RequireReadableFile(const std::string& path)
   }
 }
 
-Loaded Load(const std::string& path, Reporter& reporter)
+LoadedData Load(const std::string& path, Reporter& reporter)
 {
   KeepXmlReadable();
   RequireReadableFile(path);
@@ -145,16 +150,16 @@ Loaded Load(const std::string& path, Reporter& reporter)
     {
       known.push_back(row.Extension.substr(1));
     }
-    Fail("'{}' is of no supported format: convert it to one of {}", path, Join(known));
+    Fail("'{}' has no supported format: convert it to one of {}", path, Join(known));
   }
   TakeVtkMessages();
   const std::string damaged =
-    fmt::format("'{}' cannot be read as {}: it is damaged, cut off or of another format", path,
+    fmt::format("'{}' cannot be read as {}: it is damaged, cut off or in another format", path,
       format->Description);
-  Loaded loaded;
+  LoadedData loaded;
   try
   {
-    Step step(reporter, fmt::format("reading '{}'", path), LongestReading(path));
+    Step step(reporter, fmt::format("reading '{}'", path), ReadingLimit(path));
     loaded = format->Read(path, step);
   }
   catch (const Failure&)
@@ -172,7 +177,7 @@ Loaded Load(const std::string& path, Reporter& reporter)
   ThrowVtkErrors(damaged);
   if (!HasValidCells(loaded.Data))
   {
-    Fail("{} (its cells are not where it says)", damaged);
+    Fail("{} (its cells are not where the file says)", damaged);
   }
   loaded.View = format->View;
   if (!loaded.Data && loaded.Actors.empty())

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Elevations as pictures in the plane: USGS elevation files, NumPy arrays and image files.
+// Elevations as images: USGS elevation files, NumPy arrays and pictures.
 #include "common/Failure.h"
 #include "scene/readers/Completeness.h"
 #include "scene/readers/FormatReaders.h"
@@ -22,8 +22,8 @@ namespace penumbra::tool
 {
 namespace
 {
-/// Rows are given from north to south when northFirst; VTK's y grows to the north.
-Loaded MakeHeights(const std::vector<double>& values, std::size_t columns, std::size_t rows,
+/// northFirst: rows run from north to south. VTK's y axis points north.
+LoadedData MakeHeights(const std::vector<double>& values, std::size_t columns, std::size_t rows,
   double dx, double dy, bool northFirst)
 {
   vtkNew<vtkImageData> image;
@@ -42,7 +42,7 @@ Loaded MakeHeights(const std::vector<double>& values, std::size_t columns, std::
     }
   }
   image->GetPointData()->SetScalars(heights);
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Kind = Content::Heights;
   loaded.Data = image.GetPointer();
   return loaded;
@@ -65,10 +65,10 @@ const NumpyArray* FindArray(
   return nullptr;
 }
 
-/// Coordinates of the samples along one axis, as far as the archive tells.
+/// Coordinates of the samples along one axis, as far as the archive gives them.
 struct Axis
 {
-  double Step = 1; ///< from sample to sample, negative where coordinates fall
+  double Step = 1; ///< from sample to sample, negative if coordinates decrease
   double Middle = 0;
   bool Known = false;
 };
@@ -87,14 +87,14 @@ Axis FindAxis(const Arrays& arrays, std::initializer_list<const char*> vectors,
   {
     const NumpyArray* start = FindArray(arrays, starts, 0);
     axis.Step = step->Values[0];
-    axis.Middle = start ? start->Values[0] : 1e30; // no start: not degrees, then
+    axis.Middle = start ? start->Values[0] : 1e30; // without a start they are no degrees
     axis.Known = std::isfinite(axis.Step) && axis.Step != 0;
   }
   return axis;
 }
 }
 
-Loaded ReadDemHeights(const std::string& path, Step& step)
+LoadedData ReadDemHeights(const std::string& path, Step& step)
 {
   RequireCompleteDem(path);
   vtkNew<vtkDEMReader> reader;
@@ -103,7 +103,7 @@ Loaded ReadDemHeights(const std::string& path, Step& step)
   reader->UpdateInformation();
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   reader->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-  // VTK's reader divides by a hundredth of the columns, rounded down.
+  // VTK's reader divides by a hundredth of the number of columns, rounded down.
   constexpr int fewest = 100;
   if (const int columns = extent[1] - extent[0] + 1; columns < fewest)
   {
@@ -111,13 +111,13 @@ Loaded ReadDemHeights(const std::string& path, Step& step)
       path, columns, fewest);
   }
   reader->Update();
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Kind = Content::Heights;
   loaded.Data = reader->GetOutput();
   return loaded;
 }
 
-Loaded ReadNumpyHeights(const std::string& path, Step& step)
+LoadedData ReadNumpyHeights(const std::string& path, Step& step)
 {
   const Arrays arrays = ReadNumpyFile(path);
   const NumpyArray* heights = nullptr;
@@ -128,11 +128,11 @@ Loaded ReadNumpyHeights(const std::string& path, Step& step)
   }
   if (!heights || heights->Shape[0] < 2 || heights->Shape[1] < 2)
   {
-    Fail("'{}' holds no two-dimensional array of numbers to take as elevations", path);
+    Fail("'{}' holds no two-dimensional array of numbers for elevations", path);
   }
   Axis x = FindAxis(arrays, { "longitude", "lon", "x" }, { "dx" }, { "xmin", "x0" });
   Axis y = FindAxis(arrays, { "latitude", "lat", "y" }, { "dy" }, { "ymin", "y0" });
-  // A vector of latitudes says itself which way rows run; pictures of land begin in the north.
+  // A vector of latitudes gives the order of rows. Otherwise images of land begin in the north.
   const bool northFirst = !(FindArray(arrays, { "latitude", "lat", "y" }, 1) && y.Step > 0);
   double dx = x.Known ? std::abs(x.Step) : 1;
   double dy = y.Known ? std::abs(y.Step) : dx;
@@ -144,17 +144,17 @@ Loaded ReadNumpyHeights(const std::string& path, Step& step)
     dx *= metresPerDegree * std::cos(vtkMath::RadiansFromDegrees(y.Middle));
     dy *= metresPerDegree;
     step.Note(fmt::format(
-      "'{}' spaces its samples in degrees: taken as {:.1f} by {:.1f} metres at latitude {:.1f}",
+      "'{}' has a sample spacing in degrees, which is {:.1f} by {:.1f} metres at latitude {:.1f}",
       path, dx, dy, y.Middle));
   }
   return MakeHeights(heights->Values, heights->Shape[1], heights->Shape[0], dx, dy, northFirst);
 }
 
-Loaded ReadPictureHeights(const std::string& path, Step&)
+LoadedData ReadPictureHeights(const std::string& path, Step&)
 {
   const Picture picture = ReadPicture(path);
   std::vector<double> heights(std::size_t(picture.Width) * picture.Height);
-  // 8-bit pictures are commonest: heights in their steps, so that relief is of the order of width.
+  // Heights are in steps of 8-bit pictures, the most common ones, so that relief is of the order of the width.
   constexpr double steps = 255;
   for (std::size_t i = 0; i < heights.size(); ++i)
   {

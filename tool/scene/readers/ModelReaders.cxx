@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Formats that bring their own materials: Wavefront OBJ and glTF.
+// Formats with materials: Wavefront OBJ and glTF.
 #include "scene/readers/FormatReaders.h"
 
 #include <vtkActorCollection.h>
@@ -18,15 +18,15 @@ namespace penumbra::tool
 {
 namespace
 {
-/// Runs an importer into a window that is never opened and takes the actors out of it.
-Loaded Import(vtkImporter* importer)
+/// Runs an importer with a window that is never opened, and returns its actors.
+LoadedData Import(vtkImporter* importer)
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
   window->AddRenderer(renderer);
   importer->SetRenderWindow(window);
   importer->Update();
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Kind = Content::Actors;
   vtkActorCollection* actors = renderer->GetActors();
   vtkCollectionSimpleIterator cursor;
@@ -39,7 +39,7 @@ Loaded Import(vtkImporter* importer)
   return loaded;
 }
 
-/// The file named by "mtllib", or "" where there is none; the statement stands near the top.
+/// The file in the statement "mtllib" near the top, or "" if there is none.
 std::string MaterialLibrary(const std::string& path)
 {
   std::ifstream file(path);
@@ -56,17 +56,16 @@ std::string MaterialLibrary(const std::string& path)
   return "";
 }
 
-/// VTK's plain reader repeats each point for each face that uses it, where texture coordinates have
-/// indices of their own.
-Loaded ReadPlainObj(const std::string& path, Step& step)
+/// VTK's plain reader repeats a point for each face that uses it, if texture coordinates have separate indices.
+LoadedData ReadPlainObj(const std::string& path, Step& step)
 {
-  Loaded loaded = ReadWith<vtkOBJReader>(path, step);
+  LoadedData loaded = ReadWith<vtkOBJReader>(path, step);
   loaded.PointsRepeated = true;
   return loaded;
 }
 }
 
-Loaded ReadObj(const std::string& path, Step& step)
+LoadedData ReadObj(const std::string& path, Step& step)
 {
   const std::string library = MaterialLibrary(path);
   if (library.empty())
@@ -77,7 +76,7 @@ Loaded ReadObj(const std::string& path, Step& step)
   if (!std::filesystem::exists(folder / library))
   {
     step.Note(
-      fmt::format("the materials of '{}' are left out: '{}' is not beside it", path, library));
+      fmt::format("the materials of '{}' are left out: '{}' is not in its folder", path, library));
     return ReadPlainObj(path, step);
   }
   vtkNew<vtkOBJImporter> importer;
@@ -87,7 +86,7 @@ Loaded ReadObj(const std::string& path, Step& step)
   return Import(importer);
 }
 
-Loaded ReadGltf(const std::string& path, Step&)
+LoadedData ReadGltf(const std::string& path, Step&)
 {
   vtkNew<vtkGLTFImporter> importer;
   importer->SetFileName(path.c_str());

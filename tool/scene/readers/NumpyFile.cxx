@@ -20,10 +20,10 @@ namespace penumbra::tool
 {
 namespace
 {
-/// An elevation model of a continent in doubles; beyond it a header is damaged.
+/// Maximum size in bytes, enough for an elevation model of a continent in doubles. A larger size means a damaged header.
 constexpr std::size_t LargestMember = std::size_t(1) << 32;
 
-/// NumPy's array-protocol type strings, without the byte order, as VTK's types.
+/// An array of VTK for an array-protocol type string of NumPy without its byte order; null if there is none.
 vtkSmartPointer<vtkDataArray> MakeArray(const std::string& code)
 {
   static const std::map<std::string, int> types = { { "i1", VTK_SIGNED_CHAR },
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(const std::string& code)
     found == types.end() ? nullptr : vtkDataArray::CreateDataArray(found->second));
 }
 
-/// Brings an array in Fortran order (first index fastest) into C order; two axes suffice here.
+/// Converts a two-dimensional array from Fortran order (first index fastest) to C order.
 void TransposeFromFortran(NumpyArray& array)
 {
   if (array.Shape.size() != 2)

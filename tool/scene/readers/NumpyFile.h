@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /// Reads NumPy's array files: .npy, and .npz, which is a zip archive of them.
-#ifndef penumbra_tool_NumpyFile_h
-#define penumbra_tool_NumpyFile_h
+#pragma once
 
 #include <map>
 #include <string>
@@ -16,8 +15,6 @@ struct NumpyArray
   std::vector<double> Values;     ///< in C order
 };
 
-/// The arrays by name; those that are not numbers are left out. A .npy file's array is named "".
+/// The numeric arrays by name. The array of a .npy file has the name "".
 std::map<std::string, NumpyArray> ReadNumpyFile(const std::string& path);
 }
-
-#endif

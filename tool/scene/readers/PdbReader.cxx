@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Protein Data Bank files. VTK's reader takes an atom's element from the end of its line, where old
-// files have other text, so that every atom gets a wrong element; positions and arrays are kept, the
-// elements are read here.
+// Protein Data Bank files. VTK's reader looks for an atom's element at the end of its line, where old files have other text,
+// so every atom gets a wrong element. Its positions and arrays are used, and elements are read here.
 #include "common/Failure.h"
+#include "common/Names.h"
 #include "scene/readers/FormatReaders.h"
 
 #include <vtkDataSetAttributes.h>
@@ -22,7 +22,7 @@ namespace
 {
 constexpr unsigned short Carbon = 6;
 
-/// "CL" to 17; 0 where there is no such element.
+/// The number of an element, such as 17 for "CL"; 0 if it does not exist.
 unsigned short ElementNumber(vtkPeriodicTable* table, std::string symbol)
 {
   for (std::size_t i = 0; i < symbol.size(); ++i)
@@ -39,14 +39,11 @@ unsigned short ElementNumber(vtkPeriodicTable* table, std::string symbol)
 
 std::string Columns(const std::string& line, std::size_t first, std::size_t count)
 {
-  std::string text = first < line.size() ? line.substr(first, count) : "";
-  text.erase(0, text.find_first_not_of(" \t\r"));
-  text.erase(text.find_last_not_of(" \t\r") + 1);
-  return text;
+  return first < line.size() ? Trim(line.substr(first, count)) : "";
 }
 
-/// wwPDB 2012, Atomic Coordinate Entry Format 3.3: the element stands in columns 77 and 78; older files
-/// have it only in the atom's name, right-aligned in columns 13 and 14.
+/// wwPDB 2012, Atomic Coordinate Entry Format 3.3: columns 77 and 78 hold the element. In older files it is only in the
+/// atom's name, right-aligned in columns 13 and 14.
 unsigned short ElementOfLine(vtkPeriodicTable* table, const std::string& line)
 {
   const std::string name = Columns(line, 12, 4);
@@ -85,7 +82,7 @@ std::vector<unsigned short> ReadElements(const std::string& path, vtkPeriodicTab
 }
 }
 
-Loaded ReadPdb(const std::string& path, Step& step)
+LoadedData ReadPdb(const std::string& path, Step& step)
 {
   vtkNew<vtkPDBReader> reader;
   reader->SetFileName(path.c_str());
@@ -98,7 +95,7 @@ Loaded ReadPdb(const std::string& path, Step& step)
   vtkIdType unknown = 0;
   for (vtkIdType i = 0; i < atoms->GetNumberOfPoints(); ++i)
   {
-    // The reader stops at END; the lines up to there are in its order.
+    // The reader stops at END. Up to there the order is the same.
     const std::size_t index = static_cast<std::size_t>(i);
     const unsigned short element = index < elements.size() ? elements[index] : 0;
     unknown += element == 0 ? 1 : 0;
@@ -108,7 +105,7 @@ Loaded ReadPdb(const std::string& path, Step& step)
   if (unknown > 0)
   {
     step.Note(
-      fmt::format("{} atoms of '{}' name no known element and are drawn as carbon", unknown, path));
+      fmt::format("{} atoms of '{}' have unknown elements and are drawn as carbon", unknown, path));
   }
   for (int i = 0; i < atoms->GetPointData()->GetNumberOfArrays(); ++i)
   {
@@ -118,7 +115,7 @@ Loaded ReadPdb(const std::string& path, Step& step)
       molecule->GetAtomData()->AddArray(array);
     }
   }
-  Loaded loaded;
+  LoadedData loaded;
   loaded.Kind = Content::Molecule;
   loaded.Data = molecule.GetPointer();
   return loaded;

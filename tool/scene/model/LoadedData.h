@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What a file holds, as read.
-#ifndef penumbra_tool_Loaded_h
-#define penumbra_tool_Loaded_h
+/// The content of a file.
+#pragma once
 
 #include "scene/model/SceneModel.h"
 
@@ -15,10 +14,10 @@
 
 namespace penumbra::tool
 {
-/// The side from which data of a kind is looked at unless the user says otherwise.
+/// The view of data of some kind, unless the user sets another one.
 struct DefaultView
 {
-  Vec3 Front = { 0, -1, 0 }; ///< from the data towards the camera
+  Vec3 Front = { 0, -1, 0 }; ///< from the data to the camera
   Vec3 Up = { 0, 0, 1 };
   double Azimuth = 25;
   double Elevation = 18;
@@ -29,18 +28,16 @@ enum class Content
   Data,     ///< any VTK data object
   Molecule, ///< a vtkMolecule
   Heights,  ///< a vtkImageData of elevations in a plane
-  Actors    ///< actors with their own materials
+  Actors    ///< actors with materials
 };
 
-struct Loaded
+struct LoadedData
 {
   Content Kind = Content::Data;
   vtkSmartPointer<vtkDataObject> Data;
   std::vector<vtkSmartPointer<vtkActor>> Actors;
-  vtkSmartPointer<vtkMatrix4x4> ToWorld; ///< null where the data is in world coordinates
+  vtkSmartPointer<vtkMatrix4x4> ToWorld; ///< null if the data is in world coordinates
   DefaultView View;
-  bool PointsRepeated = false; ///< once per face, for texture coordinates that differ
+  bool PointsRepeated = false; ///< once per face, because their texture coordinates differ
 };
 }
-
-#endif

@@ -1,19 +1,23 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/build/Techniques.h"
+#include "commands/PassSetup.h"
 
+#include "bake/lightmap/LightmapFile.h"
 #include "common/Failure.h"
 #include "common/Names.h"
 #include "common/VtkMessages.h"
 
+#include <vtkGIBakeFile.h>
 #include <vtkGIPass.h>
 #include <vtkGITechnique.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
 
 namespace penumbra::tool
 {
 namespace
 {
-/// The place of a name among so many; throws a Failure that names the nearest where it is not there.
+/// The index of a name; throws a Failure that suggests the nearest one if it is unknown.
 template <typename NameOf>
 int Find(const std::string& name, int count, const NameOf& nameOf, const char* kind,
   const std::string& owner = "")
@@ -43,14 +47,28 @@ void SetParameter(vtkGITechnique* technique, const ParameterSetting& setting)
     [technique](int i) { return technique->GetParameterName(i); }, "parameter", setting.Technique);
   if (!technique->SetParameterFromText(setting.Parameter.c_str(), setting.Value.c_str()))
   {
-    TakeVtkMessages(); // the same sentence, printed by VTK's macro
+    TakeVtkMessages(); // the same sentence, reported by VTK's macro
     FailUsage("{}", technique->GetLastError());
   }
 }
+
+void LoadOldLightmap(const std::string& path, vtkGIPass* pass, Reporter& reporter)
+{
+  vtkGITechnique* technique = pass->GetTechnique("lightmap");
+  if (!technique->SetBake(lightmap::MakeImage(lightmap::ReadOldLightmap(path))))
+  {
+    Fail("the lightmap '{}' cannot be used: {}", path, technique->GetBakeError());
+  }
+  technique->EnabledOn();
+  reporter.Note(fmt::format("'{0}' is an OpenEXR file, the old format of lightmaps: convert it "
+                            "with penumbra bake convert {0} -o NEW.vti",
+    path));
+}
 }
 
-void ApplyTechniques(const TechniqueSettings& settings, vtkGIPass* pass)
+void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
 {
+  const TechniqueSettings& settings = scene.Techniques;
   Find(
     settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
     "preset");
@@ -66,6 +84,18 @@ void ApplyTechniques(const TechniqueSettings& settings, vtkGIPass* pass)
   for (const ParameterSetting& setting : settings.Parameters)
   {
     SetParameter(Find(pass, setting.Technique), setting);
+  }
+  for (const std::string& path : scene.Bakes)
+  {
+    vtkNew<vtkGIBakeFile> file;
+    if (lightmap::IsOpenExr(path))
+    {
+      LoadOldLightmap(path, pass, reporter);
+    }
+    else if (!file->Load(path.c_str(), pass))
+    {
+      Fail("{}", file->GetLastError());
+    }
   }
 }
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scene/readers/Checkpoint.h"
+#include "commands/Checkpoint.h"
 
+#include "bake/BakeImage.h"
 #include "common/Failure.h"
 #include "common/VtkMessages.h"
 #include "common/WholeFile.h"
@@ -9,12 +10,12 @@
 
 #include <OpenImageIO/hash.h>
 
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkGIPass.h>
 #include <vtkGIPathTracing.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkStringArray.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -29,7 +30,7 @@ namespace
 {
 namespace fs = std::filesystem;
 constexpr const char* IdentityArray = "picture";
-constexpr std::chrono::seconds Interval(30);
+constexpr double Interval = 30; // seconds
 }
 
 std::string Fingerprint(const std::string& text, const std::vector<std::string>& files)
@@ -72,55 +73,49 @@ int Checkpoint::Resume()
   {
     return 0;
   }
+  const auto reject = [this] {
+    Fail(
+      "'{}' is not a checkpoint: give --checkpoint a file that it wrote, or a new one", this->Path);
+  };
   vtkNew<vtkXMLImageDataReader> reader;
   if (!reader->CanReadFile(this->Path.c_str()))
   {
-    this->Refuse();
+    reject();
   }
   RequireCompleteXml(this->Path);
   reader->SetFileName(this->Path.c_str());
   reader->Update();
   ThrowVtkErrors(fmt::format("the checkpoint '{}' cannot be read", this->Path));
   vtkImageData* image = reader->GetOutput();
-  auto* identity =
-    vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(IdentityArray));
-  if (!identity || identity->GetNumberOfValues() != 1 ||
-    !this->Tracer->SetProgress(this->Renderer, image))
+  const std::string identity = GetText(image->GetFieldData(), IdentityArray);
+  if (identity.empty() || !this->Tracer->SetProgress(this->Renderer, image))
   {
-    this->Refuse();
+    reject();
   }
-  if (identity->GetValue(0) != this->Identity)
+  if (identity != this->Identity)
   {
     Fail("the checkpoint '{}' is of another picture: it holds {}, and this is {}", this->Path,
-      std::string(identity->GetValue(0)), this->Identity);
+      identity, this->Identity);
   }
   return static_cast<int>(image->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
 }
 
-void Checkpoint::Refuse() const
+void Checkpoint::SaveIfDue()
 {
-  Fail(
-    "'{}' is not a checkpoint: give --checkpoint a file that it wrote, or one that does not exist "
-    "yet",
-    this->Path);
+  if (SecondsSince(this->Saved) >= Interval)
+  {
+    this->Save();
+  }
 }
 
-void Checkpoint::Save(bool inAnyCase)
+void Checkpoint::Save()
 {
-  const auto now = std::chrono::steady_clock::now();
-  if (!inAnyCase && now - this->Saved < Interval)
-  {
-    return;
-  }
   vtkNew<vtkImageData> image;
   if (!this->Tracer->GetProgress(this->Pass, this->Renderer, image))
   {
     return;
   }
-  vtkNew<vtkStringArray> identity;
-  identity->SetName(IdentityArray);
-  identity->InsertNextValue(this->Identity);
-  image->GetFieldData()->AddArray(identity);
+  SetText(image->GetFieldData(), IdentityArray, this->Identity);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->SetDataModeToAppended();
@@ -128,8 +123,8 @@ void Checkpoint::Save(bool inAnyCase)
   writer->SetCompressorTypeToLZ4();
   if (!WriteWhole(writer, this->Path))
   {
-    Fail("cannot write the checkpoint '{}'", this->Path);
+    Fail("the checkpoint '{}' cannot be written", this->Path);
   }
-  this->Saved = now;
+  this->Saved = Clock::now();
 }
 }

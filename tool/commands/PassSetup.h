@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Sets up the pass for a scene.
+#pragma once
+
+#include "common/Reporter.h"
+#include "scene/model/SceneModel.h"
+
+class vtkGIPass;
+
+namespace penumbra::tool
+{
+/// Applies the preset, then switches, then parameters, then loads baked light. Throws a Failure that names what the pass
+/// does not have, the value it refuses, or the file that is damaged or of another kind.
+void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter);
+}
