@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * GPU time per pass, by timer queries that are read after the frame.
+ * GPU time per pass, by timer queries that are read after the frame. Software OpenGL is timed by the clock, pass by pass.
  */
 #pragma once
 
 #include "gpu/GLObjects.h"
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace penumbra
 class GpuTimer
 {
 public:
+  GpuTimer();
+
   void Begin(const std::string& name);
   void End();
 
@@ -27,6 +30,9 @@ public:
   std::vector<Span> Collect();
 
 private:
+  bool UsesClock;
+  std::chrono::steady_clock::time_point Start;
+  std::vector<Span> Measured; ///< by the clock
   std::vector<std::string> Names;
   std::vector<QueryHandle> Queries;
 };
