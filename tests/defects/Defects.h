@@ -6,11 +6,11 @@
 
 #include "Messages.h"
 #include "Picture.h"
+#include "SceneParts.h"
 #include "Stage.h"
 
 #include "vtkGITechnique.h"
 #include "vtkActorCollection.h"
-#include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 #include "vtkVersion.h"
 
@@ -69,11 +69,7 @@ inline void SwitchOnOcclusion(Stage& stage, By by, double radius, double share =
 /// Add a white floor in the plane z = 0.
 inline vtkActor* AddFloor(Stage& stage, double half = 2.0)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-half, -half, 0.0);
-  plane->SetPoint1(half, -half, 0.0);
-  plane->SetPoint2(-half, half, 0.0);
-  vtkActor* floor = stage.Add(plane);
+  vtkActor* floor = AddFloor(stage, -half, half, -half, half);
   floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
   return floor;
 }
@@ -87,16 +83,6 @@ inline vtkSmartPointer<vtkSphereSource> AddBall(Stage& stage, double x = 0.0)
   ball->SetCenter(x, 0.0, 1.0);
   stage.Add(ball);
   return ball;
-}
-
-inline vtkLight* AddLight(Stage& stage, double x, double y, double z)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(x, y, z);
-  light->SetFocalPoint(0.0, 0.0, 0.0);
-  stage.Renderer->AddLight(light);
-  return light;
 }
 
 /// Look at the floor from above, with x to the right. height: of the picture, in world units.
