@@ -126,7 +126,8 @@ double MillisecondsOfUpdate(vtkGIPass* pass)
   for (const auto& row : statistics.at("passes"))
   {
     const std::string name = row.at("name");
-    const bool ofUpdate = name.compare(0, 5, "ddgi-") == 0 && name.compare(0, 10, "ddgi-balls") != 0;
+    const bool ofUpdate =
+      name.compare(0, 5, "ddgi-") == 0 && name.compare(0, 10, "ddgi-balls") != 0;
     milliseconds += ofUpdate ? row.at("milliseconds").get<double>() : 0.0;
   }
   return milliseconds;

@@ -113,7 +113,8 @@ TEST(RayTracedShadows, TakePrecedenceOverShadowMaps)
     pass->GetTechnique("ray-traced-shadows")->SetParameter("light-angle", 0.0);
     pass->GetTechnique("shadow-maps")->SetEnabled(maps);
     const Picture picture = Shoot(stage.Window);
-    EXPECT_STREQ(pass->GetNotes(), rays && maps
+    EXPECT_STREQ(pass->GetNotes(),
+      rays && maps
         ? "shadow-maps is not used, because ray-traced-shadows, which is on too, takes its place"
         : "");
     return picture;

@@ -241,8 +241,7 @@ const Arguments& FrameContext::Offered() const
     }
     for (const auto& output : this->Step->OutputImages)
     {
-      offered.Image(
-        output.second, *this->Output(output.first.c_str()), ShaderAccess::Write);
+      offered.Image(output.second, *this->Output(output.first.c_str()), ShaderAccess::Write);
     }
     offered.Block("ViewBlock", this->Executor->ViewBlock);
   }

@@ -72,7 +72,7 @@ struct Resolve
     // A technique that requests the lit radiance also modifies the picture, so both targets are textures here.
     this->Draw(context,
       this->Options.LitRadiance ? std::vector<const char*>{ resource::Color, resource::LitRadiance }
-                : std::vector<const char*>{ resource::Color });
+                                : std::vector<const char*>{ resource::Color });
   }
 
   // Start the radiance with the sky, or with the content of the window.

@@ -36,8 +36,8 @@ void ForwardProgram::Set(const Arguments& arguments) const
     const auto block = arguments.Blocks().find(input.Name);
     if (block != arguments.Blocks().end() && input.Location < 0)
     {
-      block->second.Object->BindBase(input.Kind == InputKind::StorageBlock ? GL_SHADER_STORAGE_BUFFER
-                                                                         : GL_UNIFORM_BUFFER,
+      block->second.Object->BindBase(
+        input.Kind == InputKind::StorageBlock ? GL_SHADER_STORAGE_BUFFER : GL_UNIFORM_BUFFER,
         static_cast<GLuint>(input.Unit));
     }
   }
@@ -77,9 +77,8 @@ void ForwardLight::Spread(double share, const glm::dvec3& total)
   }
   ForwardPart part;
   part.Source = "forward/spread.glsl";
-  part.Bind = [light = glm::vec3(share * total)](ForwardProgram& program) {
-    program.Set(Arguments().Set("fieldSpread", light));
-  };
+  part.Bind = [light = glm::vec3(share * total)](
+                ForwardProgram& program) { program.Set(Arguments().Set("fieldSpread", light)); };
   this->Indirect = { part };
 }
 

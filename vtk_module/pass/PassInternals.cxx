@@ -294,8 +294,7 @@ bool vtkGIPass::Internals::DrawFrame(
   {
     this->Notes += (this->Notes.empty() ? "" : "\n") + note;
   }
-  ContributeIndirectLight(
-    builder, this->Lights, this->Capture, builder.GetIndirectLights());
+  ContributeIndirectLight(builder, this->Lights, this->Capture, builder.GetIndirectLights());
   if (!builder.GetIndirectLights().empty())
   {
     this->Placeholder.Add(renderer);

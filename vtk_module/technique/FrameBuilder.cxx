@@ -80,8 +80,8 @@ ForwardLight FrameBuilder::GetForwardLight() const
 void FrameBuilder::RequestSurroundings()
 {
   // Only PBR materials are lit by the environment, and they need the extended set of targets.
-  if (this->GetRenderer()->GetUseImageBasedLighting() && this->GetRenderer()->GetEnvironmentTexture() &&
-    this->Scene.IsExtended())
+  if (this->GetRenderer()->GetUseImageBasedLighting() &&
+    this->GetRenderer()->GetEnvironmentTexture() && this->Scene.IsExtended())
   {
     this->Scene.Request(resource::Surroundings);
   }

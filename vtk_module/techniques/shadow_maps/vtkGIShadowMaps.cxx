@@ -249,10 +249,8 @@ void vtkGIShadowMaps::Contribute(FrameBuilder& frame)
     .ReadHistory(atlas, "atlas")
     .Write(resource::DirectVisibility, frame.WindowTexture(GL_RGBA8, layers))
     .Offer(this->FilterArguments(false))
-    .Execute([variant = VariantOf(plan), layers,
-               lights = this->ShadowedLights](FrameContext& context) {
-      DrawMask(context, variant, layers, lights);
-    });
+    .Execute([variant = VariantOf(plan), layers, lights = this->ShadowedLights](
+               FrameContext& context) { DrawMask(context, variant, layers, lights); });
 }
 
 void vtkGIShadowMaps::DrawMaps(

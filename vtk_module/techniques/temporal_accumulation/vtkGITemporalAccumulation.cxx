@@ -38,8 +38,9 @@ LightGeometry GeometryOf(const Light& light)
 struct Ages
 {
   static constexpr int Never = -2;
-  int LastFrame = Never;                ///< number of the last frame that was accumulated
-  std::map<std::string, int> LastMeans; ///< number of the frame whose means are kept, by noisy resource
+  int LastFrame = Never; ///< number of the last frame that was accumulated
+  /// Numbers of the frames whose means are kept, by noisy resource.
+  std::map<std::string, int> LastMeans;
   int Accumulation = 0;    ///< since accumulation began
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
@@ -49,7 +50,8 @@ struct Ages
   void Advance(const View& view, const LightTable& lights, bool continued)
   {
     this->Accumulation = continued ? this->Accumulation + 1 : 1;
-    this->Looks = !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
+    this->Looks =
+      !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
     this->Props = view.Changes.Props ? 0 : this->Props + 1;
     std::vector<LightGeometry> geometries;
     for (const Light& light : lights.Lights())
@@ -240,9 +242,8 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     .WriteHistory(*surfaces.Current)
     .Offer(frame.Capture().Materials().ShaderArguments())
     .Offer(motion.ShaderArguments())
-    .Execute([accumulator, surfaces, &lights](FrameContext& context) {
-      accumulator.Reproject(context, surfaces, lights);
-    });
+    .Execute([accumulator, surfaces, &lights](
+               FrameContext& context) { accumulator.Reproject(context, surfaces, lights); });
   for (const NoisyResource& noisy : resource::Noisy)
   {
     frame.AddPass(std::string("temporal-") + noisy.Name)
