@@ -13,13 +13,21 @@
 #include <malloc.h>
 #include <memory>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/allocator_interface.h>
+#endif
+
 namespace penumbra_test
 {
 namespace
 {
 double AllocatedBytes()
 {
+#ifdef __SANITIZE_ADDRESS__
+  return static_cast<double>(__sanitizer_get_current_allocated_bytes());
+#else
   return static_cast<double>(mallinfo2().uordblks);
+#endif
 }
 
 // Bytes added per round, from the medians of the second and the last quarter. Caches fill in the first one.

@@ -149,7 +149,7 @@ void RequireCompleteXml(const std::string& path, vtkDataObject*)
   }
 }
 
-void RequireCompleteStl(const std::string& path, vtkDataObject*)
+void RequireCompleteStl(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
   char start[512] = {};

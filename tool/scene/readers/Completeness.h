@@ -10,12 +10,12 @@ class vtkDataObject;
 
 namespace penumbra::tool
 {
-/// Each throws a Failure if the file is shorter than its header and the data read from it imply. Files that they do not
+/// Each throws a Failure if the file is shorter than its header and the data read from it, if there are any, imply. Files that they do not
 /// understand are left to the reader.
 void RequireCompleteXml(const std::string& path, vtkDataObject* data = nullptr);
-void RequireCompleteStl(const std::string& path, vtkDataObject* data);
 void RequireCompletePly(const std::string& path, vtkDataObject* data);
 void RequireCompleteMetaImage(const std::string& path, vtkDataObject* data);
+void RequireCompleteStl(const std::string& path);
 void RequireCompleteDem(const std::string& path);
 void RequireCompleteNetcdf(const std::string& path);
 }

@@ -34,6 +34,14 @@ LoadedData ReadChecked(const std::string& path, Step& step)
   return loaded;
 }
 
+/// Checks a file for damage, and reads it with a VTK reader that would ask for as much memory as the damaged file names.
+template <typename Reader, void (*Check)(const std::string&)>
+LoadedData ReadAfterCheck(const std::string& path, Step& step)
+{
+  Check(path);
+  return ReadWith<Reader>(path, step);
+}
+
 /// Readers that need more.
 LoadedData ReadObj(const std::string& path, Step& step);
 LoadedData ReadGltf(const std::string& path, Step& step);

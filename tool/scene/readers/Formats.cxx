@@ -69,7 +69,7 @@ const std::vector<Format>& Formats()
     { ".vtm", "VTK multi-block data", ReadXml<vtkXMLMultiBlockDataReader>, Simulation },
     { ".vtk", "VTK legacy file", ReadWith<vtkGenericDataObjectReader>, Simulation },
     { ".ply", "Stanford polygons", ReadChecked<vtkPLYReader, RequireCompletePly>, Model },
-    { ".stl", "stereolithography", ReadChecked<vtkSTLReader, RequireCompleteStl>, Simulation },
+    { ".stl", "stereolithography", ReadAfterCheck<vtkSTLReader, RequireCompleteStl>, Simulation },
     { ".obj", "Wavefront object, with its materials", ReadObj, Model },
     { ".glb", "glTF 2.0, binary", ReadGltf, Model },
     { ".gltf", "glTF 2.0", ReadGltf, Model },
