@@ -8,6 +8,9 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <fstream>
+#include <iterator>
+
 using namespace penumbra;
 using namespace penumbra_test;
 
@@ -36,9 +39,11 @@ protected:
     this->Runner->SetWindow(this->Window);
   }
 
-  std::unique_ptr<Program> Compile(const std::string& body) const
+  /// A shader of tests/gpu/shaders.
+  std::unique_ptr<Program> Compile(const std::string& name) const
   {
-    const std::string text = "#version 430 core\nlayout(local_size_x = 4) in;\n" + body;
+    std::ifstream file(std::string(PENUMBRA_TEST_SOURCES) + "/gpu/shaders/" + name);
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
     const char* source = text.c_str();
     return std::make_unique<Program>(
       glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source), true, "test", text);
@@ -72,29 +77,11 @@ protected:
   std::unique_ptr<Commands> Runner;
   vtkSmartPointer<vtkHeadlessRenderWindow> Window;
 };
-
-const char* const Results =
-  "layout(std430, binding = 3) writeonly buffer ResultBlock { float results[]; };\n";
 }
 
 TEST_F(CommandsTest, ValuesOfEveryTypeAreBoundByName)
 {
-  const auto program = this->Compile(std::string(Results) +
-    "uniform bool flag; uniform int whole; uniform float real; uniform vec2 two; uniform vec3 "
-    "three;"
-    "uniform vec4 four; uniform ivec2 pair; uniform ivec3 triple; uniform mat3 turn; uniform mat4 "
-    "place;"
-    "uniform int wholes[3]; uniform vec3 places[2]; uniform ivec2 pairs[2]; uniform ivec3 "
-    "triples[2];"
-    "void main() {"
-    "  results[0] = flag ? 1.0 : 0.0; results[1] = float(whole); results[2] = real; results[3] = "
-    "two.y;"
-    "  results[4] = three.z; results[5] = four.w; results[6] = float(pair.y); results[7] = "
-    "float(triple.z);"
-    "  results[8] = turn[2][1]; results[9] = place[3][2]; results[10] = float(wholes[2]);"
-    "  results[11] = places[1].y; results[12] = float(pairs[1].x); results[13] = "
-    "float(triples[1].z);"
-    "}");
+  const auto program = this->Compile("values.comp");
   glm::mat3 turn(0.0f);
   turn[2][1] = 9.0f;
   glm::mat4 place(0.0f);
@@ -127,8 +114,7 @@ TEST_F(CommandsTest, ValuesOfEveryTypeAreBoundByName)
 
 TEST_F(CommandsTest, MismatchedNamesAreErrorsIfShadersAreChecked)
 {
-  const auto program = this->Compile(
-    std::string(Results) + "uniform float strength; void main() { results[0] = strength; }");
+  const auto program = this->Compile("strength.comp");
   Buffer results;
   const float blank = 0.0f;
   results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
@@ -148,8 +134,7 @@ TEST_F(CommandsTest, MismatchedNamesAreErrorsIfShadersAreChecked)
 
 TEST_F(CommandsTest, OfferedArgumentsMayBeUnused)
 {
-  const auto program = this->Compile(std::string(Results) +
-    "uniform float strength; uniform float width; void main() { results[0] = strength + width; }");
+  const auto program = this->Compile("sum.comp");
   Buffer results;
   const float blank = 0.0f;
   results.Upload(GL_SHADER_STORAGE_BUFFER, &blank, sizeof(blank));
@@ -162,11 +147,8 @@ TEST_F(CommandsTest, OfferedArgumentsMayBeUnused)
 
 TEST_F(CommandsTest, SetsOneBarrierPerUseOfWrittenData)
 {
-  const auto writer = this->Compile("layout(r32f, binding = 0) uniform writeonly image2D target;"
-                                    "void main() { imageStore(target, ivec2(0), vec4(1.0)); }");
-  const auto reader = this->Compile(std::string(Results) +
-    "layout(binding = 0) uniform sampler2D source;"
-    "void main() { results[0] = texelFetch(source, ivec2(0), 0).r; }");
+  const auto writer = this->Compile("write.comp");
+  const auto reader = this->Compile("read.comp");
   const Texture texture({ GL_R32F, 1, 1, 0 });
   const Texture other({ GL_R32F, 1, 1, 0 });
   Buffer results;

@@ -163,7 +163,7 @@ class Radiosity(command.CommandTest):
         print(f"resumed: {100 * share:.0f} % taken over")
         self.assertEqual(goes_on(kept[:1000]), 0, "a block that is cut off is not taken")
         self.assertEqual(goes_on(kept[:1000] + bytes([kept[1000] ^ 1]) + kept[1001:]), 0)
-        self.assertEqual(goes_on(kept, "--anew"), 0)
+        self.assertEqual(goes_on(kept, "--from-scratch"), 0)
         self.assertEqual(goes_on(b"nothing of use", notes=("starts from scratch",)), 0)
         log.write_bytes(kept)
         other = self.report("bake", "radiosity", self.scene(ROOM, "other.json"), "-o", "broken.vtp", "--stats",

@@ -23,7 +23,7 @@ class DirectLightmap(command.LightmapTest):
     def test_cornell_box_is_the_path_tracers(self):
         """The whole picture, with no technique for shadows: they are the map's."""
         scene = self.scene(self.cornell)
-        baked = self.bake(scene, "--direct", "--texel-size", 5, "--samples", 16, "--anew")
+        baked = self.bake(scene, "--direct", "--texel-size", 5, "--samples", 16, "--from-scratch")
         self.succeeds("render", scene, *SMALL, "--on", "anti-aliasing", "--bake", "map.vti", "-o", "lit.exr")
         self.succeeds("render", scene, "--preset", "reference", "--spp", 256, "--size", "64x64", "-o", "traced.exr")
         compared = self.compare("lit.exr", "traced.exr")
@@ -39,7 +39,7 @@ class DirectLightmap(command.LightmapTest):
         scene = copy.deepcopy(self.cornell)
         scene["objects"].append(BALL)
         path = self.scene(scene)
-        few = ("--texel-size", 24, "--samples", 16, "--anew", "--without", "ball")
+        few = ("--texel-size", 24, "--samples", 16, "--from-scratch", "--without", "ball")
         self.bake(path, *few, "--direct", output="direct.vti")
         near = {**scene, "camera": {**scene["camera"], "focal": BALL["sphere"]["center"], "angle": 4}}
         differ = {}
@@ -54,7 +54,7 @@ class DirectLightmap(command.LightmapTest):
 
     def test_a_changed_lamp_is_live(self):
         path = self.scene(self.cornell)
-        self.bake(path, "--direct", "--texel-size", 24, "--samples", 16, "--anew")
+        self.bake(path, "--direct", "--texel-size", 24, "--samples", 16, "--from-scratch")
         other = copy.deepcopy(self.cornell)
         other["lights"][0]["intensity"] = 0.7
         dimmed = self.scene(other, "dimmed.json")
@@ -71,7 +71,7 @@ class DirectLightmap(command.LightmapTest):
                  "camera": {"position": [0, -2, 2], "focal": [0, 0, 0], "up": [0, 0, 1]}}
         path = self.scene(scene)
         self.refused("bake", "lightmap", path, "-o", "no.vti", says="no indirect light", status=1)
-        self.bake(path, "--direct", "--texel-size", 0.02, "--samples", 16, "--anew")
+        self.bake(path, "--direct", "--texel-size", 0.02, "--samples", 16, "--from-scratch")
         self.succeeds("render", path, *SMALL, "-o", "without.exr")
         self.succeeds("render", path, *SMALL, "--bake", "map.vti", "-o", "with.exr")
         compared = self.compare("with.exr", "without.exr")
@@ -82,7 +82,7 @@ class DirectLightmap(command.LightmapTest):
         """As without --direct; and what was gathered with it is not gone on with without, or the other way."""
         scene = self.scene(self.cornell)
         settings = ("--texel-size", 12, "--samples", 64)
-        self.bake(scene, *settings, "--direct", "--anew", output="whole.vti")
+        self.bake(scene, *settings, "--direct", "--from-scratch", output="whole.vti")
         progress = self.folder / "broken.vti.baking"
         self.killed_at_work("bake", "lightmap", scene, "-o", "broken.vti", "--direct", *settings, when=progress.exists,
                             output="broken.vti")
@@ -101,7 +101,7 @@ class DirectLightmap(command.LightmapTest):
         """Of a map without the lamps' light nothing is kept for one with it; of one with it, what did not change."""
         scene = self.scene(self.cornell)
         few = ("--texel-size", 24, "--samples", 16)
-        tiles = self.bake(scene, *few, "--anew")["tiles"]
+        tiles = self.bake(scene, *few, "--from-scratch")["tiles"]
         self.assertEqual(self.bake(scene, *few, "--direct")["kept-tiles"], 0)
         first = (self.folder / "map.vti").read_bytes()
         self.assertEqual(self.bake(scene, *few, "--direct")["kept-tiles"], tiles)

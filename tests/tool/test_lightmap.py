@@ -79,7 +79,7 @@ class Lightmap(command.LightmapTest):
         for reflectance in (0.5, 0.8):
             emission = 0.2
             scene = self.scene(room(reflectance, emission))
-            self.bake(scene, "--texel-size", 0.7, "--samples", 4096, "--anew")
+            self.bake(scene, "--texel-size", 0.7, "--samples", 4096, "--from-scratch")
             self.succeeds("render", scene, "--bake", "map.vti", *SMALL, "-o", "lit.exr")
             expected = emission / (1 - reflectance)
             flat = {"objects": [{"box": {}}], "background": [expected] * 3, "camera": {"position": [0, 0, 9],
@@ -95,7 +95,7 @@ class Lightmap(command.LightmapTest):
         scene["lights"] = [OFF]
         path = self.scene(scene, "cornell.json")
         size = ("--size", "64x64")
-        baked = self.bake(path, "--texel-size", 16, "--samples", 64, "--anew")
+        baked = self.bake(path, "--texel-size", 16, "--samples", 64, "--from-scratch")
         self.succeeds("render", path, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.vti", *size, "-o",
                       "lit.exr")
         self.succeeds("render", path, "--preset", "reference", "--spp", 256, *size, "-o", "traced.exr")
@@ -109,7 +109,7 @@ class Lightmap(command.LightmapTest):
     def test_no_seam_shows(self):
         """A ball of many charts: the step where they meet, of the light there."""
         scene = self.scene(lamp_room())
-        baked = self.bake(scene, "--texel-size", 0.1, "--samples", 64, "--anew")
+        baked = self.bake(scene, "--texel-size", 0.1, "--samples", 64, "--from-scratch")
         print(f"\n{baked['tiles']} charts: step across seams {100 * baked['open-seam-step']:.2f} %, closed "
               f"{100 * baked['seam-step']:.2f} %")
         self.assertGreater(baked["tiles"], 8)
@@ -119,7 +119,7 @@ class Lightmap(command.LightmapTest):
     def test_denoising_pays(self):
         """Error against many samples, of few samples with and without."""
         scene = self.scene(lamp_room())
-        few = ("--texel-size", 0.06, "--open-seams", "--anew")
+        few = ("--texel-size", 0.06, "--open-seams", "--from-scratch")
         self.bake(scene, *few, "--samples", 512, "--no-denoise", output="exact.vti")
         self.bake(scene, *few, "--samples", 32, "--no-denoise", output="noisy.vti")
         self.bake(scene, *few, "--samples", 32, output="denoised.vti")
@@ -130,7 +130,7 @@ class Lightmap(command.LightmapTest):
 
     def test_a_changed_scene_is_told(self):
         scene = lamp_room()
-        self.bake(self.scene(scene), "--texel-size", 0.4, "--samples", 16, "--anew")
+        self.bake(self.scene(scene), "--texel-size", 0.4, "--samples", 16, "--from-scratch")
 
         def changed(change, says):
             other = copy.deepcopy(scene)
@@ -154,7 +154,7 @@ class Lightmap(command.LightmapTest):
     def test_probes_light_what_a_stale_bake_does_not(self):
         """Without being asked to, as where they are on and there is no bake."""
         scene = lamp_room()
-        self.bake(self.scene(scene), "--texel-size", 0.4, "--samples", 16, "--anew")
+        self.bake(self.scene(scene), "--texel-size", 0.4, "--samples", 16, "--from-scratch")
         scene["lights"][0]["intensity"] = 0.5
         path = self.scene(scene, "other.json")
         few = ("--set", "ddgi.probes=64", "--set", "ddgi.updates=8", "--size", "48x36", "--preset", "off")
@@ -169,7 +169,7 @@ class Lightmap(command.LightmapTest):
 
     def test_what_moves_is_left_out(self):
         scene = self.scene(lamp_room())
-        self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--anew", "--without", "ball")
+        self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--from-scratch", "--without", "ball")
         other = lamp_room()
         other["objects"][3]["transform"] = {"translate": [0.1, 0, 0]}
         self.succeeds("render", self.scene(other, "other.json"), "--bake", "map.vti", *SMALL, "-o", "with.exr")
@@ -180,7 +180,7 @@ class Lightmap(command.LightmapTest):
         scene = self.scene(lamp_room())
         settings = ("--texel-size", 0.08, "--samples", 256)
         start = time.monotonic()
-        self.bake(scene, *settings, "--anew", output="whole.vti")
+        self.bake(scene, *settings, "--from-scratch", output="whole.vti")
         seconds = time.monotonic() - start
         bake = ("bake", "lightmap", scene, "-o", "broken.vti", *settings)
         progress = self.folder / "broken.vti.baking"
@@ -216,17 +216,17 @@ class Lightmap(command.LightmapTest):
             right["material"] = {**right["material"], "color": color}
             return {**room(0.5, 0.2), "objects": [left, right]}
         settings = ("--texel-size", 0.4, "--samples", 64)
-        first = self.bake(self.scene(rooms([0.5] * 3)), *settings, "--anew")
+        first = self.bake(self.scene(rooms([0.5] * 3)), *settings, "--from-scratch")
         again = self.bake(self.scene(rooms([0.5] * 3)), *settings)
         self.assertEqual((first["kept-tiles"], again["kept-tiles"]), (0, first["tiles"]))
         # With seams, of a ball's charts: closed once, they stay as they are.
         scene = self.scene(lamp_room(), "ball.json")
-        first = self.bake(scene, "--texel-size", 0.1, "--samples", 16, "--anew", output="ball.vti")
+        first = self.bake(scene, "--texel-size", 0.1, "--samples", 16, "--from-scratch", output="ball.vti")
         (self.folder / "once.vti").write_bytes((self.folder / "ball.vti").read_bytes())
         again = self.bake(scene, "--texel-size", 0.1, "--samples", 16, output="ball.vti")
         self.assertEqual(again["kept-tiles"], first["tiles"])
         self.assertLess(self.compare_maps("ball.vti", "once.vti")["maximum"], 1e-3, "rounding of half floats")
-        before = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings, "--anew", output="whole.vti")
+        before = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings, "--from-scratch", output="whole.vti")
         changed = self.bake(self.scene(rooms([0.3, 0.5, 0.4])), *settings)
         print(f"\n{changed['kept-tiles']} of {changed['tiles']} tiles kept")
         self.assertGreaterEqual(changed["kept-tiles"], 6)
@@ -236,9 +236,9 @@ class Lightmap(command.LightmapTest):
 
     def test_directional(self):
         scene = self.scene(room(0.5, 0.2))
-        self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--directional", "--anew")
+        self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--directional", "--from-scratch")
         self.succeeds("render", scene, "--bake", "map.vti", *SMALL, "-o", "with.exr")
-        self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--anew")
+        self.bake(scene, "--texel-size", 0.4, "--samples", 256, "--from-scratch")
         self.succeeds("render", scene, "--bake", "map.vti", *SMALL, "-o", "plain.exr")
         difference = self.compare("with.exr", "plain.exr")["maximum"]
         self.assertLess(difference, 0.01 * 0.4, "normals are as baked, other directions are sampled")
@@ -251,7 +251,7 @@ class Lightmap(command.LightmapTest):
         self.succeeds("render", scene, "--preset", "reference", "--spp", 512, *size, "-o", "traced.exr")
         errors = []
         for options in ((), ("--directional",)):
-            self.bake(scene, "--texel-size", texel, "--samples", 256, *options, "--anew")
+            self.bake(scene, "--texel-size", texel, "--samples", 256, *options, "--from-scratch")
             self.succeeds("render", scene, "--preset", "off", "--on", "anti-aliasing", "--bake", "map.vti", *size, "-o",
                           "lit.exr")
             compared = self.compare("lit.exr", "traced.exr", "--mask-above", 0.85)
@@ -285,7 +285,7 @@ class Lightmap(command.LightmapTest):
 
     def test_what_is_refused(self):
         scene = self.scene(lamp_room())
-        self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--anew")
+        self.bake(scene, "--texel-size", 0.4, "--samples", 16, "--from-scratch")
         whole = (self.folder / "map.vti").read_bytes()
 
         def refused(content, says, name="bad.vti"):
@@ -305,7 +305,7 @@ class Lightmap(command.LightmapTest):
         refused(old.replace(b"'floor'", b"'flour'"), "checksum")
         self.refused("render", scene, "--bake", "nowhere.vti", "-o", "no.png", says="nowhere.vti", status=1)
         (self.folder / "map.vti").write_bytes(b"no picture")
-        self.refused("bake", "lightmap", scene, "-o", "map.vti", says="--anew", status=1)
+        self.refused("bake", "lightmap", scene, "-o", "map.vti", says="--from-scratch", status=1)
         self.refused("bake", "lightmap", scene, "-o", "map.png", says=".vti", status=2)
         self.refused("bake", "lightmap", scene, "-o", "no.vti", "--samples", 40, says="multiple of 16", status=2)
         self.refused("bake", "lightmap", scene, "-o", "no.vti", "--texel-size", -1, says="--texel-size", status=2)

@@ -23,7 +23,7 @@ EarlierBake::EarlierBake(const BakeSettings& settings, const std::string& descri
   }
   catch (const tool::Failure& failure)
   {
-    tool::Fail("{}; --anew overwrites it", failure.what());
+    tool::Fail("{}; --from-scratch overwrites it", failure.what());
   }
   if (this->Map->Settings != description)
   {
