@@ -3,13 +3,11 @@
 // Arguments are bound by name, and memory barriers are set before data that shaders wrote are used.
 #include "HeadlessTesting.h"
 #include "Stage.h"
+#include "TestData.h"
 
 #include "gpu/Commands.h"
 
 #include <glm/gtc/type_ptr.hpp>
-
-#include <fstream>
-#include <iterator>
 
 using namespace penumbra;
 using namespace penumbra_test;
@@ -42,8 +40,7 @@ protected:
   /// A shader of tests/gpu/shaders.
   std::unique_ptr<Program> Compile(const std::string& name) const
   {
-    std::ifstream file(std::string(PENUMBRA_TEST_SOURCES) + "/gpu/shaders/" + name);
-    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::string text = TestText("gpu/shaders/" + name);
     const char* source = text.c_str();
     return std::make_unique<Program>(
       glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &source), true, "test", text);

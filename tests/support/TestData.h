@@ -6,6 +6,9 @@
 #pragma once
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 
 namespace penumbra_test
@@ -15,5 +18,16 @@ inline std::string TestData(const std::string& relative)
 {
   const char* folder = std::getenv("PENUMBRA_TEST_DATA");
   return std::string(folder ? folder : PENUMBRA_TEST_SOURCES) + "/" + relative;
+}
+
+/// The text of such a file.
+inline std::string TestText(const std::string& relative)
+{
+  std::ifstream file(TestData(relative));
+  if (!file)
+  {
+    throw std::runtime_error("The test's file " + relative + " cannot be read.");
+  }
+  return std::string((std::istreambuf_iterator<char>(file)), {});
 }
 }

@@ -25,6 +25,17 @@ protected:
     ASSERT_NE(this->Probes, nullptr);
   }
 
+  /// A closed room with a lamp in a small picture, whose probes are done after 20 updates.
+  void PrepareLitRoom()
+  {
+    this->Scene.Window->SetSize(48, 36);
+    this->Probes->SetProbes(216);
+    this->Probes->SetUpdates(20);
+    this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
+    this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+    this->Lamp->SetIntensity(0.5);
+  }
+
   vtkGIDDGI* Probes = nullptr;
 };
 }
@@ -75,12 +86,7 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
 
 TEST_F(DDGI, RestartDiscardsEarlierFrames)
 {
-  this->Scene.Window->SetSize(48, 36);
-  this->Probes->SetProbes(216);
-  this->Probes->SetUpdates(20);
-  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
-  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
-  this->Lamp->SetIntensity(0.5);
+  this->PrepareLitRoom();
   vtkActor* block = this->AddBox(-0.8, -0.2, -0.8, -0.2, -1.0, 0.2, 0.9);
   block->GetProperty()->SetColor(1.0, 0.05, 0.05);
   for (const int budget : { 0, 50 }) // probes per frame, which the frame after a restart ignores
@@ -109,12 +115,7 @@ TEST_F(DDGI, RestartDiscardsEarlierFrames)
 
 TEST_F(DDGI, APictureThatStandsAloneIgnoresTheBudget)
 {
-  this->Scene.Window->SetSize(48, 36);
-  this->Probes->SetProbes(216);
-  this->Probes->SetUpdates(20);
-  this->LookFrom(0.7, 0.6, 0.8, -0.5, -0.6, -0.3);
-  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
-  this->Lamp->SetIntensity(0.5);
+  this->PrepareLitRoom();
   this->Pass->CollectStatisticsOn();
   std::vector<Values> pictures;
   for (const int budget : { 0, 10 }) // probes per frame

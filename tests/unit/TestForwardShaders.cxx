@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Code that is inserted into the shaders of props that VTK draws itself.
+#include "TestData.h"
+
 #include "light/ForwardShaders.h"
 
 #include <cstdlib>
@@ -12,6 +14,7 @@
 namespace
 {
 using namespace penumbra;
+using namespace penumbra_test;
 namespace fs = std::filesystem;
 
 ForwardPart Part(const char* source)
@@ -53,13 +56,18 @@ bool Has(const std::string& text, const char* what)
   return text.find(what) != std::string::npos;
 }
 
+std::string Replaced(std::string text, const char* name, const char* with)
+{
+  return std::regex_replace(text, std::regex(name), with);
+}
+
 // VTK's lighting function of volumes, with the names that a version uses.
 std::string VolumeText(const char* signature, const char* gradient, const char* component)
 {
-  return std::string("//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(") +
-    signature + ")\n{\n  vec4 " + gradient +
-    " = computeGradient(g_dataPos);\n  finalColor.xyz = in_ambient[" + component +
-    "] * ambient +\n    in_diffuse[" + component + "] * diffuse;\n  finalColor.a = color.a;\n}\n";
+  std::string text = TestText("unit/shaders/volume.glsl");
+  text = Replaced(text, "SIGNATURE", signature);
+  text = Replaced(text, "GRADIENT", gradient);
+  return Replaced(text, "COMPONENT", component);
 }
 }
 
@@ -145,9 +153,7 @@ TEST(ForwardShaders, VolumesOfEveryVersionAreLit)
 
 TEST(ForwardShaders, UnshadedVolumesAreNotChanged)
 {
-  const std::string plain =
-    "//VTK::System::Dec\n//VTK::ComputeLighting::Dec\nvec4 computeLighting(vec4 color)\n{\n"
-    "  finalColor = vec4(color.rgb, 0.0);\n  finalColor.a = color.a;\n  return finalColor;\n}\n";
+  const std::string plain = TestText("unit/shaders/unshaded_volume.glsl");
   std::string marked = plain;
   ForwardShaders::MarkVolume(marked);
   EXPECT_EQ(LitVolume(Light(true, { DDGI }), plain), marked);
@@ -155,9 +161,7 @@ TEST(ForwardShaders, UnshadedVolumesAreNotChanged)
 
 TEST(ForwardShaders, UnlitSurfacesAreNotChanged)
 {
-  const std::string plain =
-    "//VTK::System::Dec\n//VTK::Light::Dec\nvoid main()\n{\n  //VTK::Light::Impl\n"
-    "  gl_FragData[0] = vec4(ambientColor + diffuseColor, opacity);\n}\n";
+  const std::string plain = TestText("unit/shaders/unlit_surface.frag");
   std::string marked = plain;
   ForwardShaders::MarkSurface(marked);
   std::string lit = marked;
@@ -172,30 +176,25 @@ TEST(ForwardShaders, UnlitSurfacesAreNotChanged)
 // Statements of a mapper's shaders tell whether pixels lie on flat facets; comments of the template do not count.
 TEST(ForwardShaders, FlatAndSmoothMappersAreDistinguished)
 {
-  const std::string head = "in vec3 normalVCVSOutput;\nin vec4 vertexVCVSOutput;\nvoid main()\n{\n"
-                           "  // Set gl_FragDepth here (gl_FragCoord.z by default)\n"
-                           "  vec4 vertexVC = vertexVCVSOutput;\n";
-  const std::string smooth = "out vec3 normalVCVSOutput;\nvoid main()\n{\n"
-                             "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n}\n";
-  const auto shape = [](std::string vertex, std::string geometry, std::string fragment) {
+  // 1 or 0 for flat facets, then 1 or 0 for round ones; without a name there is no such shader.
+  const auto shape = [](const char* vertex, const char* geometry, const char* fragment) {
+    const auto read = [](const char* name) {
+      return *name ? TestText(std::string("unit/shaders/") + name) : std::string();
+    };
+    std::string texts[] = { read(vertex), read(geometry), read(fragment) };
     ShaderLibrary library;
-    const Defines variant = PassShape({ vertex, geometry, fragment }, library);
-    EXPECT_EQ(Has(vertex, "out vec4 giRoundVSOutput;"), variant.count("GI_ROUND") > 0);
-    EXPECT_EQ(Has(fragment, "in vec4 giRoundVSOutput;"), variant.count("GI_ROUND") > 0);
+    const Defines variant = PassShape({ texts[0], texts[1], texts[2] }, library);
+    EXPECT_EQ(Has(texts[0], "out vec4 giRoundVSOutput;"), variant.count("GI_ROUND") > 0);
+    EXPECT_EQ(Has(texts[2], "in vec4 giRoundVSOutput;"), variant.count("GI_ROUND") > 0);
     return std::to_string(variant.count("GI_FLAT")) + std::to_string(variant.count("GI_ROUND"));
   };
-  EXPECT_EQ(shape(smooth, "", head + "}\n"), "11");
-  EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = gl_FragCoord.z + 0.01;\n}\n"), "11");
-  EXPECT_EQ(shape(smooth, "void main() {}\n", head + "}\n"), "10")
+  EXPECT_EQ(shape("smooth.vert", "", "surface.frag"), "11");
+  EXPECT_EQ(shape("smooth.vert", "", "offset_surface.frag"), "11");
+  EXPECT_EQ(shape("smooth.vert", "empty.geom", "surface.frag"), "10")
     << "the geometry shader does not pass the normal on";
-  EXPECT_EQ(shape(smooth,
-              "in vec3 normalVCVSOutput[];\nout vec3 normalVCGSOutput;\nvoid main()\n{\n"
-              "normalVCGSOutput = normalVCVSOutput[i];\n}\n",
-              head + "}\n"),
-    "11");
-  EXPECT_EQ(shape("void main()\n{\n}\n", "", head + "}\n"), "10") << "no point normals";
-  EXPECT_EQ(shape(smooth, "", head + "  gl_FragDepth = (pos.z / pos.w + 1.0) / 2.0;\n}\n"), "00")
-    << "an impostor";
+  EXPECT_EQ(shape("smooth.vert", "normals.geom", "surface.frag"), "11");
+  EXPECT_EQ(shape("empty.vert", "", "surface.frag"), "10") << "no point normals";
+  EXPECT_EQ(shape("smooth.vert", "", "impostor.frag"), "00") << "an impostor";
 }
 
 // Names of a part are made unique, other names are not changed.

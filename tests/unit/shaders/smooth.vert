@@ -1,0 +1,5 @@
+out vec3 normalVCVSOutput;
+void main()
+{
+  vertexVCVSOutput = MCVCMatrix * vertexMC;
+}

@@ -1,0 +1,7 @@
+in vec3 normalVCVSOutput;
+in vec4 vertexVCVSOutput;
+void main()
+{
+  // Set gl_FragDepth here (gl_FragCoord.z by default)
+  vec4 vertexVC = vertexVCVSOutput;
+}
