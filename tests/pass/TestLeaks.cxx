@@ -14,7 +14,8 @@
 #include <memory>
 
 #ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/allocator_interface.h>
+// GCC installs AddressSanitizer's function, but not the header sanitizer/allocator_interface.h that declares it.
+extern "C" std::size_t __sanitizer_get_current_allocated_bytes();
 #endif
 
 namespace penumbra_test
