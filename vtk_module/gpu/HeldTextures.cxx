@@ -24,6 +24,23 @@ constexpr Kind Kinds[] = { { GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D },
   { GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY },
   { GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER }, { GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D },
   { GL_TEXTURE_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE } };
+
+// Whether there is a texture of this name that can be bound to the target. A recorded texture may have been deleted, and
+// its name given to another kind of texture.
+bool CanBind(GLenum target, GLuint name)
+{
+  if (!glIsTexture(name))
+  {
+    return false;
+  }
+  if (!glGetTextureParameteriv) // before OpenGL 4.5
+  {
+    return true;
+  }
+  GLint actual = 0;
+  glGetTextureParameteriv(name, GL_TEXTURE_TARGET, &actual);
+  return static_cast<GLenum>(actual) == target;
+}
 }
 
 void HeldTextures::Record(vtkOpenGLRenderWindow* window)
@@ -58,8 +75,7 @@ void HeldTextures::Restore(vtkOpenGLState* state) const
 {
   for (const Binding& binding : this->Bindings)
   {
-    // VTK may have left a texture bound and deleted it since.
-    if (glIsTexture(binding.Name))
+    if (CanBind(binding.Target, binding.Name))
     {
       state->vtkglActiveTexture(binding.Unit);
       glBindTexture(binding.Target, binding.Name);
