@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ComputeHarness.h"
 
-#include "Stage.h"
-
 #include "gpu/GLObjects.h"
 
 namespace penumbra_test
 {
 using namespace penumbra;
-
-void ComputeHarness::SetUp()
-{
-  if (!HasBackend())
-  {
-    GTEST_SKIP() << "the backend is not available";
-  }
-  this->Window = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
-  this->Window->Initialize();
-  this->Window->MakeCurrent();
-}
 
 void ComputeHarness::TearDown()
 {

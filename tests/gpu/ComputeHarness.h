@@ -3,18 +3,17 @@
 // Runs functions of glsl/lib on the GPU, for comparison with the same functions in C++.
 #pragma once
 
-#include "gpu/ShaderLibrary.h"
+#include "WindowTest.h"
 
-#include "vtkHeadlessRenderWindow.h"
+#include "gpu/ShaderLibrary.h"
 
 #include <glm/glm.hpp>
 
 namespace penumbra_test
 {
-class ComputeHarness : public testing::Test
+class ComputeHarness : public WindowTest
 {
 protected:
-  void SetUp() override;
   void TearDown() override;
 
   /// Run one invocation for each stride vectors of inputs, and return their results. includes: library files, in order.
@@ -22,7 +21,6 @@ protected:
   std::vector<glm::vec4> Run(const std::vector<std::string>& includes, const std::string& body,
     int stride, const std::vector<glm::vec4>& inputs, const penumbra::Defines& defines = {});
 
-  vtkSmartPointer<vtkHeadlessRenderWindow> Window;
   penumbra::ShaderLibrary Library;
 };
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Arguments are bound by name, and memory barriers are set before data that shaders wrote are used.
-#include "HeadlessTesting.h"
-#include "Stage.h"
 #include "TestData.h"
+#include "WindowTest.h"
 
 #include "gpu/Commands.h"
 
@@ -14,19 +13,17 @@ using namespace penumbra_test;
 
 namespace
 {
-class CommandsTest : public testing::Test
+class CommandsTest : public WindowTest
 {
 protected:
   void SetUp() override
   {
-    if (!HasBackend())
+    WindowTest::SetUp();
+    if (IsSkipped())
     {
-      GTEST_SKIP() << "the backend is not available";
+      return;
     }
     setenv("PENUMBRA_CHECK_SHADERS", "1", 1);
-    this->Window = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
-    this->Window->Initialize();
-    this->Window->MakeCurrent();
     this->StartRunner();
   }
 
@@ -72,7 +69,6 @@ protected:
 
   ShaderLibrary Library;
   std::unique_ptr<Commands> Runner;
-  vtkSmartPointer<vtkHeadlessRenderWindow> Window;
 };
 }
 

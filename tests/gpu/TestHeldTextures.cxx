@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Textures that VTK keeps bound are bound again after a pass, unless they were deleted.
-#include "HeadlessTesting.h"
-#include "Stage.h"
+#include "WindowTest.h"
 
 #include "gpu/HeldTextures.h"
 
@@ -15,18 +14,16 @@ using namespace penumbra_test;
 
 namespace
 {
-class HeldTexturesTest : public testing::Test
+class HeldTexturesTest : public WindowTest
 {
 protected:
   void SetUp() override
   {
-    if (!HasBackend())
+    WindowTest::SetUp();
+    if (IsSkipped())
     {
-      GTEST_SKIP() << "the backend is not available";
+      return;
     }
-    this->Window = vtkSmartPointer<vtkHeadlessRenderWindow>::New();
-    this->Window->Initialize();
-    this->Window->MakeCurrent();
     this->Unit = this->Window->GetTextureUnitManager()->Allocate();
     this->Bind(GL_TEXTURE_2D, MakeTexture(GL_TEXTURE_2D));
     this->Held.Record(this->Window);
@@ -66,7 +63,6 @@ protected:
     return static_cast<GLuint>(bound);
   }
 
-  vtkSmartPointer<vtkHeadlessRenderWindow> Window;
   HeldTextures Held;
   int Unit = 0;
   GLuint Recorded = 0;

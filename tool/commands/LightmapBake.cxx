@@ -37,7 +37,7 @@ public:
     group.Flag("--no-denoise", this->Noisy, "do not remove the noise of few samples");
     group.Flag("--open-seams", this->OpenSeams, "do not remove steps between charts");
     this->Input.DeclareExclusions(group);
-    group.Flag("--from-scratch,--anew", s.FromScratch, "ignore an earlier or interrupted bake");
+    group.Flag("--from-scratch", s.FromScratch, "ignore an earlier or interrupted bake");
     DeclareBackend(*command, this->Input.Options.Backend);
     command->footer(
       "Examples:\n"

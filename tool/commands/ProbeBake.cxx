@@ -65,7 +65,7 @@ public:
       group.Flag("--uniform", this->Uniform, "do not move probes off the points of the grid");
     adaptive->excludes(uniform)->excludes(spacing);
     this->Input.DeclareExclusions(group);
-    group.Flag("--from-scratch,--anew", this->FromScratch, "ignore an interrupted bake");
+    group.Flag("--from-scratch", this->FromScratch, "ignore an interrupted bake");
     DeclareBackend(*command, this->Input.Options.Backend);
     command->footer(
       "Examples:\n"

@@ -45,7 +45,7 @@ public:
       "final residual, relative to the power first reflected", Bounds{ 1e-12, 0.5 });
     group.Flag("--one-way", this->OneWay, "leave form factors as traced, not reciprocal");
     group.Add("--view", this->View, "picture of the solution: .png, .jpg, .tif, .exr");
-    group.Flag("--from-scratch,--anew", this->FromScratch, "ignore an interrupted solution");
+    group.Flag("--from-scratch", this->FromScratch, "ignore an interrupted solution");
     group.Flag("--flat", this->Flat, "show each patch in a single colour");
     command->footer(
       "Examples:\n"

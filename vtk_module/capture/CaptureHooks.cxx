@@ -29,11 +29,11 @@ namespace
 const char* const Marker = "//PENUMBRA::Capture";
 const char* const NormalMarker = "//PENUMBRA::Normal"; // after VTK's code for the normal
 
-// Impostors compute the position of each pixel, and their normal is the surface's own. VTK's template mentions
-// gl_FragDepth in a comment, and for coincident topology it adds an offset to gl_FragCoord's depth; neither counts.
+// Impostors compute the position of each pixel, and their normal is the surface's own. VTK's template mentions the
+// variable in a comment, and for coincident topology it adds an offset to the rasterized depth; neither counts.
 bool WritesFragmentDepth(const std::string& fragment)
 {
-  static const std::regex assigned("gl_FragDepth\\s*=(?!\\s*gl_FragCoord)");
+  static const std::regex assigned("gl_FragDepth\\s*=(?!\\s*gl_Frag)");
   return std::regex_search(fragment, assigned);
 }
 }
