@@ -32,15 +32,15 @@ GiPatch giPatch(LightData light, vec3 position)
     light.Side.w < float(GI_SHAPE_RECTANGLE) - 0.5);
 }
 
-vec3 giCorner(GiPatch patch, int i)
+vec3 giCorner(GiPatch area, int i)
 {
-  if (patch.round)
+  if (area.round)
   {
     float angle = 6.28318530717959 / float(GI_ROUND_SIDES) * float(i);
-    return patch.c + GI_ROUND_REACH * (cos(angle) * patch.u + sin(angle) * patch.v);
+    return area.c + GI_ROUND_REACH * (cos(angle) * area.u + sin(angle) * area.v);
   }
   int corner = i & 3;
-  return patch.c + (corner == 0 || corner == 3 ? patch.u : -patch.u) + (corner < 2 ? patch.v : -patch.v);
+  return area.c + (corner == 0 || corner == 3 ? area.u : -area.u) + (corner < 2 ? area.v : -area.v);
 }
 
 // Integrals along an arc of the powers of z that the moment of odd order n needs (x), and of n + 2 (y).
@@ -77,18 +77,18 @@ vec2 giArcMoments(vec3 a, vec3 b, int n)
 // Integral of the cosine to a direction, to a power of at least 1, over the solid angle of a patch: Arvo 1995,
 // "Applications of Irradiance Tensors to the Simulation of Non-Lambertian Phenomena". Exact for odd powers; their
 // logarithms are interpolated. toLobe: to coordinates whose z is that direction.
-float giPatchPower(GiPatch patch, mat3 toLobe, float power)
+float giPatchPower(GiPatch area, mat3 toLobe, float power)
 {
   int n = 2 * int(max(power - 1.0, 0.0) * 0.5) + 1;
-  int sides = patch.round ? GI_ROUND_SIDES : 4;
+  int sides = area.round ? GI_ROUND_SIDES : 4;
   vec2 sums = vec2(0.0);
   vec3 enter = vec3(0.0);
   vec3 leave = vec3(0.0);
-  vec3 next = toLobe * giCorner(patch, 0);
+  vec3 next = toLobe * giCorner(area, 0);
   for (int i = 1; i <= sides; ++i)
   {
     vec3 a = next;
-    next = toLobe * giCorner(patch, i);
+    next = toLobe * giCorner(area, i);
     vec3 b = next;
     if (giClipEdge(a, b, enter, leave))
     {
@@ -104,15 +104,15 @@ float giPatchPower(GiPatch patch, mat3 toLobe, float power)
 
 // Share of the light of a lobe that comes from a patch: the lobe is a cosine's in linearly transformed directions
 // (Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines").
-float giPatchShare(GiPatch patch, mat3 toCosine)
+float giPatchShare(GiPatch area, mat3 toCosine)
 {
-  int sides = patch.round ? GI_ROUND_SIDES : 4;
+  int sides = area.round ? GI_ROUND_SIDES : 4;
   GiOutline outline = GiOutline(vec3(0.0), vec3(0.0), vec3(0.0));
-  vec3 next = toCosine * giCorner(patch, 0);
+  vec3 next = toCosine * giCorner(area, 0);
   for (int i = 1; i <= sides; ++i)
   {
     vec3 a = next;
-    next = toCosine * giCorner(patch, i);
+    next = toCosine * giCorner(area, i);
     giAddEdge(outline, a, next);
   }
   return max(giEnclosed(outline).z, 0.0) / GI_PI;
