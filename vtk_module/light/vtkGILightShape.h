@@ -21,8 +21,8 @@
  * and gives the same irradiance as a point light wherever all of it is above the horizon, as does a directional light
  * with an angle.
  *
- * vtkLight::DeepCopy() does not copy the shape; use Copy(). A light that shares another one's vtkInformation shares
- * its shape.
+ * vtkLight::DeepCopy() copies the shape with the rest of the information; Copy() copies the shape alone. A light that
+ * shares another one's vtkInformation shares its shape.
  *
  * All functions do nothing, with an error message, where a value is negative or not finite. A value of zero makes the
  * light a point.
