@@ -7,6 +7,7 @@
 #include "lib/octahedral.glsl"
 #include "lib/lights.glsl"
 #include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #include "rays/toward_light.glsl"
@@ -37,17 +38,17 @@ const int MAX_LIGHTS = 4; // with more lights, a random one is sampled
 // materials, and of its colour on PBR materials.
 vec3 irradianceFrom(LightData light, RaySurfacePoint at, bool pbr, inout uint state)
 {
-  GiIncident incident = giIncident(light, at.position);
-  float facing = -dot(at.normal, incident.Travel);
-  if (facing <= 0.0 || incident.Attenuation <= 0.0)
+  RayArrival arrival = rayArrival(light, at.position, eye, state);
+  float facing = dot(at.normal, arrival.L);
+  if (facing <= 0.0 || arrival.share <= 0.0)
   {
     return vec3(0.0);
   }
-  if (!rayReaches(rayTowardLight(light, at.position, eye), at, state))
+  if (!rayReaches(arrival.toward, at, state))
   {
     return vec3(0.0);
   }
-  return light.Color.rgb * (incident.Attenuation * facing * (pbr ? 1.0 / PI : 1.0));
+  return light.Color.rgb * (arrival.share * facing * (pbr ? 1.0 / PI : 1.0));
 }
 
 vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)

@@ -43,6 +43,7 @@ struct Resolve
     flag("GI_SPECULAR", this->Materials->HasSpecular());
     flag("GI_HEADLIGHT", this->Lights->IsSingleHeadlight());
     flag("GI_POSITIONAL", this->Lights->HasPositional());
+    flag("GI_AREA", this->Lights->HasAreas());
     flag("GI_SURROUNDINGS",
       context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
     flag("GI_INTERREFLECTION",
@@ -131,9 +132,36 @@ void Present(FrameContext& context)
 }
 }
 
+namespace
+{
+/// The table of linearly transformed cosines for the highlights of lights that have an area.
+History& HighlightTable(Frame& frame)
+{
+  constexpr int size = 16;
+  History& table = frame.Keep("direct-light.highlights", { GL_RGBA32F, size, size, 2 });
+  if (!table.Written)
+  {
+    for (const GLenum direction : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
+    {
+      table.Storage.SetParameter(direction, GL_LINEAR);
+    }
+    for (const GLenum direction : { GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T })
+    {
+      table.Storage.SetParameter(direction, GL_CLAMP_TO_EDGE);
+    }
+    frame.AddPass("highlight-table")
+      .WriteHistory(table, "table")
+      .Compute("direct_light/highlight_table.comp", {}, {}, Work::Items(size, size));
+  }
+  return table;
+}
+}
+
 void ContributeDirectLight(
   Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options)
 {
+  History* highlights =
+    options.Extended && lights.HasAreas() ? &HighlightTable(frame) : nullptr;
   auto& pass = frame.AddPass("direct-light");
   pass.Read(resource::Depth)
     .Read(resource::DepthCopy)
@@ -151,6 +179,10 @@ void ContributeDirectLight(
     .Offer(materials.ShaderArguments())
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
+  if (highlights)
+  {
+    pass.ReadHistory(*highlights, "highlightTable");
+  }
   if (options.Radiance)
   {
     pass.ReadIfPresent(resource::Sky);

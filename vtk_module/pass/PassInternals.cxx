@@ -278,6 +278,13 @@ bool vtkGIPass::Internals::DrawFrame(
   {
     technique->SetTookPart(false);
   }
+  if (const int count = this->Lights.MisshapenLights())
+  {
+    builder.AddNote("The shape of " + std::to_string(count) +
+      " lights has no effect: angles are for directional lights, spheres, discs and rectangles for "
+      "positional ones, "
+      "and headlights have no shape.");
+  }
   bool lit = false;
   for (vtkGITechnique* technique : ChooseTechniques(this->Techniques, builder, plan))
   {

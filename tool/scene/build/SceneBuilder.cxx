@@ -8,6 +8,7 @@
 #include "scene/build/TextureFiles.h"
 
 #include <vtkActor2D.h>
+#include <vtkGILightShape.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkPropCollection.h>
@@ -61,6 +62,26 @@ void Aim(vtkLight* light, const Light& from)
   light->SetFocalPoint(from.Target[0], from.Target[1], from.Target[2]);
 }
 
+void SetShape(vtkLight* light, const Light& from)
+{
+  if (from.Diameter)
+  {
+    vtkGILightShape::SetAngle(light, *from.Diameter);
+  }
+  if (from.Radius)
+  {
+    vtkGILightShape::SetSphere(light, *from.Radius);
+  }
+  if (from.Disc)
+  {
+    vtkGILightShape::SetDisc(light, *from.Disc);
+  }
+  if (!from.Rectangle.empty())
+  {
+    vtkGILightShape::SetRectangle(light, from.Rectangle[0], from.Rectangle[1], from.Turn);
+  }
+}
+
 void AddLight(const Light& from, vtkRenderer* renderer)
 {
   vtkNew<vtkLight> light;
@@ -92,6 +113,7 @@ void AddLight(const Light& from, vtkRenderer* renderer)
   light->SetColor(from.Color[0], from.Color[1], from.Color[2]);
   light->SetIntensity(from.Intensity);
   light->SetSwitch(from.On);
+  SetShape(light, from);
   renderer->AddLight(light);
 }
 

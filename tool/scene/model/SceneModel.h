@@ -144,6 +144,11 @@ struct Light
   double Elevation = 45;
   double Angle = 30; ///< cone: half angle in degrees
   double Exponent = 1;
+  std::optional<double> Diameter; ///< key and directional: angle in degrees
+  std::optional<double> Radius;   ///< point and cone: of a sphere
+  std::optional<double> Disc;     ///< point and cone: radius
+  std::vector<double> Rectangle;  ///< point and cone: width and height, or empty
+  double Turn = 0;                ///< rectangle: degrees about its axis
   Vec3 Attenuation = { 1, 0, 0 };
   Vec3 Color = { 1, 1, 1 };
   double Intensity = 1;

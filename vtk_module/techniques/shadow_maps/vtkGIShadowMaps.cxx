@@ -89,6 +89,10 @@ Defines VariantOf(const ShadowPlan& plan)
     {
       variant["GI_SOFT"] = "1";
     }
+    if (light.Size.y > GI_OUTLINE_ROUND)
+    {
+      variant["GI_FLAT"] = "1";
+    }
     if (light.Maps.z != GI_SHADOW_SINGLE)
     {
       variant[light.Maps.z == GI_SHADOW_CUBE ? "GI_CUBE" : "GI_CASCADES"] = "1";
@@ -307,6 +311,7 @@ void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
   visibility.OnSurfaces = VariantOf(*this->Impl->Plan);
   visibility.InVolumes = visibility.OnSurfaces;
   visibility.InVolumes.erase("GI_SOFT");
+  visibility.InVolumes.erase("GI_FLAT");
   visibility.Textures = 1;
   visibility.Bind = [this](ForwardProgram& program) {
     program.Set(this->FilterArguments(program.IsOfVolume()));
