@@ -177,7 +177,7 @@ TEST(SkySource, SunIsWhereTheAlmanacHasIt)
     std::printf("%s: elevation %.4f (%.4f), azimuth %.4f (%.4f)\n", row.Place,
       sky->GetSunElevation(), 90.0 - row.Zenith, sky->GetSunAzimuth(), row.Azimuth);
     EXPECT_NEAR(sky->GetSunElevation(), 90.0 - row.Zenith, 0.01) << row.Place;
-    EXPECT_NEAR(sky->GetSunAzimuth(), row.Azimuth, 0.02) << row.Place;
+    EXPECT_NEAR(sky->GetSunAzimuth(), row.Azimuth, 0.01) << row.Place;
   }
 }
 

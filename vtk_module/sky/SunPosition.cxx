@@ -59,12 +59,8 @@ SunPosition FindSun(double latitude, double longitude, double days)
 
 double Refraction(double elevation)
 {
-  if (elevation < -0.56)
-  {
-    return 0.56;
-  }
-  const double e = elevation;
-  return 3.51561 * (0.1594 + 0.0196 * e + 0.00002 * e * e) / (1.0 + 0.505 * e + 0.0845 * e * e);
+  const double e = std::max(elevation, -1.0);
+  return 1.02 / (60.0 * std::tan(glm::radians(e + 10.3 / (e + 5.11))));
 }
 
 bool ParseTime(const char* text, double& days)

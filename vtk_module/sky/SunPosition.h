@@ -18,7 +18,8 @@ struct SunPosition
 /// azimuth comes from an arc tangent, which is right in the southern hemisphere too.
 SunPosition FindSun(double latitude, double longitude, double days);
 
-/// Refraction in degrees by a standard atmosphere, to be added to the elevation. Michalsky 1988.
+/// Refraction in degrees by air of 1010 hPa and 10 degrees Celsius, to be added to the elevation; below -1 degree, that of
+/// -1 degree. Reda and Andreas 2004, Solar Position Algorithm for Solar Radiation Applications, equation 42.
 double Refraction(double elevation);
 
 /// Days since noon (UTC) of 1 January 2000 of a time in the form 2003-10-17T19:30:30Z. Seconds may be left out;
