@@ -3,6 +3,7 @@
 #include "scene/build/SceneBuilder.h"
 
 #include "common/Failure.h"
+#include "sky/SkyProp.h"
 #include "scene/build/ColorMaps.h"
 #include "scene/build/ObjectActors.h"
 #include "scene/build/TextureFiles.h"
@@ -31,6 +32,14 @@ void SetBackground(const Background& background, vtkRenderer* renderer)
 void SetEnvironment(
   const EnvironmentMap& environment, const DefaultView& view, vtkRenderer* renderer)
 {
+  if (environment.Sky)
+  {
+    // The default view looks north.
+    environment.Sky->SetUp(view.Up[0], view.Up[1], view.Up[2]);
+    environment.Sky->SetNorth(-view.Front[0], -view.Front[1], -view.Front[2]);
+    environment.Sky->ApplyTo(renderer);
+    return;
+  }
   vtkSmartPointer<vtkTexture> texture = ReadEnvironmentTexture(environment.Path);
   Vec3 up = view.Up, right;
   vtkMath::Cross(view.Up.data(), view.Front.data(), right.data());
@@ -40,17 +49,8 @@ void SetEnvironment(
   renderer->SetEnvironmentRight(right.data());
   if (environment.Visible)
   {
-    // VTK's skybox is rotated by a quarter turn relative to its image-based light.
-    Vec3 aside;
-    vtkMath::Cross(right.data(), up.data(), aside.data());
-    vtkNew<vtkSkybox> sky;
-    sky->SetProjectionToSphere();
-    sky->SetTexture(texture);
-    sky->SetFloorPlane(
-      static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0);
-    sky->SetFloorRight(
-      static_cast<float>(aside[0]), static_cast<float>(aside[1]), static_cast<float>(aside[2]));
-    sky->GammaCorrectOn();
+    auto sky = MakeSkybox(texture);
+    Orient(sky, right.data(), up.data());
     renderer->AddActor(sky);
   }
 }
@@ -117,9 +117,15 @@ void AddLight(const Light& from, vtkRenderer* renderer)
   renderer->AddLight(light);
 }
 
-/// A key light from above left that follows the camera, and a weak headlight that brightens its shadows.
-std::vector<Light> DefaultLights()
+/// A key light from above left that follows the camera, and a weak headlight that brightens its shadows. None where the
+/// environment has a sun.
+std::vector<Light> DefaultLights(const Scene& scene)
 {
+  const auto& environment = scene.Environment;
+  if (environment && environment->Sky && environment->Sky->GetSun())
+  {
+    return {};
+  }
   Light key, fill;
   key.Kind = LightKind::Key;
   key.Intensity = 0.95;
@@ -210,7 +216,7 @@ BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& 
   built.Triangles = budget.GetSpent();
   SetBackground(scene.Backdrop, built.Renderer);
   built.Renderer->AutomaticLightCreationOff();
-  for (const Light& light : scene.Lights.value_or(DefaultLights()))
+  for (const Light& light : scene.Lights ? *scene.Lights : DefaultLights(scene))
   {
     AddLight(light, built.Renderer);
   }

@@ -35,20 +35,6 @@ json Parse(const std::string& path)
   }
 }
 
-EnvironmentMap ReadEnvironment(const json& value, const std::string& where)
-{
-  EnvironmentMap environment;
-  JsonObject object(value, where);
-  object.Read("file", environment.Path);
-  object.Read("visible", environment.Visible);
-  object.Finish();
-  if (environment.Path.empty())
-  {
-    FailUsage("{} needs the key 'file'", where);
-  }
-  return environment;
-}
-
 /// The text of a parameter's value (a number, text or truth value), which its technique checks.
 std::string ValueText(const json& value)
 {

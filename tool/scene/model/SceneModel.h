@@ -4,7 +4,9 @@
 /// the scene file.
 #pragma once
 
+#include <vtkGISkySource.h>
 #include <vtkProperty.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
 #include <map>
@@ -171,8 +173,9 @@ struct Camera
 
 struct EnvironmentMap
 {
-  std::string Path;
-  bool Visible = false; ///< shown as the background
+  std::string Path;                    ///< a picture, or "" with a sky
+  vtkSmartPointer<vtkGISkySource> Sky; ///< its directions of the world are set with the scene
+  bool Visible = false;                ///< shown as the background
 };
 
 struct Background
