@@ -25,6 +25,7 @@ BAKES = {PROBES: "File of baked probes, valid for the scene that they were baked
          "Lightmap": "A lightmap that penumbra bake lightmap wrote, baked from the data that the view shows."}
 BAKER = pathlib.Path(__file__).parent.parent / "vtk_module/techniques/sh_probes/vtkGIProbeBaker.h"
 MOST_PROBES = int(re.search(r"MostProbes = (\d+)", BAKER.read_text()).group(1))
+LOOKS = sorted(path.stem for path in (pathlib.Path(__file__).parent.parent / "looks").glob("*.json"))
 LONGEST_UNIT = 12  # characters, so that the panel stays narrow; the tooltip contains every unit
 
 
@@ -99,10 +100,25 @@ def general_properties(presets):
                       f'<EnumerationDomain name="enum"><Entry text="choose" value="-1"/>{names}</EnumerationDomain>',
                       "Set all techniques and parameters below to the values of a preset. Only these values are used "
                       "and saved; this box returns to \"choose\".", [SWITCH])
+    yield look_property()
     yield sm_property("GIStillFrames", "Frames of a still picture", "SetStillFrames", "int", 1,
                       '<IntRangeDomain name="range" min="1"/>',
                       "Number of frames drawn for one still picture, such as a screenshot. Techniques that accumulate "
                       "over frames need several. While the camera moves, one frame is drawn.", [SWITCH])
+
+
+def look_property():
+    """The property of the view's look, and of the reason why it could not be read."""
+    listed = "".join(f'<String value="{name}"/>' for name in LOOKS)
+    return ('      <StringVectorProperty name="GILook" label="Look" command="SetLook" animateable="0" number_of_elements="1" '
+            f'default_values="as-is" panel_visibility="default">\n        <StringListDomain name="looks">{listed}'
+            '</StringListDomain>\n        <Documentation>A set-up of light and background, which replaces the view\'s own '
+            'lights and background and sets some of the techniques and parameters below for as long as it is chosen. '
+            '&quot;as-is&quot; brings everything back. Scripts may also set the path of a look\'s file.</Documentation>\n' +
+            visible_where([SWITCH], "        ") + '      </StringVectorProperty>\n'
+            '      <StringVectorProperty name="GILookProblem" command="GetLookProblem" information_only="1" '
+            'panel_visibility="never">\n        <Documentation>Why the look could not be read; empty if all is well.'
+            '</Documentation>\n      </StringVectorProperty>\n')
 
 
 def bake_properties(stem, what):
@@ -167,7 +183,7 @@ def group(title, names):
 
 def extension(techniques):
     table = list(rows(techniques))
-    switches = [SWITCH, "GIPreset", "GIStillFrames"] + [name for name, _, parameter, _, _ in table if parameter is None]
+    switches = [SWITCH, "GIPreset", "GILook", "GIStillFrames"] + [name for name, _, parameter, _, _ in table if parameter is None]
     groups = group("Global illumination", switches)
     for stem, technique in techniques:
         names = [f"GI{stem}{name}" for name in ("File", "Problem") if stem in BAKES]

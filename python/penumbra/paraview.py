@@ -13,7 +13,7 @@ import pathlib
 import penumbra  # first, so that windows can be created without a display
 from paraview import servermanager, simple
 
-from .passes import _apply, _names, presets
+from .passes import _apply, _load_look, _names, presets
 from .vtkRenderingGI import vtkGIPass
 
 __all__ = ["enable", "disable", "bake_probes", "load", "settings", "shape_light"]
@@ -90,10 +90,11 @@ def settings(view=None):
     return servermanager._getPyProxy(found)
 
 
-def enable(view=None, preset="balanced", on=(), off=(), frames=1, **parameters):
+def enable(view=None, preset="balanced", on=(), off=(), look="as-is", frames=1, **parameters):
     """Light a render view, the active one by default, with Penumbra. Returns the proxy with its settings.
 
-    on, off: techniques to switch on or off, in addition to the preset's. frames: number of frames drawn for one still
+    on, off: techniques to switch on or off, in addition to the preset's. look: the name or the file of a look, which
+    replaces the view's lights and background; its settings come after all others. frames: number of frames drawn for one still
     picture; techniques that accumulate light need several. Parameters are named technique.parameter or, with
     underscores, technique__parameter, as in penumbra.enable():
 
@@ -106,11 +107,14 @@ def enable(view=None, preset="balanced", on=(), off=(), frames=1, **parameters):
         raise ValueError(f"there is no preset '{preset}': there are {', '.join(presets())}")
     if frames < 1:
         raise ValueError(f"frames is {frames}: at least one frame must be drawn")
+    _load_look(look)
     requested = vtkGIPass()
-    _apply(requested, preset, _names(on), _names(off), parameters)
+    requested.SetPreset(preset)
+    _apply(requested, _names(on), _names(off), parameters)
     proxy = settings(view)
     for name, value in _values(requested, proxy):
         _set(proxy, name, value)
+    _set(proxy, "GILook", str(look))
     _set(proxy, "GIStillFrames", frames)
     _set(proxy, "GlobalIllumination", 1)
     proxy.SMProxy.UpdateVTKObjects()

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from .vtkRenderingGI import vtkGIBakeFile, vtkGIPass
+from .vtkRenderingGI import vtkGIBakeFile, vtkGILook, vtkGIPass
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,14 @@ class Technique:
     dynamic: str
     source: str
     parameters: tuple
+
+
+@dataclass(frozen=True)
+class Look:
+    """The description of a look: its name, a title, and what it is for."""
+    name: str
+    title: str
+    description: str
 
 
 @contextlib.contextmanager
@@ -88,37 +96,47 @@ def _names(names):
     return [names] if isinstance(names, str) else names
 
 
-def enable(target, preset="balanced", on=(), off=(), **parameters):
+def enable(target, preset="balanced", on=(), off=(), look="as-is", **parameters):
     """Light a renderer, or every renderer in layer 0 of a window, with Penumbra. Returns the pass.
 
-    on, off: techniques to switch on or off, in addition to the preset's. Parameters are named technique.parameter,
-    either as on the command line or with underscores:
+    on, off: techniques to switch on or off, in addition to the preset's. look: the name or the file of a look, which
+    replaces lights and background (see looks()); the next enable() and disable() remove it. Parameters are named
+    technique.parameter, either as on the command line or with underscores:
 
         enable(renderer, "high", off="ambient-occlusion", shadow_maps__resolution=1024)
-        enable(renderer, **{"shadow-maps.resolution": 1024})
+        enable(renderer, look="studio", **{"shadow-maps.resolution": 1024})
 
-    An unknown name or a value out of range raises ValueError and changes nothing. An existing pass is changed, not
-    replaced, so that it keeps its GPU resources.
+    What is given here comes after what the preset and the look say. An unknown name or a value out of range raises
+    ValueError and changes nothing. An existing pass is changed, not replaced, so that it keeps its GPU resources.
     """
     renderers = _renderers(target)
     if preset not in presets():
         raise ValueError(f"there is no preset '{preset}': there are {', '.join(presets())}")
+    loaded = _load_look(look)
     # Try the settings on a new pass first, so that a mistake does not change the renderers.
     new = vtkGIPass()
-    _apply(new, preset, _names(on), _names(off), parameters)
-    current = renderers[0].GetPass()
-    if not isinstance(current, vtkGIPass):
-        gi = new
-    else:
-        gi = current
-        _apply(gi, preset, _names(on), _names(off), parameters)
+    new.SetPreset(preset)
+    _apply(new, _names(on), _names(off), parameters)
     for renderer in renderers:
+        vtkGILook.RemoveFrom(renderer)
+    current = renderers[0].GetPass()
+    gi = current if isinstance(current, vtkGIPass) else new
+    gi.SetPreset(preset)
+    for renderer in renderers:
+        loaded.ApplyTo(renderer, gi)
         renderer.SetPass(gi)
+    _apply(gi, _names(on), _names(off), parameters)
     return gi
 
 
-def _apply(gi, preset, on, off, parameters):
-    gi.SetPreset(preset)
+def _load_look(name):
+    loaded = vtkGILook()
+    if not loaded.Load(str(name)):
+        raise ValueError(loaded.GetLastError())
+    return loaded
+
+
+def _apply(gi, on, off, parameters):
     for name in on:
         _technique(gi, name).EnabledOn()
     for name in off:
@@ -128,8 +146,9 @@ def _apply(gi, preset, on, off, parameters):
 
 
 def disable(target):
-    """Let stock VTK draw a renderer, or every renderer in layer 0 of a window."""
+    """Let stock VTK draw a renderer, or every renderer in layer 0 of a window, with its own lights and background."""
     for renderer in _renderers(target):
+        vtkGILook.RemoveFrom(renderer)
         gi = renderer.GetPass()
         if isinstance(gi, vtkGIPass):
             if renderer.GetRenderWindow() is not None:
@@ -153,6 +172,16 @@ def load_bake(gi, path):
 def presets():
     """Return the names of the presets, from no techniques to the most expensive."""
     return [vtkGIPass.GetPresetName(i) for i in range(vtkGIPass.GetNumberOfPresets())]
+
+
+def looks():
+    """Return a list of all looks, each a Look, those of the folder PENUMBRA_LOOK_PATH included.
+
+    Raises ValueError, with a sentence, if a file in that folder has a mistake.
+    """
+    names = [vtkGILook.GetLookName(i) for i in range(vtkGILook.GetNumberOfLooks())]
+    loaded = [_load_look(name) for name in names]
+    return [Look(look.GetName(), look.GetTitle(), look.GetDescription()) for look in loaded]
 
 
 def techniques():

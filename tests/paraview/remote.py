@@ -20,7 +20,7 @@ if len(sys.argv) > 2:
     view.RemoteRenderThreshold = 0  # megabytes, so that the server always draws
     view.CompressorConfig = "vtkLZ4Compressor 0 3"  # lossless
 scenes.show(view, scenes.sources())
-enable(view, frames=2)
+enable(view, frames=2, look="studio")
 Image.fromarray(scenes.picture(view)).save(sys.argv[1])
 if len(sys.argv) > 2:
     scenes.refuse_to_bake(view, sys.argv[1] + ".vti")

@@ -160,6 +160,30 @@ def toggles(view):
     report("after toggles", min(after))
 
 
+def looks(view):
+    """A look replaces light kit and background; as-is brings both back, and ParaView's values stay what they were."""
+    enable(view, "fast", frames=2)
+    before = saved(view, "look_before")
+    kept = view.Background.GetData(), view.UseLight, view.GIAmbientOcclusionAmbientShare
+    enable(view, "fast", frames=2, look="studio")
+    studio = saved(view, "look_studio")
+    report("look changes", 1 - scenes.within(before, studio))
+    report("look kept", scenes.within(studio, saved(view, "look_again"), 0))
+    print("look corner", studio[0, 0].tolist())
+    view.GIShadowMaps = 0  # a value below the look
+    report("setting below the look", 1 - scenes.within(studio, saved(view, "look_unshadowed")))
+    view.GIShadowMaps = 1
+    report("look again", scenes.within(studio, saved(view, "look_shadowed")))
+    view.GILook = "as-is"
+    report("look undone", scenes.within(before, saved(view, "look_after"), 0))
+    report("look values", float(kept == (view.Background.GetData(), view.UseLight, view.GIAmbientOcclusionAmbientShare)))
+    for name in ("no-such", folder + "/none.json"):
+        try:
+            enable(view, look=name)
+        except ValueError as error:
+            print("refused:", error)
+
+
 def parallel(view):
     """Parallel projection, drawn in tiles and as a whole."""
     view.CameraParallelProjection, view.CameraParallelScale = 1, 18
@@ -180,6 +204,7 @@ interaction(view)
 selection(view, sources)
 annotation(view, sources)
 toggles(view)
+looks(view)
 parallel(view)
 animation(view, sources)
 layout(view, sources)

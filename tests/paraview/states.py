@@ -17,7 +17,7 @@ if action == "save":
     view = scenes.make_view()
     scenes.show(view, scenes.sources())
     # Values that differ from the start preset, a value that equals it but not the chosen preset, and a number.
-    enable(view, "fast", on="screen-space-reflections", off="temporal-accumulation",
+    enable(view, "fast", look="studio", on="screen-space-reflections", off="temporal-accumulation",
            ambient_occlusion__samples=28, shadow_maps__resolution=1024, ambient_occlusion__radius=1.25)
     image = scenes.picture(view)
     simple.SaveState(f"{folder}/state.pvsm")
@@ -31,5 +31,5 @@ else:
     view = simple.GetActiveView()
     image = scenes.picture(view)
     print("samples", view.GIAmbientOcclusionSamples, "radius", view.GIAmbientOcclusionRadius,
-          "temporal", view.GITemporalAccumulation)
+          "temporal", view.GITemporalAccumulation, "look", view.GILook)
 Image.fromarray(image).save(f"{folder}/{action}.png")

@@ -162,12 +162,16 @@ class Session(Base):
         text = self.run_script("pvpython", "session.py", self.folder)
         for name, limit in (("animation", 1), ("left view", 0.999), ("right view", 0.999), ("interactive frames", 1),
                             ("after interaction", 1), ("selection", 1), ("pick", 1), ("annotation", 0.98),
-                            ("after toggles", 1), ("parallel as tiles", 0.995)):
+                            ("after toggles", 1), ("look kept", 1), ("look again", 0.999), ("look undone", 1),
+                            ("look values", 1), ("parallel as tiles", 0.995)):
             with self.subTest(name):
                 self.assertGreaterEqual(self.number(name, text), limit)
-        for name in ("views differ", "animation moves", "interactive is lit", "tone mapping changes"):
+        for name in ("views differ", "animation moves", "interactive is lit", "tone mapping changes", "look changes",
+                     "setting below the look"):
             with self.subTest(name):
                 self.assertGreater(self.number(name, text), 0.02)
+        self.assertIn("refused: there is no look 'no-such': there are as-is, ", text)
+        self.assertRegex(text, "refused: the look '.*/none.json' cannot be read")
 
 
 class Baked(Base):
@@ -206,7 +210,7 @@ class States(Base):
         saved = picture(self.folder / "save.png")
         for action in ("load", "run"):
             text = self.run_script("pvpython", "states.py", action, self.folder)
-            self.assertIn("samples 28 radius 1.25 temporal 0", text)
+            self.assertIn("samples 28 radius 1.25 temporal 0 look studio", text)
             self.assertEqual(within(saved, picture(self.folder / f"{action}.png"), 0), 1.0, action)
 
 

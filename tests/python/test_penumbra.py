@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 import penumbra
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 
 def ball():
@@ -69,6 +69,36 @@ class Switching(unittest.TestCase):
         self.assertIs(first.GetPass(), gi)
         self.assertIs(second.GetPass(), gi)
         self.assertIsNone(overlay.GetPass())
+
+    def test_looks(self):
+        names = [look.name for look in penumbra.looks()]
+        self.assertEqual(names[0], "as-is")
+        self.assertIn("studio", names)
+        renderer = ball()
+        light = vtkLight()
+        renderer.AddLight(light)
+        gi = penumbra.enable(renderer, "fast", look="studio", ambient_occlusion__samples=7)
+        self.assertEqual(penumbra.vtkGILook.GetAppliedName(renderer), "studio")
+        self.assertEqual((light.GetSwitch(), gi.GetTechnique("ambient-occlusion").GetSamples()), (0, 7))
+        self.assertNotEqual(renderer.GetBackground(), (0.1, 0.2, 0.3))
+        for undo in (penumbra.enable, penumbra.disable):
+            penumbra.enable(renderer, look="soft")
+            undo(renderer)
+            self.assertEqual(penumbra.vtkGILook.GetAppliedName(renderer), "as-is")
+            self.assertEqual((light.GetSwitch(), renderer.GetBackground()), (1, (0.1, 0.2, 0.3)))
+
+    def test_a_mistake_in_a_look_changes_nothing(self):
+        renderer = ball()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "mine.json"
+            path.write_text('{"lights": [{"elevation": 100}]}')
+            for look, says in ((path, "'elevation' of light 1"), ("stduio", "there is no look 'stduio': there are as-is")):
+                with self.assertRaisesRegex(ValueError, says):
+                    penumbra.enable(renderer, look=look)
+            self.assertIsNone(renderer.GetPass())
+            path.write_text('{"background": [1, 0, 0]}')
+            penumbra.enable(renderer, look=path)
+            self.assertEqual(renderer.GetBackground(), (1, 0, 0))
 
     def test_saved_pictures_do_not_depend_on_earlier_frames(self):
         def lit(colour):

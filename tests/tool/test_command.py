@@ -241,6 +241,52 @@ class Rendered(command.CommandTest):
         self.compare("egl.png", "osmesa.png", "--tolerance", 1, "--fail-over", 0)
 
 
+class Looks(command.CommandTest):
+    """One argument everywhere, and a default that a scene with light of its own does not get."""
+
+    def look(self, scene, *arguments, **more):
+        return self.report("render", self.scene(scene), *command.TINY, "-o", "out.png", "--stats", *arguments, **more)["look"]
+
+    def test_which_look_is_taken(self):
+        box = command.box()
+        ended = self.penumbra("render", self.scene(box), "-o", "out.png")
+        self.assertIn("penumbra: note: the look 'studio' lights the scene: --look as-is ", ended.stderr)
+        self.assertEqual(self.look(box), "studio")
+        self.assertEqual(self.look({**box, "look": "soft"}), "soft")
+        self.assertEqual(self.look({**box, "look": "soft"}, "--look", "as-is"), "as-is")
+        for own in ({"lights": []}, {"lights": [{"type": "head"}]}, {"techniques": {"preset": "off"}}):
+            self.assertEqual(self.look({**box, **own}), "as-is")
+        for plain in ("--stock", "--preset=off", "--light=head"):
+            self.assertEqual(self.look(box, plain), "as-is")
+
+    def test_looks_differ_and_a_background_comes_after_them(self):
+        for look in ("as-is", "soft", "studio"):
+            self.succeeds("render", self.scene(command.box()), *command.TINY, "--look", look, "-o", f"{look}.png")
+        for one, other in itertools.combinations(("as-is", "soft", "studio"), 2):
+            self.assertGreater(self.compare(f"{one}.png", f"{other}.png")["relmse"], 0.001)
+        self.succeeds("render", self.scene(command.box()), *command.TINY, "--background", "red", "-o", "red.png")
+        with Image.open(self.folder / "red.png") as picture:
+            self.assertEqual(picture.getpixel((0, 0)), (255, 0, 0))
+
+    def test_a_look_of_ones_own(self):
+        (self.folder / "mine.json").write_text('{"description": "All green.", "background": [0, 1, 0]}')
+        scene = {**command.box(), "look": "mine.json"}  # beside the scene file
+        self.assertTrue(self.look(scene).endswith("mine.json"))
+        with Image.open(self.folder / "out.png") as picture:
+            self.assertEqual(picture.getpixel((0, 0)), (0, 255, 0))
+        named = {"PENUMBRA_LOOK_PATH": str(self.folder)}
+        self.assertRegex(self.succeeds("info", env=named).stdout, "look mine +All green")
+        self.succeeds("render", self.scene(command.box()), *command.TINY, "--look", "mine", "-o", "out.png", env=named)
+
+    def test_mistakes(self):
+        box, tiny = self.scene(command.box()), command.TINY
+        (self.folder / "bad.json").write_text('{"lights": [{"azimuth": 400}]}')
+        self.refused("render", box, *tiny, "--look", "stduio", "-o", "a.png", says="there are as-is, ", status=2)
+        self.refused("render", box, *tiny, "--look", "bad.json", "-o", "a.png", says="'azimuth' of light 1", status=2)
+        self.refused("render", box, *tiny, "--look", "studio", "--light", "head", "-o", "a.png",
+                     says="--look studio replaces the scene's light: give no --light with it", status=2)
+
+
 class Traced(command.CommandTest):
     def trace(self, output, spp, *arguments):
         scene = {key: value for key, value in SCENE.items() if key != "frames"}

@@ -6,6 +6,7 @@
 #include "common/Failure.h"
 #include "common/Windows.h"
 
+#include <vtkGILook.h>
 #include <vtkGIPass.h>
 #include <vtkGITechnique.h>
 #include <vtkNew.h>
@@ -57,6 +58,22 @@ ordered_json DescribeTechniques()
     techniques.push_back(row);
   }
   return techniques;
+}
+
+/// All looks. One of the user's folder that has a mistake is described by it.
+ordered_json DescribeLooks()
+{
+  ordered_json looks = ordered_json::array();
+  const int count = vtkGILook::GetNumberOfLooks();
+  for (int i = 0; i < count; ++i)
+  {
+    const char* name = vtkGILook::GetLookName(i);
+    vtkNew<vtkGILook> look;
+    const bool read = look->Load(name);
+    looks.push_back({ { "name", name }, { "title", read ? look->GetTitle() : "" },
+      { "description", read ? look->GetDescription() : look->GetLastError() } });
+  }
+  return looks;
 }
 
 std::string Text(const ordered_json& object, const char* key)
@@ -164,7 +181,8 @@ class InfoCommand
 public:
   CLI::App* Declare(CLI::App& app)
   {
-    CLI::App* command = app.add_subcommand("info", "show OpenGL, VTK, and the table of techniques");
+    CLI::App* command =
+      app.add_subcommand("info", "show OpenGL, VTK, the table of techniques, and the looks");
     command->add_flag("--parameters", this->Parameters, "include each technique's parameters");
     auto* json = command->add_flag("--json", this->Json, "print JSON");
     command
@@ -182,13 +200,14 @@ public:
   int Run(Console& console)
   {
     const ordered_json techniques = DescribeTechniques();
+    const ordered_json looks = DescribeLooks();
     if (this->Markdown)
     {
       PrintTechniques(techniques, this->Parameters, true);
       return 0;
     }
     ordered_json info = { { "penumbra", PENUMBRA_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
-      { "opengl", nullptr }, { "techniques", techniques } };
+      { "opengl", nullptr }, { "techniques", techniques }, { "looks", looks } };
     int status = 0;
     try
     {
@@ -223,6 +242,11 @@ public:
     }
     fmt::print("\n");
     PrintTechniques(techniques, this->Parameters, false);
+    fmt::print("\n");
+    for (const auto& look : looks)
+    {
+      print(("look " + Text(look, "name")).c_str(), Text(look, "description"));
+    }
     return status;
   }
 

@@ -6,8 +6,10 @@
 #include "common/Failure.h"
 #include "common/Names.h"
 #include "common/VtkMessages.h"
+#include "scene/build/SceneBuilder.h"
 
 #include <vtkGIBakeFile.h>
+#include <vtkGILook.h>
 #include <vtkGIPass.h>
 #include <vtkGITechnique.h>
 #include <vtkImageData.h>
@@ -64,15 +66,10 @@ void LoadOldLightmap(const std::string& path, vtkGIPass* pass, Reporter& reporte
                             "with penumbra bake convert {0} -o NEW.vti",
     path));
 }
-}
 
-void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
+/// The scene's switches and parameters.
+void ApplySettings(const TechniqueSettings& settings, vtkGIPass* pass)
 {
-  const TechniqueSettings& settings = scene.Techniques;
-  Find(
-    settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
-    "preset");
-  pass->SetPreset(settings.Preset.c_str());
   for (const std::string& name : settings.On)
   {
     Find(pass, name)->EnabledOn();
@@ -85,6 +82,27 @@ void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
   {
     SetParameter(Find(pass, setting.Technique), setting);
   }
+}
+
+void LoadLook(const std::string& name, vtkGILook* look)
+{
+  if (!look->Load(name.c_str()))
+  {
+    FailUsage("{}", look->GetLastError());
+  }
+}
+}
+
+void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
+{
+  const TechniqueSettings& settings = scene.Techniques;
+  Find(
+    settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
+    "preset");
+  pass->SetPreset(settings.Preset.c_str());
+  ApplySettings(settings, pass);
+  vtkNew<vtkGILook> look; // a mistake is told before data are read
+  LoadLook(scene.Look, look);
   for (const std::string& path : scene.Bakes)
   {
     vtkNew<vtkGIBakeFile> file;
@@ -96,6 +114,28 @@ void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
     {
       Fail("{}", file->GetLastError());
     }
+  }
+}
+
+void ApplyLook(const Scene& scene, vtkRenderer* renderer, vtkGIPass* pass, Reporter& reporter)
+{
+  vtkNew<vtkGILook> look;
+  LoadLook(scene.Look, look);
+  look->ApplyTo(renderer, pass);
+  if (pass)
+  {
+    ApplySettings(scene.Techniques, pass);
+  }
+  SetTextColors(renderer);
+  if (scene.Backdrop)
+  {
+    SetBackground(*scene.Backdrop, renderer);
+  }
+  if (!scene.LookGiven && scene.Look != OwnLook)
+  {
+    reporter.Note(fmt::format("the look '{}' lights the scene: --look as-is draws it with a plain "
+                              "key light, and penumbra info lists further looks",
+      scene.Look));
   }
 }
 }

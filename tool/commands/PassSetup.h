@@ -7,10 +7,15 @@
 #include "scene/model/SceneModel.h"
 
 class vtkGIPass;
+class vtkRenderer;
 
 namespace penumbra::tool
 {
 /// Applies the preset, then switches, then parameters, then loads baked light. Throws a Failure that names what the pass
 /// does not have, the value it refuses, or the file that is damaged or of another kind.
 void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter);
+
+/// Gives the scene's look to a renderer. pass: set up by SetUpPass(), or nullptr for VTK alone. What the scene itself says
+/// of background and techniques comes after the look.
+void ApplyLook(const Scene& scene, vtkRenderer* renderer, vtkGIPass* pass, Reporter& reporter);
 }

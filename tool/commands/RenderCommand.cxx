@@ -112,6 +112,7 @@ public:
     }
     this->CheckTracing(pass);
     const BuiltScene built = BuildScene(scene, this->Options.MaximumTriangles, console);
+    ApplyLook(scene, built.Renderer, this->Options.Stock ? nullptr : pass.Get(), console);
     ConfigureWindow(scene, built, window);
     this->Report["scene-ms"] = 1e3 * SecondsSince(start);
     {
@@ -252,7 +253,7 @@ private:
 
   void Write(vtkRenderer* renderer, vtkGIPass* pass, const Scene& scene, Console& console)
   {
-    const bool alpha = scene.Backdrop.Transparent;
+    const bool alpha = scene.Backdrop && scene.Backdrop->Transparent;
     const bool radiance = HoldsRadiance(this->Options.Output) && !this->Options.Stock;
     Picture picture;
     {
@@ -285,6 +286,7 @@ private:
     this->Report["triangles"] = built.Triangles;
     this->Report["balls"] = built.Balls;
     this->Report["stock"] = this->Options.Stock;
+    this->Report["look"] = scene.Look;
     if (!this->Options.Stock)
     {
       this->Report["accumulated-frames"] = pass->GetAccumulatedFrames(built.Renderer);

@@ -69,6 +69,10 @@ void DeclareTechniques(CLI::App& command, RenderOptions& options)
   OptionGroup techniques(command, TechniqueGroup);
   techniques.Add(
     "--preset", options.Preset, "off, fast, balanced (default), high or reference (path tracing)");
+  techniques.Add("--look", options.Look,
+    "set-up of light and background: a name, of which penumbra info lists all, a file (.json), or "
+    "as-is for the scene's "
+    "own light [studio, or as-is where the scene has lights]");
   techniques.Add("--on", options.On, "switch a technique on; may be repeated");
   techniques.Add("--off", options.Off, "switch a technique off; may be repeated");
   techniques.Add("--set", options.Set, "TECHNIQUE.PARAMETER=VALUE; may be repeated");

@@ -46,6 +46,7 @@ struct RenderOptions
   std::string Environment;
   bool ShowEnvironment = false;
   std::string Background;
+  std::string Look;
   std::string Backend = "auto";
   std::optional<int> Frames;
   std::optional<int> Samples;

@@ -114,6 +114,24 @@ void ApplySize(const std::string& text, Scene& scene)
   scene.Height = std::stoi(parts[1]);
 }
 
+/// Refuses light of one's own beside a look, which would switch it off, if both are asked for in the same place.
+void RequireOneLight(const RenderOptions& options)
+{
+  const bool ownLight = !options.Lights.empty() || !options.Environment.empty();
+  if (ownLight && !options.Look.empty() && options.Look != OwnLook)
+  {
+    FailUsage("--look {} replaces the scene's light: give no {} with it", options.Look,
+      options.Lights.empty() ? "--env" : "--light");
+  }
+}
+
+/// The look if none is asked for: none with light of one's own, and none where the picture shall be VTK's.
+std::string DefaultLook(const RenderOptions& options, const Scene& scene)
+{
+  const bool ownLight = scene.Lights || scene.Environment || !scene.Bakes.empty();
+  return ownLight || options.Stock || scene.Techniques.Preset == "off" ? OwnLook : "studio";
+}
+
 void ApplyTechniqueOptions(const RenderOptions& options, TechniqueSettings& settings)
 {
   settings.Preset = options.Preset.empty() ? settings.Preset : options.Preset;
@@ -212,6 +230,10 @@ Scene MakeScene(const RenderOptions& options)
   scene.Frames = options.Frames.value_or(scene.Frames);
   ApplyTechniqueOptions(options, scene.Techniques);
   scene.Bakes.insert(scene.Bakes.end(), options.Bakes.begin(), options.Bakes.end());
+  RequireOneLight(options);
+  scene.Look = options.Look.empty() ? scene.Look : options.Look;
+  scene.LookGiven = !scene.Look.empty();
+  scene.Look = scene.LookGiven ? scene.Look : DefaultLook(options, scene);
   scene.FramesGiven = options.Frames.has_value();
   return scene;
 }

@@ -5,6 +5,7 @@
 #include "BakedLight.h"
 #include "StillFramesPass.h"
 #include "ViewAccess.h"
+#include "ViewLook.h"
 
 #include "vtkGIPass.h"
 #include "vtkGISHProbes.h"
@@ -32,6 +33,7 @@ public:
   vtkNew<penumbra::StillFramesPass> Frames;
   penumbra::BakedLight Lightmap;
   penumbra::BakedLight Probes;
+  penumbra::ViewLook Look;
   vtkWeakPointer<vtkPVRenderView> View;
   unsigned long StartOfFrame = 0;
   bool Enabled = false;
@@ -95,6 +97,16 @@ void vtkPVGISettings::SetEnabled(bool enabled)
 void vtkPVGISettings::SetStillFrames(int frames)
 {
   this->Impl->Frames->SetFrames(frames);
+}
+
+void vtkPVGISettings::SetLook(const char* nameOrPath)
+{
+  this->Impl->Look.Choose(nameOrPath ? nameOrPath : "");
+}
+
+const char* vtkPVGISettings::GetLookProblem()
+{
+  return this->Impl->Look.GetProblem().c_str();
 }
 
 void vtkPVGISettings::SetLightmapFile(const char* path)
@@ -181,6 +193,11 @@ void vtkPVGISettings::UpdateRenderPass()
   {
     this->Impl->Lightmap.Update(this->Impl->Pass->GetTechnique("lightmap"));
     this->Impl->Probes.Update(this->Impl->Pass->GetTechnique("sh-probes"));
+    this->Impl->Look.Update(view->GetRenderer(), this->Impl->Pass);
+  }
+  else
+  {
+    this->Impl->Look.Remove(view->GetRenderer());
   }
   if (this->Impl->Enabled && !current)
   {
@@ -201,6 +218,10 @@ void vtkPVGISettings::SetSetting(const char* property, double value)
     if (std::strcmp(row.Property, property) != 0)
     {
       continue;
+    }
+    if (this->Impl->View)
+    {
+      this->Impl->Look.Remove(this->Impl->View->GetRenderer());
     }
     vtkGITechnique* technique = this->Impl->Pass->GetTechnique(row.Technique);
     if (row.Parameter)

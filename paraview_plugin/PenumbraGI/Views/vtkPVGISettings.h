@@ -47,6 +47,16 @@ public:
 
   ///@{
   /**
+   * The view's look (see vtkGILook), by its name or the path of a file; "as-is" (the default) for the view's own lights and
+   * background. It is applied at the next frame, on top of the other settings, and removed with it. GetLookProblem() is
+   * the reason why it could not be read, in one sentence, or "".
+   */
+  void SetLook(const char* nameOrPath);
+  const char* GetLookProblem();
+  ///@}
+
+  ///@{
+  /**
    * Files of baked light, read at the next frame that uses them. BakeProbes() writes the file of probes; "" keeps
    * baked probes in memory only.
    */

@@ -49,7 +49,8 @@ class Bench:
         self.window, self.renderer = window, renderer
         self.gi = vtkGIPass()
         # One map for the whole scene, unless asked for more: a texel means the same everywhere.
-        _apply(self.gi, "balanced", (), (), {"shadow-maps.cascades": 1, **parameters})
+        self.gi.SetPreset("balanced")
+        _apply(self.gi, (), (), {"shadow-maps.cascades": 1, **parameters})
         for i in range(self.gi.GetNumberOfTechniques()):
             self.gi.GetTechnique(i).EnabledOff()
         self.maps, self.rays = self.gi.GetTechnique("shadow-maps"), self.gi.GetTechnique("ray-traced-shadows")

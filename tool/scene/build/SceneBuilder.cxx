@@ -21,14 +21,6 @@ namespace penumbra::tool
 {
 namespace
 {
-void SetBackground(const Background& background, vtkRenderer* renderer)
-{
-  renderer->SetBackground(background.Bottom[0], background.Bottom[1], background.Bottom[2]);
-  renderer->SetBackground2(background.Top[0], background.Top[1], background.Top[2]);
-  renderer->SetGradientBackground(background.Top != background.Bottom && !background.Transparent);
-  renderer->SetBackgroundAlpha(background.Transparent ? 0 : 1);
-}
-
 void SetEnvironment(
   const EnvironmentMap& environment, const DefaultView& view, vtkRenderer* renderer)
 {
@@ -149,11 +141,8 @@ bool IsTranslucent(vtkRenderer* renderer)
   return false;
 }
 
-void AddScalarBar(
-  vtkLookupTable* table, const ColorBy& color, const Background& background, vtkRenderer* renderer)
+void AddScalarBar(vtkLookupTable* table, const ColorBy& color, vtkRenderer* renderer)
 {
-  const double light = background.Top[0] + background.Top[1] + background.Top[2];
-  const double ink = light > 1.5 ? 0.12 : 0.92;
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
   bar->SetTitle(color.Array.c_str());
@@ -168,7 +157,6 @@ void AddScalarBar(
   bar->DrawTickLabelsOn();
   for (vtkTextProperty* text : { bar->GetTitleTextProperty(), bar->GetLabelTextProperty() })
   {
-    text->SetColor(ink, ink, ink);
     text->SetFontFamilyToArial();
     text->SetFontSize(16);
     text->BoldOff();
@@ -177,6 +165,33 @@ void AddScalarBar(
   }
   renderer->AddActor2D(bar);
 }
+}
+
+void SetBackground(const Background& background, vtkRenderer* renderer)
+{
+  renderer->SetBackground(background.Bottom[0], background.Bottom[1], background.Bottom[2]);
+  renderer->SetBackground2(background.Top[0], background.Top[1], background.Top[2]);
+  renderer->SetGradientBackground(background.Top != background.Bottom && !background.Transparent);
+  renderer->SetBackgroundAlpha(background.Transparent ? 0 : 1);
+  SetTextColors(renderer);
+}
+
+void SetTextColors(vtkRenderer* renderer)
+{
+  const double* top =
+    renderer->GetGradientBackground() ? renderer->GetBackground2() : renderer->GetBackground();
+  const double ink = top[0] + top[1] + top[2] > 1.5 ? 0.12 : 0.92;
+  vtkPropCollection* props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator cursor;
+  props->InitTraversal(cursor);
+  while (vtkProp* prop = props->GetNextProp(cursor))
+  {
+    if (auto* bar = vtkScalarBarActor::SafeDownCast(prop))
+    {
+      bar->GetTitleTextProperty()->SetColor(ink, ink, ink);
+      bar->GetLabelTextProperty()->SetColor(ink, ink, ink);
+    }
+  }
 }
 
 BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& reporter)
@@ -206,7 +221,7 @@ BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& 
     if (actors.Coloring)
     {
       hasScalarBar = true;
-      AddScalarBar(actors.Coloring, *object.Color, scene.Backdrop, built.Renderer);
+      AddScalarBar(actors.Coloring, *object.Color, built.Renderer);
     }
   }
   if (scene.Objects.empty())
@@ -214,7 +229,7 @@ BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& 
     FailUsage("the scene has no objects: name a file to draw");
   }
   built.Triangles = budget.GetSpent();
-  SetBackground(scene.Backdrop, built.Renderer);
+  SetBackground(scene.Backdrop.value_or(Background()), built.Renderer);
   built.Renderer->AutomaticLightCreationOff();
   for (const Light& light : scene.Lights ? *scene.Lights : DefaultLights(scene))
   {

@@ -75,6 +75,12 @@ void MakeAbsolute(std::string& path, const std::filesystem::path& folder)
   }
 }
 
+bool IsLookFile(const std::string& look)
+{
+  const std::filesystem::path path = look;
+  return path.has_parent_path() || path.extension() == ".json";
+}
+
 void MakePathsAbsolute(Scene& scene, const std::filesystem::path& folder)
 {
   for (Object& object : scene.Objects)
@@ -91,6 +97,10 @@ void MakePathsAbsolute(Scene& scene, const std::filesystem::path& folder)
   for (std::string& bake : scene.Bakes)
   {
     MakeAbsolute(bake, folder);
+  }
+  if (IsLookFile(scene.Look))
+  {
+    MakeAbsolute(scene.Look, folder);
   }
   if (scene.Environment)
   {
@@ -244,6 +254,7 @@ Scene ReadSceneFile(const std::string& path)
   {
     scene.Techniques = ReadTechniques(*techniques, "the techniques of " + object.Where());
   }
+  object.Read("look", scene.Look);
   ReadSize(object, scene);
   object.Read("frames", scene.Frames, Bounds{ 1, 65536 });
   object.Read("depth-peeling", scene.DepthPeeling);

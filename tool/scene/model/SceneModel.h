@@ -200,13 +200,18 @@ struct TechniqueSettings
   std::vector<ParameterSetting> Parameters;
 };
 
+/// The look of a scene that keeps its own lights and background.
+constexpr const char* OwnLook = "as-is";
+
 struct Scene
 {
   std::vector<Object> Objects;
   std::optional<std::vector<Light>> Lights; ///< a key light and a weak headlight if not set
   Camera View;
   std::optional<EnvironmentMap> Environment;
-  Background Backdrop;
+  std::optional<Background> Backdrop; ///< that of the look, or a grey gradient, if not set
+  std::string Look;                   ///< name or file
+  bool LookGiven = false;             ///< asked for, not chosen
   TechniqueSettings Techniques;
   std::vector<std::string> Bakes; ///< files of baked light
   int Width = 1280;

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ViewLook.h"
+
+#include "vtkGILook.h"
+#include "vtkGIPass.h"
+
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkRenderer.h"
+
+namespace penumbra
+{
+void ViewLook::Update(vtkRenderer* renderer, vtkGIPass* pass)
+{
+  if (this->Applied == this->Chosen)
+  {
+    return;
+  }
+  this->Remove(renderer);
+  this->Applied = this->Chosen; // one with a mistake is reported only once
+  vtkNew<vtkGILook> look;
+  if (look->Load(this->Chosen.c_str()))
+  {
+    this->Problem.clear();
+    look->ApplyTo(renderer, pass);
+  }
+  else if (this->Problem != look->GetLastError())
+  {
+    this->Problem = look->GetLastError();
+    vtkOutputWindow::GetInstance()->DisplayErrorText(
+      ("Penumbra: " + this->Problem + ".\n").c_str());
+  }
+}
+
+void ViewLook::Remove(vtkRenderer* renderer)
+{
+  this->Applied.clear();
+  vtkGILook::RemoveFrom(renderer);
+}
+}

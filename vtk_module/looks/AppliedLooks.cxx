@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "looks/AppliedLooks.h"
+
+#include "looks/LookLights.h"
+#include "looks/LookSettings.h"
+#include "looks/SavedRenderer.h"
+
+#include "vtkCommand.h"
+#include "vtkGIPass.h"
+#include "vtkRenderer.h"
+
+namespace penumbra
+{
+namespace
+{
+/// The look of one renderer. It is not kept alive by this, as it announces its own end.
+class AppliedLook
+{
+public:
+  AppliedLook(std::string name, const LookDescription& look, vtkRenderer* renderer,
+    std::shared_ptr<LookSettings> settings)
+    : Name(std::move(name))
+    , Renderer(renderer)
+    , Before(renderer)
+    , Settings(std::move(settings))
+  {
+    if (look.Lights)
+    {
+      this->Before.SwitchLightsOff();
+      this->Lights.emplace(look, renderer);
+      // Now, if this is called at the start of a frame, and in the next frame again, whose camera and props count.
+      if (renderer->IsActiveCameraCreated())
+      {
+        this->Lights->Place(renderer);
+      }
+      this->StartTag =
+        renderer->AddObserver(vtkCommand::StartEvent, this, &AppliedLook::PlaceLights);
+    }
+    if (look.Background)
+    {
+      renderer->SetBackground(look.Background->Bottom.data());
+      renderer->SetBackground2(look.Background->Top.data());
+      renderer->SetGradientBackground(look.Background->Top != look.Background->Bottom);
+      renderer->TexturedBackgroundOff();
+    }
+    this->DeleteTag =
+      renderer->AddObserver(vtkCommand::DeleteEvent, this, &AppliedLook::ForgetRenderer);
+  }
+
+  AppliedLook(const AppliedLook&) = delete;
+  AppliedLook& operator=(const AppliedLook&) = delete;
+
+  ~AppliedLook()
+  {
+    this->Before.RestoreLights();
+    if (!this->Renderer)
+    {
+      return;
+    }
+    this->Renderer->RemoveObserver(this->StartTag);
+    this->Renderer->RemoveObserver(this->DeleteTag);
+    if (this->Lights)
+    {
+      this->Lights->RemoveFrom(this->Renderer);
+    }
+    this->Before.Restore(this->Renderer);
+  }
+
+  const std::string& GetName() const { return this->Name; }
+  const std::shared_ptr<LookSettings>& GetSettings() const { return this->Settings; }
+
+private:
+  void PlaceLights()
+  {
+    this->Renderer->RemoveObserver(this->StartTag);
+    this->StartTag = 0;
+    this->Lights->Place(this->Renderer);
+  }
+
+  void ForgetRenderer();
+
+  std::string Name;
+  vtkRenderer* Renderer;
+  SavedRenderer Before;
+  std::optional<LookLights> Lights;
+  std::shared_ptr<LookSettings> Settings;
+  unsigned long StartTag = 0;
+  unsigned long DeleteTag = 0;
+};
+
+/// Never destroyed, as at the end of the process VTK's objects may be gone already.
+std::map<vtkRenderer*, std::unique_ptr<AppliedLook>>& Applied()
+{
+  static auto& looks = *new std::map<vtkRenderer*, std::unique_ptr<AppliedLook>>;
+  return looks;
+}
+
+void AppliedLook::ForgetRenderer()
+{
+  vtkRenderer* renderer = this->Renderer;
+  this->Renderer = nullptr;
+  Applied().erase(renderer); // deletes this
+}
+
+std::shared_ptr<LookSettings> SettingsOf(vtkGIPass* pass)
+{
+  for (const auto& look : Applied())
+  {
+    if (look.second->GetSettings() && look.second->GetSettings()->GetPass() == pass)
+    {
+      return look.second->GetSettings();
+    }
+  }
+  return std::make_shared<LookSettings>(pass);
+}
+}
+
+void ApplyLook(
+  const std::string& name, const LookDescription& look, vtkRenderer* renderer, vtkGIPass* pass)
+{
+  RemoveLook(renderer);
+  std::shared_ptr<LookSettings> settings;
+  if (pass)
+  {
+    settings = SettingsOf(pass);
+    settings->Apply(look.Techniques);
+  }
+  Applied()[renderer] = std::make_unique<AppliedLook>(name, look, renderer, std::move(settings));
+}
+
+void RemoveLook(vtkRenderer* renderer)
+{
+  Applied().erase(renderer);
+}
+
+const char* AppliedLookName(vtkRenderer* renderer)
+{
+  const auto found = Applied().find(renderer);
+  return found == Applied().end() ? nullptr : found->second->GetName().c_str();
+}
+}
