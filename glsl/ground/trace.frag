@@ -8,6 +8,7 @@
 #include "rays/trace.glsl"
 #include "lib/lights.glsl"
 #include "lib/luminance.glsl"
+#include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/sampling.glsl"
 #include "rays/surface.glsl"

@@ -131,7 +131,8 @@ RayPart GroundPlane::MakeRayPart(const glm::dvec3& color) const
   part.CellTime = part.PointTime = part.AttributeTime = 1;
   part.MakeGeometry = UnitDisc;
   part.MakeAttributes = DiscAttributes;
-  part.ToWorld = glm::dmat4(this->Radius * Around(this->Up));
+  // Rays must not see it where the ground has faded out.
+  part.ToWorld = glm::dmat4(0.98 * this->Radius * Around(this->Up));
   part.ToWorld[3] = glm::dvec4(this->Middle, 1.0);
   part.Surface = MakeRaySurface(property);
   return part;
