@@ -5,7 +5,7 @@
 // term), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (the highlights' reflection of the environment is known
 // separately), GI_LAMP_LIGHT (diffuse light from lights that do not follow the camera is known), GI_INTERREFLECTION
-// (occluders of ambient light reflect it too), GI_COVERAGE (fragments that cover a pixel partly, to be blended),
+// (occluders of ambient light reflect it too), GI_CATCHER (some surfaces show the background), GI_COVERAGE (fragments that cover a pixel partly, to be blended),
 // GI_RADIANCE (write linear radiance instead of the colour for display), GI_LIT (write both).
 #include "shared/view.h"
 #include "shared/light.h"
@@ -83,6 +83,12 @@ void main()
   ambient /= albedo.a;
 #endif
   int index = int(packedNormal.z * 65535.0 + 0.5);
+#ifdef GI_CATCHER
+  if (materials[index].Model.x == GI_MATERIAL_CATCHER)
+  {
+    discard;
+  }
+#endif
   float openness = 1.0;
 #ifdef GI_AMBIENT_VISIBILITY
   openness = index == GI_MATERIAL_AS_DRAWN ? 1.0 : texelFetch(ambientVisibility, pixel, 0).r;

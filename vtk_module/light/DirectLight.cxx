@@ -10,20 +10,6 @@ namespace penumbra
 {
 namespace
 {
-// Start the picture with the current content of the window: background and lower layers.
-void CopyWindow(FrameContext& context, const char* target)
-{
-  context.State()->PushFramebufferBindings();
-  GLint window = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
-  context.BindTarget({ target });
-  context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(window));
-  const glm::ivec4& area = context.GetView().Viewport;
-  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
-    area.x + area.z, area.y + area.w, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  context.State()->PopFramebufferBindings();
-}
-
 struct Resolve
 {
   LightTable* Lights;
@@ -48,6 +34,7 @@ struct Resolve
       context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
     flag("GI_INTERREFLECTION",
       context.Input(resource::AmbientVisibility) && this->Options.Interreflection > 0.0);
+    flag("GI_CATCHER", this->Materials->HasCatcher());
     flag("GI_COVERAGE", this->Materials->HasPartialCoverage());
     flag("GI_RADIANCE", radiance);
     flag("GI_LIT", lit);
@@ -58,7 +45,7 @@ struct Resolve
   {
     if (!context.IsWindow(resource::Color))
     {
-      CopyWindow(context, resource::Color);
+      context.CopyWindow(resource::Color);
     }
     // Radiance is drawn separately, because the colour may go straight to the window, which has no second target.
     if (this->Options.Radiance)
@@ -68,7 +55,7 @@ struct Resolve
     }
     if (this->Options.LitRadiance && this->Materials->HasPartialCoverage())
     {
-      CopyWindow(context, resource::LitRadiance);
+      context.CopyWindow(resource::LitRadiance);
     }
     // A technique that requests the lit radiance also modifies the picture, so both targets are textures here.
     this->Draw(context,
@@ -82,7 +69,7 @@ struct Resolve
     const Texture* sky = context.Input(resource::Sky);
     if (!sky)
     {
-      CopyWindow(context, resource::Radiance);
+      context.CopyWindow(resource::Radiance);
       return;
     }
     ScopedState scope(context.State());
@@ -128,7 +115,8 @@ void Present(FrameContext& context)
   scope.DepthFunc(GL_ALWAYS);
   scope.DepthMask(true);
   scope.ColorMask(false);
-  context.DrawBound("direct_light/present_depth.frag", {}, {});
+  context.DrawBound("direct_light/present_depth.frag", {},
+    Arguments().Set("depthWindow", glm::vec2(context.GetView().DepthWindow)));
 }
 }
 
@@ -196,12 +184,21 @@ void ContributeDirectLight(
   pass.Execute(Resolve{ &lights, &materials, options });
 }
 
-void ContributePresentation(Frame& frame)
+void ContributeBackdrop(Frame& frame)
+{
+  frame.AddPass("backdrop")
+    .Write(resource::Backdrop, frame.WindowTexture(GL_RGBA8))
+    .Execute([](FrameContext& context) { context.CopyWindow(resource::Backdrop); });
+}
+
+void ContributePresentation(Frame& frame, MaterialTable& materials)
 {
   frame.AddPass("present")
     .Read(resource::Color)
     .Read(resource::DepthCopy)
     .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Offer(materials.ShaderArguments())
     .SideEffect()
     .Execute(Present);
 }
