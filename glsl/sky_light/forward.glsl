@@ -3,6 +3,7 @@
 // Light of the sky on props that VTK draws itself (see forward/indirect.glsl): looks up GI_SKY_LOOKUPS maps at each point.
 // GI_SKY_SHARE is the share of the light that this is: 0 if others add to it. Needs lib/octahedral.glsl,
 // lib/cube_light.glsl and lib/luminance.glsl.
+uniform sampler2D fieldAtlas;
 #include "sky_light/lookup.glsl"
 uniform vec4 fieldMaps[4 * GI_SKY_LOOKUPS];
 uniform mat4 fieldFromView; // to positions relative to the maps' centre

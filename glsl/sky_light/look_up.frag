@@ -12,8 +12,9 @@ layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
 layout(binding = 3) uniform sampler2D facetTexture;
+layout(binding = 4) uniform sampler2D fieldAtlas;
 #ifdef GI_CONTINUED
-layout(binding = 4) uniform usampler2D previousTexture;
+layout(binding = 5) uniform usampler2D previousTexture;
 #endif
 
 #include "sky_light/raw.glsl"

@@ -3,8 +3,8 @@
 //   across, along:  xyz axes of the map in texels; w its middle in the atlas
 //   depth:          xyz gradient of the depth in the map, against the direction of the light; w depth of the centre
 //   weight:         rgb light from that direction, by the gradient; a depth of one texel's width
-// Names that begin with "field" are private to a forward part. Needs lib/luminance.glsl.
-uniform sampler2D fieldAtlas;
+// Names that begin with "field" are private to a forward part. Needs lib/luminance.glsl and a
+// sampler2D named fieldAtlas.
 uniform float fieldHalf; // half the width of a map in texels
 
 // Biases as for shadow maps, in texels.
