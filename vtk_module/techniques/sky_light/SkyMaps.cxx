@@ -61,14 +61,17 @@ void SkyMaps::Draw(FrameContext& context, SceneCapture& scene, const History& at
   {
     this->Weigh(sky);
   }
-  int count = restarts ? settings.FirstMaps : settings.MapsPerFrame;
-  if (!restarts && this->IsComplete() && view.StillFrames == 0)
+  const bool still = view.StillFrames > 0;
+  const int missing = settings.Maps - this->Count();
+  int count = settings.MapsPerFrame;
+  if (missing > 0)
+  {
+    count = std::min(missing,
+      view.StandsAlone ? missing : restarts || still ? settings.FirstMaps : settings.MapsPerFrame);
+  }
+  else if (!still)
   {
     count = std::min(count, this->Outdated);
-  }
-  if (view.StandsAlone)
-  {
-    count = std::max(count, settings.Maps - this->Count());
   }
   for (int i = 0; i < count; ++i)
   {

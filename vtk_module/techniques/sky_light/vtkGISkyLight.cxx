@@ -138,15 +138,14 @@ int vtkGISkyLight::GetDrawnMaps(vtkRenderer* renderer)
 
 int vtkGISkyLight::GetRequiredFrames()
 {
-  const int more = std::max(0, this->Maps - this->FirstMaps);
-  return this->MapsPerFrame > 0 ? std::max(OwnFrames, 1 + more / this->MapsPerFrame) : OwnFrames;
+  return OwnFrames + (this->Maps + this->FirstMaps - 1) / this->FirstMaps;
 }
 
 bool vtkGISkyLight::IsFinished(vtkRenderer* renderer)
 {
   const ViewLight* light = this->Find(renderer);
   return !light || !light->Sky.Shines() ||
-    (light->AveragedFrames >= OwnFrames && (light->Maps.IsComplete() || this->MapsPerFrame == 0));
+    light->AveragedFrames >= OwnFrames;
 }
 
 void vtkGISkyLight::Plan(LightingPlan& plan, FrameBuilder& frame)
@@ -202,7 +201,9 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
   const bool odd = view.FrameNumber % 2 != 0;
   History* mean = nullptr;
   auto& pass = frame.AddPass("sky-light");
-  const bool continued = still && light.LastAveraged + 1 == view.FrameNumber;
+  // Frames with a part of the maps are not worth keeping.
+  const bool continued =
+    still && light.Maps.IsComplete() && light.LastAveraged + 1 == view.FrameNumber;
   light.AveragedFrames = continued ? light.AveragedFrames + 1 : 1;
   if (grid.Stride == 1)
   {
@@ -211,7 +212,7 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
     History& previous =
       frame.Keep(std::string(Raw) + (odd ? ".even" : ".odd"), grid.Texels(GL_RGBA32UI));
     light.AveragedFrames = previous.Written ? light.AveragedFrames : 1;
-    light.LastAveraged = view.FrameNumber;
+    light.LastAveraged = light.Maps.IsComplete() ? view.FrameNumber : light.LastAveraged;
     pass.ReadHistory(previous, "previousTexture").WriteHistory(*mean);
   }
   else
