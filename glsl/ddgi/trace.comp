@@ -1,6 +1,7 @@
 #version 430 core
 // Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
-// distance. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl.
+// distance. Variants: GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives
+// straight from the environment), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
 #include "rays/trace.glsl"
@@ -63,6 +64,18 @@ vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)
   return sum;
 }
 
+#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+// Irradiance from one direction of the sky, divided by pi.
+vec3 skyLight(RaySurfacePoint at, inout uint state)
+{
+  float density;
+  vec3 L = raySkySample(vec2(giRandom(state), giRandom(state)), density);
+  float facing = dot(at.normal, L);
+  bool arrives = facing > 0.0 && density > 0.0 && rayReaches(vec4(L, RAY_FAR), at, state);
+  return arrives ? raySkyRadiance(L) * (facing / (PI * density)) : vec3(0.0);
+}
+#endif
+
 void main()
 {
   int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x) +
@@ -98,6 +111,9 @@ void main()
         ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
         : at.color.rgb;
       vec3 light = directLight(at, pbr, state);
+#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+      light += skyLight(at, state);
+#endif
       if (lit)
       {
         light += fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a);
@@ -105,7 +121,7 @@ void main()
       result.rgb += min(albedo, vec3(1.0)) * light;
     }
   }
-#ifdef GI_RAY_SKY
+#if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
   else
   {
     result.rgb = raySkyMean(direction);
