@@ -28,6 +28,8 @@ uniform int giMaterial;
 uniform int giBackMaterial;
 uniform float giAmbientAlpha;
 uniform int giMendsNormals;
+uniform float giReflectance; // factor of all diffuse reflectances and base colours
 #include "lib/octahedral.glsl"
+#include "lib/compensation.glsl"
 #include "lib/height.glsl"
 #include "capture/coverage.glsl"

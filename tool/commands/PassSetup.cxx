@@ -66,9 +66,10 @@ void LoadOldLightmap(const std::string& path, vtkGIPass* pass, Reporter& reporte
 }
 }
 
-void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
+namespace
 {
-  const TechniqueSettings& settings = scene.Techniques;
+void Apply(const TechniqueSettings& settings, vtkGIPass* pass)
+{
   Find(
     settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
     "preset");
@@ -85,6 +86,22 @@ void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
   {
     SetParameter(Find(pass, setting.Technique), setting);
   }
+}
+}
+
+Reflection ReflectionIn(const Scene& scene)
+{
+  vtkNew<vtkGIPass> pass;
+  Apply(scene.Techniques, pass);
+  vtkGITechnique* technique = pass->GetTechnique("reflectance");
+  return technique->GetEnabled() ? Reflection{ technique->GetParameter("maximum-albedo"),
+                                     technique->GetParameter("energy-compensation") != 0 }
+                                 : Reflection();
+}
+
+void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
+{
+  Apply(scene.Techniques, pass);
   for (const std::string& path : scene.Bakes)
   {
     vtkNew<vtkGIBakeFile> file;

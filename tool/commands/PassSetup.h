@@ -13,4 +13,12 @@ namespace penumbra::tool
 /// Applies the preset, then switches, then parameters, then loads baked light. Throws a Failure that names what the pass
 /// does not have, the value it refuses, or the file that is damaged or of another kind.
 void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter);
+
+/// Reflection of surfaces by the scene's technique settings, as in vtkGIReflectance.
+struct Reflection
+{
+  double MaximumAlbedo = 1;
+  bool EnergyCompensation = false;
+};
+Reflection ReflectionIn(const Scene& scene);
 }

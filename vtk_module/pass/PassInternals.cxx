@@ -279,7 +279,10 @@ bool vtkGIPass::Internals::DrawFrame(
     technique->SetTookPart(false);
   }
   bool lit = false;
-  for (vtkGITechnique* technique : ChooseTechniques(this->Techniques, builder, plan))
+  const std::vector<vtkGITechnique*> chosen = ChooseTechniques(this->Techniques, builder, plan);
+  rays.SetRules(plan.Rules());
+  this->Capture.SetRules(plan.Rules());
+  for (vtkGITechnique* technique : chosen)
   {
     technique->SetTookPart(true);
     builder.Offer(technique->GetShaderParameters());
@@ -303,7 +306,7 @@ bool vtkGIPass::Internals::DrawFrame(
   ContributeSky(builder, this->Capture.Skies());
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
-      plan.SpreadShare(), plan.Interreflection() });
+      plan.MapsTones(), plan.SpreadShare(), plan.Interreflection(), plan.Rules() });
   record.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {

@@ -11,6 +11,7 @@
 #include "rays/RayPictures.h"
 #include "rays/RayScene.h"
 #include "rays/RaySky.h"
+#include "rays/SurfaceRules.h"
 #include "rays/parts/GatherCache.h"
 
 #include <cstdint>
@@ -24,6 +25,9 @@ public:
   /// Bring everything up to date with the renderer's visible props. Only changes cost time. Throws
   /// std::runtime_error if the scene does not fit into memory. The context must be current.
   void Update(vtkRenderer* renderer);
+
+  /// Set the rules by which surfaces reflect, from the next frame's shaders on.
+  void SetRules(const SurfaceRules& rules) { this->Rules = rules; }
 
   /// Arguments of shaders that include rays/surface.glsl and rays/sky.glsl, with emitterCount.
   Arguments ShaderArguments() const;
@@ -79,6 +83,7 @@ private:
     bool changed);
   void BuildEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
+  SurfaceRules Rules;
   GatherCache Cache;
   RayScene Scene;
   RayBuffer Attributes{ "attributes of triangles", 1 };
