@@ -86,6 +86,9 @@ public:
   /// Apply the visibility of lights to translucent surfaces and volumes, which VTK draws: functions giVisibility(), see
   /// forward/lights.glsl.
   void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }
+  /// Map the finished colours of what VTK draws itself to the display: function giDisplayed(), see
+  /// tone_mapping/forward.glsl.
+  void DisplayForward(ForwardPart display) { this->Display = std::move(display); }
   /// This visibility with the indirect light, or with the spread share of the lights if there is no indirect light.
   ForwardLight GetForwardLight() const;
 
@@ -108,6 +111,7 @@ private:
   bool LitRadianceRequested = false;
   std::vector<std::function<void(FrameBuilder&)>> Last;
   ForwardPart Visibility;
+  ForwardPart Display;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;
 };
