@@ -182,8 +182,10 @@ vtkGIForwardHooks::ProgramParts& vtkGIForwardHooks::PartsOfProgram(
   {
     parts.Display = std::make_unique<ForwardProgram>(handle, "", volume);
   }
-  const std::string spread = ForwardProgram::FieldName(0) + "Spread";
-  if (program->IsUniformUsed("giParallelRays") || program->IsUniformUsed(spread.c_str()))
+  const ForwardProgram whole(handle, "", volume);
+  const std::string first = ForwardProgram::FieldName(0);
+  if (std::any_of(whole.Inputs().begin(), whole.Inputs().end(),
+        [&first](const Program::Input& input) { return input.Name.rfind(first, 0) == 0; }))
   {
     for (std::size_t i = 0; i < this->Light.Indirect.size(); ++i)
     {
