@@ -6,7 +6,7 @@
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "ambient_occlusion/raw.glsl"
-#include "ambient_occlusion/alike.glsl"
+#include "lib/alike.glsl"
 
 layout(binding = 0) uniform usampler2D rawTexture;
 layout(binding = 1) uniform sampler2D depthTexture;

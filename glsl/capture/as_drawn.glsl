@@ -1,3 +1,4 @@
+#include "capture/clip.glsl"
   // Keep VTK's own colour. Where it covers the pixel only partly, the surface below keeps its normal.
   vec4 giDrawn = vec4(giLit.rgb * gl_FragData[0].rgb, gl_FragData[0].a);
   if (giDrawn.a <= giLeastCover())

@@ -28,6 +28,7 @@ uniform int giMaterial;
 uniform int giBackMaterial;
 uniform float giAmbientAlpha;
 uniform int giMendsNormals;
+uniform vec2 giDepthWindow; // depths of the camera's clipping planes, if the projection reaches beyond them
 #include "lib/octahedral.glsl"
 #include "lib/height.glsl"
 #include "capture/coverage.glsl"

@@ -1,6 +1,7 @@
 #ifdef GI_FACET
 #include "capture/facet.glsl"
 #endif
+#include "capture/clip.glsl"
   if (gl_FragData[0].a < giOpaque)
   {
 #include "capture/as_drawn.glsl"

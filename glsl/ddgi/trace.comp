@@ -1,12 +1,14 @@
 #version 430 core
 // Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
-// distance. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl.
+// distance. Variants: GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives
+// straight from the environment), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/lights.glsl"
 #include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #include "rays/toward_light.glsl"
@@ -37,17 +39,17 @@ const int MAX_LIGHTS = 4; // with more lights, a random one is sampled
 // materials, and of its colour on PBR materials.
 vec3 irradianceFrom(LightData light, RaySurfacePoint at, bool pbr, inout uint state)
 {
-  GiIncident incident = giIncident(light, at.position);
-  float facing = -dot(at.normal, incident.Travel);
-  if (facing <= 0.0 || incident.Attenuation <= 0.0)
+  RayArrival arrival = rayArrival(light, at.position, eye, state);
+  float facing = dot(at.normal, arrival.L);
+  if (facing <= 0.0 || arrival.share <= 0.0)
   {
     return vec3(0.0);
   }
-  if (!rayReaches(rayTowardLight(light, at.position, eye), at, state))
+  if (!rayReaches(arrival.toward, at, state))
   {
     return vec3(0.0);
   }
-  return light.Color.rgb * (incident.Attenuation * facing * (pbr ? 1.0 / PI : 1.0));
+  return light.Color.rgb * (arrival.share * facing * (pbr ? 1.0 / PI : 1.0));
 }
 
 vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)
@@ -61,6 +63,18 @@ vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)
   }
   return sum;
 }
+
+#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+// Irradiance from one direction of the sky, divided by pi.
+vec3 skyLight(RaySurfacePoint at, inout uint state)
+{
+  float density;
+  vec3 L = raySkySample(vec2(giRandom(state), giRandom(state)), density);
+  float facing = dot(at.normal, L);
+  bool arrives = facing > 0.0 && density > 0.0 && rayReaches(vec4(L, RAY_FAR), at, state);
+  return arrives ? raySkyRadiance(L) * (facing / (PI * density)) : vec3(0.0);
+}
+#endif
 
 void main()
 {
@@ -97,6 +111,9 @@ void main()
         ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
         : at.color.rgb;
       vec3 light = directLight(at, pbr, state);
+#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+      light += skyLight(at, state);
+#endif
       if (lit)
       {
         light += fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a);
@@ -104,7 +121,7 @@ void main()
       result.rgb += min(albedo, vec3(1.0)) * light;
     }
   }
-#ifdef GI_RAY_SKY
+#if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
   else
   {
     result.rgb = raySkyMean(direction);

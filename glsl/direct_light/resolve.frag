@@ -1,11 +1,11 @@
 #version 430 core
 // Lights the G-buffer. Variants: GI_EXTENDED (textures, PBR), GI_SPECULAR (some Phong
 // highlights), GI_HEADLIGHT (a single headlight, lit by VTK's shorter formula),
-// GI_POSITIONAL (some positional lights), GI_AMBIENT (some surfaces may have an ambient
+// GI_POSITIONAL (some positional lights), GI_AREA (some spheres, discs or rectangles), GI_AMBIENT (some surfaces may have an ambient
 // term), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (the highlights' reflection of the environment is known
 // separately), GI_LAMP_LIGHT (diffuse light from lights that do not follow the camera is known), GI_INTERREFLECTION
-// (occluders of ambient light reflect it too), GI_COVERAGE (fragments that cover a pixel partly, to be blended),
+// (occluders of ambient light reflect it too), GI_CATCHER (some surfaces show the background), GI_COVERAGE (fragments that cover a pixel partly, to be blended),
 // GI_RADIANCE (write linear radiance instead of the colour for display), GI_LIT (write both).
 #include "shared/view.h"
 #include "shared/light.h"
@@ -16,6 +16,11 @@
 #include "lib/pbr.glsl"
 #include "lib/lights.glsl"
 #include "lib/interreflection.glsl"
+#ifdef GI_AREA
+#include "lib/sampling.glsl"
+#include "lib/area_lights.glsl"
+#include "lib/area_highlights.glsl"
+#endif
 
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
@@ -78,6 +83,12 @@ void main()
   ambient /= albedo.a;
 #endif
   int index = int(packedNormal.z * 65535.0 + 0.5);
+#ifdef GI_CATCHER
+  if (materials[index].Model.x == GI_MATERIAL_CATCHER)
+  {
+    discard;
+  }
+#endif
   float openness = 1.0;
 #ifdef GI_AMBIENT_VISIBILITY
   openness = index == GI_MATERIAL_AS_DRAWN ? 1.0 : texelFetch(ambientVisibility, pixel, 0).r;
@@ -136,6 +147,16 @@ void main()
       GiIncident incident = giIncident(light, P);
       strength *= incident.Attenuation;
       vec3 L = -incident.Travel;
+#ifdef GI_AREA
+      if (giHasArea(light))
+      {
+        float lit = giAreaFacing(light, P, N);
+        gloss += lit > 0.0
+          ? strength * giAreaPBR(light, P, N, V, lit, albedo.rgb, surface.r, surface.b, f0, f90, diffuseShare)
+          : vec3(0.0);
+        continue;
+      }
+#endif
 #endif
       gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90, diffuseShare);
       continue;
@@ -150,7 +171,19 @@ void main()
 #else
     GiIncident incident = giIncident(light, P);
     float facing = max(0.0, incident.Attenuation * dot(N, -incident.Travel));
+#ifdef GI_AREA
+    facing = giHasArea(light) ? incident.Attenuation * giAreaFacing(light, P, N) : facing;
+#endif
     diffuseLight += diffuseShare * facing * strength;
+#if defined(GI_SPECULAR) && defined(GI_AREA)
+    if (giHasArea(light))
+    {
+      gloss += facing > 0.0
+        ? incident.Attenuation * giAreaPhong(light, P, N, V, material.Specular.w) * strength
+        : vec3(0.0);
+      continue;
+    }
+#endif
 #ifdef GI_SPECULAR
     gloss += facing > 0.0
       ? incident.Attenuation * giPhongSpecular(N, incident.Travel, V, material.Specular.w) * strength

@@ -2,3 +2,4 @@
 #include "lib/octahedral.glsl"
 #include "lib/cube_light.glsl"
 #include "lib/spherical_harmonics.glsl"
+#include "lib/luminance.glsl"

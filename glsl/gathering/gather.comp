@@ -12,6 +12,7 @@
 #include "lib/phong.glsl"
 #include "lib/pbr.glsl"
 #include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
 #include "lib/spherical_harmonics.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
@@ -137,16 +138,16 @@ void addLights(vec3 P, vec3 N, inout uint state)
   {
     int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
     LightData light = lights[chosen];
-    GiIncident incident = giIncident(light, P);
-    bool local = light.Kind.x == GI_LIGHT_POSITIONAL;
-    vec3 direction = local ? light.Position.xyz - P : -light.Direction.xyz;
-    vec3 irradiance = light.Color.rgb * (incident.Attenuation * GI_PI * (all ? 1.0 : float(lightCount)));
+    light.Kind.z = 0; // there is no eye
+    RayArrival arrival = rayArrival(light, P, eye, state);
+    vec3 direction = arrival.toward.xyz;
+    vec3 irradiance = light.Color.rgb * (arrival.share * GI_PI * (all ? 1.0 : float(lightCount)));
     bool faces = true;
 #ifdef GI_HEMISPHERE
     faces = dot(N, direction) > 0.0;
 #endif
     if (faces && dot(irradiance, vec3(1.0)) > 0.0 &&
-      !blocked(Ray(P, 0.0, direction, local ? 1.0 : RAY_FAR), state))
+      !blocked(Ray(P, 0.0, direction, arrival.toward.w), state))
     {
       add(N, normalize(direction), irradiance);
     }

@@ -17,6 +17,10 @@ GiIncident giIncident(LightData light, vec3 position)
     float distance = length(path);
     incident.Travel = path / distance;
     vec3 c = light.Attenuation.xyz;
+    if (light.Attenuation.w > 0.0)
+    {
+      distance = sqrt(distance * distance + light.Attenuation.w); // see vtkGILightShape
+    }
     incident.Attenuation = 1.0 / (c.x + c.y * distance + c.z * distance * distance);
     if (light.Color.w > -1.5)
     {

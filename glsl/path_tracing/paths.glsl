@@ -107,8 +107,14 @@ struct Arrival
   bool open;      // nothing can occlude the light
 };
 
-Arrival fromLight(LightData light, GiReflector r, RaySurfacePoint at, bool seen)
+Arrival fromLight(LightData light, GiReflector r, RaySurfacePoint at, bool seen, vec2 u)
 {
+  if (giHasShape(light))
+  {
+    RayArrival arrival = rayArrival(light, at.position, eye, u);
+    return Arrival(light.Color.rgb * (arrival.share * (r.pbr ? 1.0 : GI_PI)) * giReflect(r, arrival.L),
+      arrival.toward, false);
+  }
   // A headlight reaches everything that the eye sees.
   return Arrival(lightReflected(light, r, at.position, seen),
     rayTowardLight(light, at.position, eye), light.Kind.z != 0 && seen);
@@ -164,7 +170,8 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, bool seen, int bounce, inout
     if (i < lightSamples)
     {
       int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
-      arrival = fromLight(lights[chosen], r, at, seen);
+      vec2 u = giSample2D(uint(sampleNumber), seed + uint(bounce * 4 + 3 + chosen * 4096) * 0x9e3779b9u);
+      arrival = fromLight(lights[chosen], r, at, seen, u);
       arrival.reflected *= all ? 1.0 : float(lightCount);
     }
     else if (i < lightSamples + emitterSamples)

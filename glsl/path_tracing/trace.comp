@@ -13,6 +13,7 @@
 #include "lib/phong.glsl"
 #include "lib/pbr.glsl"
 #include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #include "rays/toward_light.glsl"

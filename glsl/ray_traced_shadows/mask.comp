@@ -1,12 +1,15 @@
 #version 430 core
 // Visibility of each light at a pixel, by rays to points of the light. Variants: those of
 // rays/passage.glsl.
+#define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
 #include "rays/trace.glsl"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
+#include "lib/lights.glsl"
 #include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #include "rays/toward_light.glsl"
@@ -24,7 +27,9 @@ uniform vec3 eye;      // relative to the scene's origin
 uniform int lightCount;
 uniform int layerCount;
 uniform int samples;
-uniform vec2 size;     // x: tangent of half the angle of directional lights; y: radius of positional lights
+uniform vec2 size;     // of lights without a shape: tangent of half the angle, or radius of positional ones
+
+const int CANDIDATES = 16; // points of a light of which each ray chooses one
 
 const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
 const float REACH = 1e-3;         // half length of the ray that looks for the surface, as a share of the distance
@@ -62,11 +67,40 @@ RaySurfacePoint surfaceAt(ivec2 window)
   return at;
 }
 
+// Share of the light of a light with a shape that arrives. Each point counts as much as it contributes to the
+// irradiance: a ray goes to one of several points, chosen with that probability (Talbot, Cline and Egbert 2005,
+// "Importance Resampling for Global Illumination").
+float shapeVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint state)
+{
+  bool local = light.Kind.x == GI_LIGHT_POSITIONAL;
+  float open = 0.0;
+  for (int i = 0; i < samples; ++i)
+  {
+    float sum = 0.0;
+    vec3 chosen = vec3(0.0);
+    for (int k = 0; k < CANDIDATES; ++k)
+    {
+      uint number = uint((view.Frame.x * samples + i) * CANDIDATES + k);
+      vec4 point = giLightPoint(light, at.position, giSample2D(number, seed));
+      float weight = point.w * max(dot(at.normal, normalize(point.xyz)), 0.0);
+      sum += weight;
+      chosen = giRandom(state) * sum < weight ? point.xyz : chosen;
+    }
+    open += sum > 0.0 && rayReaches(vec4(chosen, local ? 1.0 : RAY_FAR), at, state) ? 1.0 : 0.0;
+  }
+  return open / float(samples);
+}
+
 float lightVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint state)
 {
+  if (giHasShape(light))
+  {
+    return shapeVisibility(light, at, seed, state);
+  }
   vec4 toward = rayTowardLight(light, at.position, eye);
   mat3 across = giBasis(normalize(toward.xyz));
   float radius = toward.w <= 1.0 ? size.y : size.x;
+  radius = light.Side.w > 0.5 ? 0.0 : radius; // a point
   int count = radius > 0.0 ? samples : 1;
   float open = 0.0;
   for (int i = 0; i < count; ++i)

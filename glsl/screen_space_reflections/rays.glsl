@@ -1,7 +1,7 @@
 // Radiance along a ray through the scene, for reflections that the screen does not show: the direct light on the
 // surface that the ray hits and, if the environment lights PBR surfaces, one sample of the environment, unshadowed as
 // in VTK. Variants: GI_RAY_SKY (the environment shines), and those of rays/passage.glsl. Needs shared/light.h,
-// lib/lights.glsl with GI_POSITIONAL, lib/phong.glsl, rays/passage.glsl, path_tracing/reflection.glsl.
+// lib/lights.glsl with GI_POSITIONAL, lib/light_points.glsl, lib/phong.glsl, rays/passage.glsl, path_tracing/reflection.glsl.
 #ifdef GI_RAY_SKY
 #include "rays/sky.glsl"
 #endif
@@ -12,13 +12,13 @@ uniform float lampShare;   // share of the lights' strength that is not spread o
 uniform vec3 ambientLight; // radiance that a white diffuse surface reflects from the rest
 
 // Only lights that cast shadows in the picture cast shadows here.
-bool isUnoccluded(LightData light, RaySurfacePoint at, inout uint state)
+bool isUnoccluded(LightData light, vec4 toward, RaySurfacePoint at, inout uint state)
 {
   if (light.Kind.y < 0)
   {
     return true;
   }
-  return rayReaches(rayTowardLight(light, at.position, eye), at, state);
+  return rayReaches(toward, at, state);
 }
 
 // Returns false if the ray hits nothing. P, N, L: in view coordinates.
@@ -44,10 +44,10 @@ bool rayRadiance(vec3 P, vec3 N, vec3 L, inout uint state, out vec3 radiance)
   radiance += ambientLight * (r.pbr ? (1.0 - r.metallic) * r.occlusion / GI_PI : 1.0) * r.albedo;
   for (int i = 0; i < lightCount; ++i)
   {
-    GiIncident incident = giIncident(lights[i], at.position);
-    vec3 reflected = lights[i].Color.rgb * incident.Attenuation * (r.pbr ? 1.0 : GI_PI) *
-      giReflectPointLight(r, -incident.Travel);
-    if (dot(reflected, vec3(1.0)) > 0.0 && isUnoccluded(lights[i], at, state))
+    RayArrival arrival = rayArrival(lights[i], at.position, eye, state);
+    vec3 reflected = lights[i].Color.rgb * arrival.share * (r.pbr ? 1.0 : GI_PI) *
+      giReflectPointLight(r, arrival.L);
+    if (dot(reflected, vec3(1.0)) > 0.0 && isUnoccluded(lights[i], arrival.toward, at, state))
     {
       radiance += lampShare * reflected;
     }

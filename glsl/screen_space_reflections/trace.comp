@@ -16,6 +16,7 @@
 #include "shared/light.h"
 #include "lib/lights.glsl"
 #include "lib/phong.glsl"
+#include "lib/light_points.glsl"
 #include "rays/trace.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"

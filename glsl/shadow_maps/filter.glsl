@@ -1,6 +1,7 @@
 // Visibility of a light, averaged over a disc in the receiver's plane. Needs
 // shadow_maps/sheet.glsl and lib/noise.glsl. Variants (software renderers also execute branches that are
-// not taken): GI_CUBE (some light has six maps), GI_SOFT (some light has a size).
+// not taken): GI_CUBE (some light has six maps), GI_SOFT (some light has a size), GI_FLAT (some light is a disc or a
+// rectangle).
 uniform int filterSamples;
 uniform int blockerSamples;
 uniform int penumbraSamples;
@@ -32,6 +33,9 @@ struct GiReceiver
   vec2 rise;      // additional rise of U and V toward the light in the plane of the surrounding facets
   float texel;    // width of a shadow-map texel at P, in world units
   float pixel;    // width of a pixel at P, in world units
+#ifdef GI_FLAT
+  mat2 across;    // a flat light's outline across the direction to it, in units of its longer side
+#endif
 };
 
 // Atlas position of a point of the disc. On a cube it may lie on another face, whose sheet is then returned.
@@ -51,14 +55,38 @@ vec3 giTap(ShadowLightData light, GiReceiver receiver, vec2 offset, inout GiShee
   return at;
 }
 
-float giFiltered(ShadowLightData light, GiReceiver receiver, GiSheet sheet, float radius, int samples,
+// A point of the kernel, in units of its radius, for a point of the unit disc. The kernel of a flat light has its
+// outline, but is at least `least` wide.
+vec2 giKernel(ShadowLightData light, GiReceiver receiver, vec2 p, float least)
+{
+#ifdef GI_FLAT
+  if (light.Size.y > float(GI_OUTLINE_ELLIPSE) + 0.5)
+  {
+    // The disc's radii become the radii of squares: Shirley and Chiu 1997, "A Low Distortion Map Between Disk and
+    // Square", inverted.
+    vec2 a = abs(p);
+    float r = length(p);
+    float turn = 4.0 / 3.14159265 * atan(min(a.x, a.y), max(max(a.x, a.y), 1e-9));
+    p = sign(p) * (a.x > a.y ? vec2(r, r * turn) : vec2(r * turn, r));
+  }
+  vec2 side = receiver.across[0];
+  vec2 up = receiver.across[1];
+  return p.x * side * max(1.0, least * inversesqrt(max(dot(side, side), 1e-12))) +
+    p.y * up * max(1.0, least * inversesqrt(max(dot(up, up), 1e-12)));
+#else
+  return p;
+#endif
+}
+
+float giFiltered(ShadowLightData light, GiReceiver receiver, GiSheet sheet, float radius, float least, int samples,
   float angle)
 {
   float sum = 0.0;
   for (int i = 0; i < samples; ++i)
   {
     GiSheet tapSheet = sheet;
-    vec3 at = giTap(light, receiver, radius * giVogelDisc(i, samples, angle), tapSheet);
+    vec3 at = giTap(light, receiver,
+      radius * giKernel(light, receiver, giVogelDisc(i, samples, angle), least), tapSheet);
     sum += giLitShare(tapSheet, at);
   }
   return sum / float(samples);
@@ -94,7 +122,7 @@ float giMeanPenumbra(ShadowLightData light, GiReceiver receiver, GiSheet sheet, 
     float radius = maximumWidth * (float(i) + 0.5) / float(blockerSamples);
     float turn = float(i) * 2.39996323 + angle;
     GiSheet tapSheet = sheet;
-    vec3 at = giTap(light, receiver, radius * vec2(cos(turn), sin(turn)), tapSheet);
+    vec3 at = giTap(light, receiver, radius * giKernel(light, receiver, vec2(cos(turn), sin(turn)), 0.0), tapSheet);
     vec2 depths = giMapAndPlaneDepth(tapSheet, at);
     float spread = depths.x < depths.y ? giPenumbraWidth(light, tapSheet.map, depths) : 0.0;
     if (spread > radius)
@@ -112,13 +140,15 @@ float giMapVisibility(ShadowLightData light, GiReceiver receiver, int map, float
   GiSheet sheet = giSheet(map, receiver.P, receiver.U, receiver.V, receiver.L, receiver.rise);
   float radius = max(filterRadius * receiver.texel, pixelRadius * receiver.pixel);
   int samples = filterSamples;
+  float least = 1.0;
 #ifdef GI_SOFT
   float penumbra = light.Size.x > 0.0 ? giMeanPenumbra(light, receiver, sheet, angle) : -1.0;
   if (penumbra > radius)
   {
+    least = radius / penumbra;
     radius = penumbra;
     samples = penumbraSamples;
   }
 #endif
-  return giFiltered(light, receiver, sheet, radius, samples, angle);
+  return giFiltered(light, receiver, sheet, radius, least, samples, angle);
 }

@@ -54,6 +54,11 @@ GiReceiver giMakeReceiver(ShadowLightData light, GiShadowed surface, vec3 L, flo
   receiver.U = U - L * slide.x;
   receiver.V = V - L * slide.y;
   receiver.L = L;
+#ifdef GI_FLAT
+  receiver.across = light.Size.y > float(GI_OUTLINE_ROUND) + 0.5
+    ? mat2(dot(light.Side.xyz, U), dot(light.Side.xyz, V), dot(light.Up.xyz, U), dot(light.Up.xyz, V))
+    : mat2(1.0);
+#endif
   // The shading normal is the mean of the surrounding facets. The facet beyond the nearest edge thus leans as far to
   // its other side.
   vec3 around = giTurnedToLight(reflect(-surface.facet, surface.N), surface.N, L, GiSmallestAround);

@@ -13,10 +13,11 @@ using ivec4 = glm::ivec4;
 #endif
 
 // Reflection models. AS_DRAWN keeps VTK's own colour, for unlit primitives and for materials that the G-buffer cannot
-// represent (anisotropy, clear coat).
+// represent (anisotropy, clear coat). CATCHER has no colour of its own: the background shows, darkened by shadows.
 #define GI_MATERIAL_AS_DRAWN 0
 #define GI_MATERIAL_PHONG 1
 #define GI_MATERIAL_PBR 2
+#define GI_MATERIAL_CATCHER 4 // 3 is that of unlit surfaces for rays
 
 struct MaterialData
 {

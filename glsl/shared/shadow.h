@@ -18,6 +18,11 @@ using ivec4 = glm::ivec4;
 #define GI_SHADOW_CUBE 1     // six maps, in the order +x -x +y -y +z -z
 #define GI_SHADOW_CASCADES 2 // nearest cascade first
 
+// Outlines of lights.
+#define GI_OUTLINE_ROUND 0   // from all sides
+#define GI_OUTLINE_ELLIPSE 1 // a disc, from the side
+#define GI_OUTLINE_PARALLELOGRAM 2
+
 struct ShadowMapData
 {
   mat4 ViewToMap; // from view coordinates to atlas coordinates and depth, all in [0, 1], before division by w
@@ -31,13 +36,16 @@ struct ShadowLightData
   vec4 Direction; // xyz: direction in which a directional light travels, in view coordinates
   vec4 Position;  // xyz: position of a positional light, in view coordinates; w: 1 if positional
   vec4 Ends;      // distances from the eye at which cascades end
-  vec4 Size;      // x: radius of a positional light; tangent of half the angle of a directional one
+  vec4 Size;      // x: radius of a positional light, or the longest of Side and Up; tangent of half the angle of a
+                  // directional one; y: GI_OUTLINE_...
+  vec4 Side;      // xyz: from a flat light's centre to its side, in units of Size.x, in view coordinates
+  vec4 Up;
   ivec4 Maps;     // x: first map; y: number of maps; z: GI_SHADOW_...
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(ShadowMapData) == 6 * 16, "std430 layout");
-static_assert(sizeof(ShadowLightData) == 5 * 16, "std430 layout");
+static_assert(sizeof(ShadowLightData) == 7 * 16, "std430 layout");
 }
 }
 #else

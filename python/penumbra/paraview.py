@@ -16,7 +16,7 @@ from paraview import servermanager, simple
 from .passes import _apply, _load_look, _names, presets
 from .vtkRenderingGI import vtkGIPass
 
-__all__ = ["enable", "disable", "bake_probes", "load", "settings"]
+__all__ = ["enable", "disable", "bake_probes", "load", "settings", "shape_light"]
 
 _GROUP = "global_illumination"
 
@@ -146,6 +146,50 @@ def bake_probes(view=None, file="", probes=1024, samples=256):
         raise RuntimeError(problem)
     _set(proxy, "GISHProbes", 1)
     proxy.SMProxy.UpdateVTKObjects()
+
+
+def shape_light(light, angle=None, radius=None, disc=None, rectangle=None, turn=0.0):
+    """Give one of ParaView's lights a size, for soft shadows and broad light: see vtkGILightShape.
+
+    angle: angular diameter of a directional light in degrees. radius, disc: radius of a positional light that is a
+    sphere or a disc, in world units. rectangle: its width and height. turn: rotation of the rectangle in degrees.
+    Without any of them the light has no shape of its own again. Returns the proxy that holds the shape: its properties
+    are Shape, Angle, Radius, Size and Turn.
+
+        lamp = AddLight(view=view)
+        shape_light(lamp, rectangle=(2, 1))
+
+    A size that is negative or not finite raises ValueError and changes nothing.
+    """
+    if not light.SMProxy.IsA("vtkSMLightProxy") and light.SMProxy.GetXMLName() != "Light":
+        raise TypeError(f"only lights that AddLight() makes have a shape, not a {light.SMProxy.GetXMLLabel()}")
+    sizes = [("angle", angle), ("radius", radius), ("disc", disc), ("rectangle", rectangle)]
+    given = [(name, value) for name, value in sizes if value is not None]
+    if len(given) > 1:
+        raise ValueError(f"a light has one shape, not {' and '.join(name for name, _ in given)}")
+    values = [float(value) for _, size in given for value in (size if hasattr(size, "__len__") else [size])]
+    if len(values) != (2 if rectangle is not None else len(given)):
+        raise ValueError("a rectangle has a width and a height, and other shapes have one number")
+    if not all(0.0 <= value < 1e15 for value in values) or not abs(turn) < float("inf") or (angle or 0) > 90:
+        raise ValueError("the size of a light must be positive and finite, and an angle at most 90 degrees")
+    if not _is_loaded():
+        load()
+    manager = servermanager.ProxyManager().SMProxyManager
+    name = f"LightShape{light.GetGlobalID()}"
+    found = manager.GetProxy(_GROUP, name)
+    if found is None:
+        found = manager.NewProxy(_GROUP, "LightShape")
+        found.GetProperty("Light").AddProxy(light.SMProxy)
+        manager.RegisterProxy(_GROUP, name, found)
+    proxy = servermanager._getPyProxy(found)
+    shape = {"angle": 2, "radius": 3, "disc": 4, "rectangle": 5}[given[0][0]] if given else 0
+    target = {"angle": "Angle", "rectangle": "Size"}.get(given[0][0], "Radius") if given else None
+    for index, value in enumerate(values):
+        found.GetProperty(target).SetElement(index, value)
+    _set(proxy, "Turn", float(turn))
+    _set(proxy, "Shape", shape)
+    found.UpdateVTKObjects()
+    return proxy
 
 
 def _set(proxy, name, value):

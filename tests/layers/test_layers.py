@@ -10,8 +10,8 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Rooms from bottom to top. Subfolders of a room belong to it. Rooms in one tuple do not include each other.
-MODULE = (("base",), ("gpu",), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique",), ("pass",),
-          ("bake",), ("probes",), ("techniques/*",), ("looks",))
+MODULE = (("base",), ("gpu", "sky"), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique",), ("pass",),
+          ("bake",), ("probes", "shadows"), ("techniques/*",), ("looks",))
 TOOL = (("common",), ("image",), ("scene/model",), ("scene/readers",), ("scene/build",), ("scene/file",),
         ("bake/*",), ("console",), ("commands",))
 MOST_FILES = 30  # per folder

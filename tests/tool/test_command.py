@@ -89,6 +89,76 @@ class Rendered(command.CommandTest):
         measured = self.compare("mirror.exr", "sky.exr")
         self.assertLess(measured["maximum"], 0.15, measured)  # the mirror turns the picture round
 
+    def test_skies_light_the_scene(self):
+        """A white ball in a uniform sky of radiance 0.5 vanishes in it; the others light it from where they say."""
+        ball = {"sphere": {}, "material": {"color": [0.8, 0.8, 0.8]}}
+        camera = {"position": [0, 0, 5], "focal": [0, 0, 0], "angle": 8}
+        scene = {"size": [16, 16], "objects": [ball], "camera": camera, "lights": []}
+        path = ("--preset", "reference", "--spp", 16)
+        plain = {"sky": "uniform", "color": [0.5, 0.5, 0.5], "visible": True}
+        self.succeeds("render", self.scene({**scene, "environment": plain}), *path, "-o", "sky.exr")
+        gray = {"sky": "uniform", "color": [0.4, 0.4, 0.4], "visible": True}
+        white = {"sphere": {}, "material": {"color": [1, 1, 1]}}
+        self.succeeds("render", self.scene({**scene, "objects": [white], "environment": gray}), *path, "-o", "gray.exr")
+        difference = self.compare("sky.exr", "gray.exr")
+        self.assertAlmostEqual(difference["maximum"], 0.1, delta=0.01)  # the backgrounds, while the balls are equal
+        box = {"elevation": 0, "azimuth": -90, "width": 30, "height": 30, "radiance": 20, "softness": 0}
+        pictures = {}
+        for name, azimuth in (("left", -90), ("right", 90)):
+            studio = {"sky": "gradient", "strength": 0.1, "follow-camera": True, "boxes": [{**box, "azimuth": azimuth}]}
+            self.succeeds("render", self.scene({**scene, "environment": studio, "background": "black"}), *path,
+                          "-o", f"{name}.png")
+            with Image.open(self.folder / f"{name}.png") as picture:
+                pictures[name] = (sum(picture.getpixel((5, 8))), sum(picture.getpixel((10, 8))))
+        self.assertGreater(pictures["left"][0], pictures["left"][1] + 60)
+        self.assertGreater(pictures["right"][1], pictures["right"][0] + 60)
+        # The sun replaces the default lights.
+        noon = {"sky": "daylight", "sun": {"latitude": 0, "longitude": 0, "time": "2026-03-20T12:00Z"}}
+        for name, lights in (("sun", {}), ("none", {"lights": []}), ("more", {"lights": [{"type": "head"}]})):
+            described = {"size": [16, 16], "objects": [ball], "environment": noon, **lights}
+            self.succeeds("render", self.scene(described), "--preset", "off", "-o", f"{name}.png")
+        self.assertEqual(self.compare("sun.png", "none.png")["maximum"], 0)
+        self.assertGreater(self.compare("sun.png", "more.png")["maximum"], 0.1)
+
+    def test_data_stands_upright_and_fills_the_picture(self):
+        """Terrains stand along z whatever their format; shapes along y; results along z. Margins are five percent."""
+        def mesh(name, point, arrays=""):
+            side = 12
+            points = [point(i / (side - 1), j / (side - 1)) for j in range(side) for i in range(side)]
+            faces = [(j * side + i, j * side + i + 1, (j + 1) * side + i + 1, (j + 1) * side + i)
+                     for j in range(side - 1) for i in range(side - 1)]
+            flat = " ".join(str(value) for p in points for value in p)
+            (self.folder / name).write_text(
+                '<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>'
+                f'<Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(faces)}"><PointData>{arrays}</PointData><Points>'
+                f'<DataArray type="Float64" NumberOfComponents="3" format="ascii">{flat}</DataArray></Points><Polys>'
+                f'<DataArray type="Int64" Name="connectivity" format="ascii">{" ".join(str(c) for f in faces for c in f)}</DataArray>'
+                f'<DataArray type="Int64" Name="offsets" format="ascii">{" ".join(str(4 * i + 4) for i in range(len(faces)))}</DataArray>'
+                '</Polys></Piece></PolyData></VTKFile>')
+            return name
+
+        def box_of(name):
+            with Image.open(self.folder / name) as picture:
+                return picture.convert("L").point(lambda value: 255 * (value > 0)).getbbox()
+        hill = mesh("hill.vtp", lambda u, v: (u, v, 0.2 * math.sin(3 * u) * math.sin(3 * v)))
+        upright = mesh("upright.vtp", lambda u, v: (u, 0.2 * math.sin(3 * u) * math.sin(3 * v), -v))
+        heat = '<DataArray type="Float64" Name="heat" format="ascii">' + "0 " * 144 + "</DataArray>"
+        pole = (lambda axis: lambda u, v: tuple([0.2 * math.cos(6.28 * u), 0.2 * math.sin(6.28 * u)][:axis] + [2 * v] +
+                                                [0.2 * math.cos(6.28 * u), 0.2 * math.sin(6.28 * u)][axis:]))
+        plain = ("--preset", "off", "--size", "160x120", "--frames", 1, "--background", "black", "--light", "head",
+                 "--color", "white")
+        for name, note, options, tall in ((hill, "stands along z", (), False), (upright, "stands along y", (), False),
+                                          (mesh("shape.vtp", pole(1)), None, (), True),
+                                          (mesh("result.vtp", pole(2), heat), "stands along z", (), True),
+                                          (mesh("lying.vtp", pole(2)), None, ("--camera", "up=0,0,1"), True)):
+            self.succeeds("render", name, *plain, *options, "-o", "up.png", notes=[note] if note else [])
+            left, top, right, bottom = box_of("up.png")
+            self.assertEqual(bottom - top > 2 * (right - left), tall, name)
+            share = max((right - left) / 160, (bottom - top) / 120)
+            self.assertTrue(0.88 <= share <= 0.94, f"{name}: {share}")
+            self.assertLess(abs(left - (160 - right)), 5, name)
+            self.assertLess(abs(top - (120 - bottom)), 5, name)
+
     def test_pictures_of_normals(self):
         """Faces of any number of corners show them; what has no texture coordinates is told."""
         Image.new("RGB", (4, 4), (128, 128, 255)).save(self.folder / "even.png")

@@ -213,6 +213,14 @@ class Wishes(Hostile):
                 ({"objects": [{"sphere": {"radius": -1}}]}, "radius"),
                 ({"objects": [{"sphere": {"resolution": 10 ** 9}}]}, "resolution"),
                 ({"objects": [{"file": "absent.vtp"}]}, "absent.vtp"),
+                (command.box(environment={}), "'file' and 'sky'"),
+                (command.box(environment={"sky": "daylihgt"}), "did you mean 'daylight'"),
+                (command.box(environment={"sky": "uniform", "zenith": "red"}), "'zenith'"),
+                (command.box(environment={"sky": "daylight", "turbidity": 0}), "at least 1"),
+                (command.box(environment={"sky": "daylight", "sun": {"time": "2026-06-21T12:00Z"}}), "together"),
+                (command.box(environment={"sky": "daylight", "sun": {"latitude": 0, "longitude": 0, "time": "noon"}}),
+                 "'noon'"),
+                (command.box(environment={"sky": "uniform", "boxes": [{"width": 0}]}), "'width' of box 1"),
                 ({"objects": [{"box": {}, "material": {"opacity": "thick"}}]}, "opacity")):
             with self.subTest(says):
                 self.render_refused(self.scene(described), says=says)

@@ -3,7 +3,7 @@
 // Shadow cascades: fine near the camera, stable while it moves, and complete.
 #include "graph/View.h"
 #include "light/LightTable.h"
-#include "techniques/shadow_maps/ShadowAtlas.h"
+#include "shadows/ShadowAtlas.h"
 #include "techniques/shadow_maps/ShadowCascades.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The views of a light contain all occluders.
 #include "light/LightTable.h"
-#include "techniques/shadow_maps/ShadowViews.h"
+#include "shadows/ShadowViews.h"
 
 namespace
 {

@@ -55,7 +55,7 @@ void DeclareAppearance(CLI::App& command, RenderOptions& options)
   group.Add("--light", options.Lights,
     "a light, may be repeated: key:azimuth=-40,elevation=50,intensity=1 (follows the camera), "
     "head, "
-    "directional:X,Y,Z, point:X,Y,Z, cone:X,Y,Z,target=X,Y,Z,angle=25");
+    "directional:X,Y,Z,angle=0.53, point:X,Y,Z,disc=1, cone:X,Y,Z,target=X,Y,Z,angle=25");
   group.Add("--camera", options.Camera,
     "azimuth=30,elevation=20,zoom=1.2,roll=0,parallel, or "
     "position=X,Y,Z,focal=X,Y,Z,up=X,Y,Z,angle=30");

@@ -203,7 +203,7 @@ Scene MakeScene(const RenderOptions& options)
   }
   if (!options.Environment.empty())
   {
-    scene.Environment = EnvironmentMap{ options.Environment, false };
+    scene.Environment = EnvironmentMap{ options.Environment, nullptr, false };
   }
   if (options.ShowEnvironment)
   {
@@ -212,6 +212,10 @@ Scene MakeScene(const RenderOptions& options)
       FailUsage("--show-env needs an environment: give --env FILE");
     }
     scene.Environment->Visible = true;
+    if (scene.Environment->Sky)
+    {
+      scene.Environment->Sky->VisibleOn();
+    }
   }
   if (!options.Background.empty())
   {

@@ -8,6 +8,7 @@
 #include "rays/RayPart.h"
 #include "rays/TexturePixels.h"
 
+#include "vtkGILightShape.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
@@ -186,6 +187,14 @@ void BakedScene::AddLights(vtkRenderer* renderer, std::vector<Entry>& entries)
     {
       const double* attenuation = light->GetAttenuationValues();
       entry.Values[2].insert(entry.Values[2].end(), attenuation, attenuation + 3);
+    }
+    const int shape = vtkGILightShape::GetShape(light);
+    if (shape > vtkGILightShape::POINT)
+    {
+      entry.Values[2].insert(entry.Values[2].end(),
+        { double(shape), vtkGILightShape::GetAngle(light), vtkGILightShape::GetRadius(light),
+          vtkGILightShape::GetWidth(light), vtkGILightShape::GetHeight(light),
+          vtkGILightShape::GetTurn(light) });
     }
     entries.push_back(entry);
   }

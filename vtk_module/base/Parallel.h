@@ -13,12 +13,11 @@
 
 namespace penumbra
 {
-/// Call body(begin, end) on parts of [0, count), in several threads if that pays off.
+/// Call body(begin, end) on parts of [0, count), in several threads if that pays off. grain: number of elements that are
+/// worth a thread; starting one costs as much as some ten thousand simple steps.
 template <typename Body>
-void ParallelFor(std::size_t count, const Body& body)
+void ParallelFor(std::size_t count, const Body& body, std::size_t grain = 65536)
 {
-  // Starting a thread costs as much as some ten thousand simple steps.
-  constexpr std::size_t grain = 65536;
   // Asking the system for the number of processors takes longer than a loop of a small count.
   static const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(processors, (count + grain - 1) / grain);

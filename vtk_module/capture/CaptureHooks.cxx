@@ -219,6 +219,10 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   {
     program->SetUniformi("giParallel", this->Parallel ? 1 : 0);
   }
+  if (program->IsUniformUsed("giDepthWindow"))
+  {
+    program->SetUniform2f("giDepthWindow", &this->DepthWindow[0]);
+  }
   if (program->IsUniformUsed("giCasts"))
   {
     program->SetUniformi("giCasts", this->Casting ? 1 : 0);

@@ -41,6 +41,9 @@ public:
   /// Set the kind of projection of the following draws, regardless of the active camera's.
   void SetParallel(bool parallel) { this->Parallel = parallel; }
 
+  /// Set the window depths outside of which nothing is drawn, see View::DepthWindow.
+  void SetDepthWindow(const glm::vec2& window) { this->DepthWindow = window; }
+
   /// Set whether the following draws write the depth of occluders to a shadow map. anchor: texel in which the pattern
   /// of thresholds for partial coverage starts (see glsl/capture/coverage.glsl).
   void SetCasting(bool casting, const glm::ivec2& anchor);
@@ -86,6 +89,7 @@ private:
   const penumbra::ShaderLibrary* Shaders = nullptr;
   penumbra::CaptureOutputs Outputs;
   bool Parallel = false;
+  glm::vec2 DepthWindow{ 0.0f, 1.0f };
   bool Casting = false;
   glm::ivec2 Anchor{ 0 };
   int Layer = 0;

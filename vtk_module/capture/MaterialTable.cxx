@@ -12,6 +12,14 @@ void MaterialTable::Clear()
   this->Index.clear();
   this->Specular = false;
   this->PartialCoverage = false;
+  this->Catcher = false;
+}
+
+int MaterialTable::Add(const shared::MaterialData& material)
+{
+  this->Catcher |= material.Model.x == GI_MATERIAL_CATCHER;
+  this->Entries.push_back(material);
+  return static_cast<int>(this->Entries.size()) - 1;
 }
 
 int MaterialTable::Find(vtkProperty* property, const Owner& owner)

@@ -35,6 +35,12 @@ public:
   /// 65535 different ones in a frame share the last entry.
   int Find(vtkProperty* property, const Owner& owner);
 
+  /// Index of a new entry for a surface that is no prop.
+  int Add(const shared::MaterialData& material);
+
+  /// Whether a surface shows the background, see GI_MATERIAL_CATCHER.
+  bool HasCatcher() const { return this->Catcher; }
+
   bool HasSpecular() const { return this->Specular; }
 
   /// Whether fragments that are drawn as opaque may cover a pixel partly, by the alpha of a texture or of
@@ -53,6 +59,7 @@ private:
   std::map<std::array<float, 8>, int> Index;
   bool Specular = false;
   bool PartialCoverage = false;
+  bool Catcher = false;
   Buffer Storage;
 };
 }

@@ -47,6 +47,7 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Others.clear();
   this->SkyProps.clear();
   this->CasterProps.clear();
+  this->Surfaces.clear();
   this->Table.Clear();
   this->SetMotion(nullptr);
   bool extended = false;
@@ -191,6 +192,7 @@ void SceneCapture::Draw(FrameContext& context)
   }
   const View& view = context.GetView();
   this->Hooks->SetParallel(view.Parallel);
+  this->Hooks->SetDepthWindow(glm::vec2(view.DepthWindow));
   CameraOverride camera(context.Renderer(), view.WorldToView, view.ViewToClip);
   this->CapturedPropCount = this->DrawProps(context.Renderer(), this->Captured, false);
   this->Table.Upload();
@@ -202,6 +204,26 @@ void SceneCapture::Draw(FrameContext& context)
   // A depth buffer must not be bound and read at the same time. Techniques test against the original and read the
   // copy.
   context.CopyDepth(context.Output(resource::Depth), context.Output(resource::DepthCopy));
+  if (this->HasSurfaces())
+  {
+    this->DrawSurfaces(context);
+  }
+}
+
+void SceneCapture::DrawSurfaces(FrameContext& context)
+{
+  ScopedState scope(context.State());
+  context.BindTarget(this->Outputs.Resources(), resource::Depth);
+  scope.Set(GL_BLEND, false);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_ALWAYS);
+  scope.DepthMask(true);
+  for (const Surface& surface : this->Surfaces)
+  {
+    context.DrawBound(surface.Shader, this->Outputs.ShaderDefines(),
+      Arguments(surface.Given).Sample("depthTexture", context.Output(resource::DepthCopy)));
+    context.CopyDepth(context.Output(resource::Depth), context.Output(resource::DepthCopy));
+  }
 }
 
 int SceneCapture::DrawProps(
@@ -244,6 +266,7 @@ void SceneCapture::DrawCasters(vtkOpenGLRenderer* renderer, const glm::dmat4& wo
   CameraOverride camera(renderer, worldToView, viewToClip);
   this->Hooks->SetParallel(parallel);
   this->Hooks->SetCasting(true, anchor);
+  this->Hooks->SetDepthWindow({ 0.0f, 1.0f });
   const ScopeExit capture([&] { this->Hooks->SetCasting(false, anchor); });
   this->DrawProps(renderer, this->CasterProps, true);
 }

@@ -60,6 +60,15 @@ public:
   /// Whether any occluder may cover pixels only partly.
   bool CastsPartialShadows() const;
 
+  /// Have a surface that is no prop drawn into the G-buffer after the props, at the depth that its fragment shader
+  /// writes. The shader reads the props' depth as depthTexture, and discards what they hide. Its outputs are numbered as
+  /// in capture/declarations.glsl, those on request by macros. VTK's own depth buffer must not be drawn to then.
+  void AddSurface(const std::string& shader, const Arguments& arguments)
+  {
+    this->Surfaces.push_back({ shader, arguments });
+  }
+  bool HasSurfaces() const { return !this->Surfaces.empty(); }
+
   /// Add the pass that writes the G-buffer.
   void Contribute(Frame& frame);
 
@@ -81,8 +90,14 @@ public:
   int CapturedProps() const { return this->CapturedPropCount; }
 
 private:
+  struct Surface
+  {
+    std::string Shader;
+    Arguments Given;
+  };
   bool MayHaveAmbient() const;
   void Draw(FrameContext& context);
+  void DrawSurfaces(FrameContext& context);
   /// Draw the props' opaque geometry with the hooks, and optionally the translucent geometry.
   int DrawProps(vtkOpenGLRenderer* renderer, std::vector<vtkProp*>& props, bool translucent);
 
@@ -92,6 +107,7 @@ private:
   std::vector<vtkProp*> Others;
   std::vector<vtkProp*> SkyProps;
   std::vector<vtkProp*> CasterProps;
+  std::vector<Surface> Surfaces;
   CaptureOutputs Outputs;
   MotionTable* Motion = nullptr; ///< of this frame's view, if motion is requested
   bool HasEnvironment = false;   ///< whether images light PBR materials

@@ -78,6 +78,11 @@ Arguments& Arguments::Set(const std::string& name, const std::vector<glm::vec3>&
   return this->Put(name, GL_FLOAT_VEC3, values.data(), values.size());
 }
 
+Arguments& Arguments::Set(const std::string& name, const std::vector<glm::vec4>& values)
+{
+  return this->Put(name, GL_FLOAT_VEC4, values.data(), values.size());
+}
+
 Arguments& Arguments::Set(const std::string& name, const std::vector<glm::ivec2>& values)
 {
   return this->Put(name, GL_INT_VEC2, values.data(), values.size());

@@ -42,6 +42,7 @@ public:
   /// Set the first elements of an array.
   Arguments& Set(const std::string& name, const std::vector<int>& values);
   Arguments& Set(const std::string& name, const std::vector<glm::vec3>& values);
+  Arguments& Set(const std::string& name, const std::vector<glm::vec4>& values);
   Arguments& Set(const std::string& name, const std::vector<glm::ivec2>& values);
   Arguments& Set(const std::string& name, const std::vector<glm::ivec3>& values);
 

@@ -59,6 +59,9 @@ public:
   /// whether it was not written before.
   const Texture& Keep(const std::string& name, const TextureDesc& desc, bool& fresh) const;
 
+  /// Copy the viewport's part of the window's colours to an output.
+  void CopyWindow(const char* output) const;
+
   /// Copy the viewport's part of a depth texture to another of the same format.
   void CopyDepth(const Texture* from, const Texture* to) const;
 

@@ -213,6 +213,17 @@ void FrameContext::BindTarget(const std::vector<Attachment>& colors, const Attac
     GL_FRAMEBUFFER, this->Executor->Pool.Framebuffer(colors, depth));
 }
 
+void FrameContext::CopyWindow(const char* output) const
+{
+  this->State()->PushFramebufferBindings();
+  this->BindTarget({ output });
+  this->State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, this->Executor->Window.Framebuffer);
+  const glm::ivec4& area = this->GetView().Viewport;
+  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
+    area.x + area.z, area.y + area.w, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  this->State()->PopFramebufferBindings();
+}
+
 void FrameContext::CopyDepth(const Texture* from, const Texture* to) const
 {
   ResourcePool& pool = this->Executor->Pool;

@@ -32,6 +32,8 @@ constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 /// A skybox behind everything, if there is one. rgb: output of its shader, unclamped; a: 1 if rgb is encoded for
 /// display.
 constexpr const char* Sky = "sky";
+constexpr const char* Backdrop =
+  "backdrop"; ///< the window before the frame: background, lower layers
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; on request only
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, encoded for display
@@ -49,8 +51,8 @@ inline std::string SamplerOf(const std::string& resource)
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
     { Irradiance, "irradianceTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
-    { LitRadiance, "litTexture" }, { Reflection, "reflectionTexture" }, { Color, "colorTexture" },
-    { Radiance, "colorTexture" } };
+    { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" },
+    { Reflection, "reflectionTexture" }, { Color, "colorTexture" }, { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
 }

@@ -35,7 +35,10 @@ struct View
   std::array<double, 6> Bounds{ { 1, -1, 1, -1, 1,
     -1 } };              ///< of all visible props, in world coordinates
   double Diagonal = 0.0; ///< of Bounds
-  int StillFrames = 0;   ///< number of frames since the scene last changed, without this one
+  std::array<double, 6> SurfaceBounds{ { 1, -1, 1, -1, 1, -1 } }; ///< of surfaces that are no props
+  /// Window depths of the camera's clipping planes. Others than 0 and 1 where a technique looks beyond them.
+  glm::dvec2 DepthWindow{ 0.0, 1.0 };
+  int StillFrames = 0; ///< number of frames since the scene last changed, without this one
   int FrameNumber = 0;
   int FirstFrame = 0;       ///< number of the frame with which averages over frames began
   bool StandsAlone = false; ///< whether the picture must not use results of earlier frames

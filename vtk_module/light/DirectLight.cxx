@@ -10,20 +10,6 @@ namespace penumbra
 {
 namespace
 {
-// Start the picture with the current content of the window: background and lower layers.
-void CopyWindow(FrameContext& context, const char* target)
-{
-  context.State()->PushFramebufferBindings();
-  GLint window = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &window);
-  context.BindTarget({ target });
-  context.State()->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(window));
-  const glm::ivec4& area = context.GetView().Viewport;
-  glBlitFramebuffer(area.x, area.y, area.x + area.z, area.y + area.w, area.x, area.y,
-    area.x + area.z, area.y + area.w, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  context.State()->PopFramebufferBindings();
-}
-
 struct Resolve
 {
   LightTable* Lights;
@@ -43,10 +29,12 @@ struct Resolve
     flag("GI_SPECULAR", this->Materials->HasSpecular());
     flag("GI_HEADLIGHT", this->Lights->IsSingleHeadlight());
     flag("GI_POSITIONAL", this->Lights->HasPositional());
+    flag("GI_AREA", this->Lights->HasAreas());
     flag("GI_SURROUNDINGS",
       context.Input(resource::Irradiance) && context.Input(resource::Surroundings));
     flag("GI_INTERREFLECTION",
       context.Input(resource::AmbientVisibility) && this->Options.Interreflection > 0.0);
+    flag("GI_CATCHER", this->Materials->HasCatcher());
     flag("GI_COVERAGE", this->Materials->HasPartialCoverage());
     flag("GI_RADIANCE", radiance);
     flag("GI_LIT", lit);
@@ -57,7 +45,7 @@ struct Resolve
   {
     if (!context.IsWindow(resource::Color))
     {
-      CopyWindow(context, resource::Color);
+      context.CopyWindow(resource::Color);
     }
     // Radiance is drawn separately, because the colour may go straight to the window, which has no second target.
     if (this->Options.Radiance)
@@ -67,7 +55,7 @@ struct Resolve
     }
     if (this->Options.LitRadiance && this->Materials->HasPartialCoverage())
     {
-      CopyWindow(context, resource::LitRadiance);
+      context.CopyWindow(resource::LitRadiance);
     }
     // A technique that requests the lit radiance also modifies the picture, so both targets are textures here.
     this->Draw(context,
@@ -81,7 +69,7 @@ struct Resolve
     const Texture* sky = context.Input(resource::Sky);
     if (!sky)
     {
-      CopyWindow(context, resource::Radiance);
+      context.CopyWindow(resource::Radiance);
       return;
     }
     ScopedState scope(context.State());
@@ -127,13 +115,41 @@ void Present(FrameContext& context)
   scope.DepthFunc(GL_ALWAYS);
   scope.DepthMask(true);
   scope.ColorMask(false);
-  context.DrawBound("direct_light/present_depth.frag", {}, {});
+  context.DrawBound("direct_light/present_depth.frag", {},
+    Arguments().Set("depthWindow", glm::vec2(context.GetView().DepthWindow)));
+}
+}
+
+namespace
+{
+/// The table of linearly transformed cosines for the highlights of lights that have an area.
+History& HighlightTable(Frame& frame)
+{
+  constexpr int size = 16;
+  History& table = frame.Keep("direct-light.highlights", { GL_RGBA32F, size, size, 2 });
+  if (!table.Written)
+  {
+    for (const GLenum direction : { GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER })
+    {
+      table.Storage.SetParameter(direction, GL_LINEAR);
+    }
+    for (const GLenum direction : { GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T })
+    {
+      table.Storage.SetParameter(direction, GL_CLAMP_TO_EDGE);
+    }
+    frame.AddPass("highlight-table")
+      .WriteHistory(table, "table")
+      .Compute("direct_light/highlight_table.comp", {}, {}, Work::Items(size, size));
+  }
+  return table;
 }
 }
 
 void ContributeDirectLight(
   Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options)
 {
+  History* highlights =
+    options.Extended && lights.HasAreas() ? &HighlightTable(frame) : nullptr;
   auto& pass = frame.AddPass("direct-light");
   pass.Read(resource::Depth)
     .Read(resource::DepthCopy)
@@ -151,6 +167,10 @@ void ContributeDirectLight(
     .Offer(materials.ShaderArguments())
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
+  if (highlights)
+  {
+    pass.ReadHistory(*highlights, "highlightTable");
+  }
   if (options.Radiance)
   {
     pass.ReadIfPresent(resource::Sky);
@@ -164,12 +184,21 @@ void ContributeDirectLight(
   pass.Execute(Resolve{ &lights, &materials, options });
 }
 
-void ContributePresentation(Frame& frame)
+void ContributeBackdrop(Frame& frame)
+{
+  frame.AddPass("backdrop")
+    .Write(resource::Backdrop, frame.WindowTexture(GL_RGBA8))
+    .Execute([](FrameContext& context) { context.CopyWindow(resource::Backdrop); });
+}
+
+void ContributePresentation(Frame& frame, MaterialTable& materials)
 {
   frame.AddPass("present")
     .Read(resource::Color)
     .Read(resource::DepthCopy)
     .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Offer(materials.ShaderArguments())
     .SideEffect()
     .Execute(Present);
 }

@@ -27,6 +27,9 @@ struct DirectLightOptions
 void ContributeDirectLight(
   Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options);
 
-/// Add the pass that copies the finished picture to a window that cannot be drawn to directly.
-void ContributePresentation(Frame& frame);
+/// Add the pass that writes resource::Backdrop.
+void ContributeBackdrop(Frame& frame);
+
+/// Add the pass that copies the finished picture to a window that is not drawn to directly.
+void ContributePresentation(Frame& frame, MaterialTable& materials);
 }

@@ -39,6 +39,7 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
   {
     const IndirectLight& light = lights[number];
     const bool first = number == 0;
+    const bool part = IsPartOfLight(light.Kind) && number + 1 < lights.size();
     const int order = static_cast<int>(number);
     auto& pass =
       frame.AddPass("indirect-light" + (first ? "" : "-" + std::to_string(number + 1)));
@@ -54,7 +55,7 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
     light.Declare(pass);
     pass.Read(resource::Depth)
       .ReadIfPresent(resource::AmbientVisibility)
-      .Execute([light, hasDirectLight, captureStarts, first](FrameContext& context) {
+      .Execute([light, hasDirectLight, captureStarts, first, part](FrameContext& context) {
         const std::vector<const char*> irradiance = { resource::Irradiance };
         const std::vector<const char*> both = { resource::Irradiance, resource::LampLight };
         ScopedState scope(context.State());
@@ -69,10 +70,11 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
         }
         scope.Set(GL_DEPTH_TEST, false);
         scope.DepthMask(false);
-        // The first draw has nothing to blend with, and blending takes time.
-        scope.Set(GL_BLEND, !first);
-        context.State()->vtkglBlendFuncSeparate(
-          GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+        // The first draw has nothing to blend with, and blending takes time. A part of the light leaves alpha as it is,
+        // so that the rest is added.
+        scope.Set(GL_BLEND, !first || part);
+        context.State()->vtkglBlendFuncSeparate(first ? GL_ONE : GL_ONE_MINUS_DST_ALPHA,
+          first ? GL_ZERO : GL_ONE, part ? GL_ZERO : GL_ONE_MINUS_DST_ALPHA, GL_ONE);
         context.BindTarget(light.IncludesDirectLight ? both : irradiance, resource::Depth);
         light.Draw(context);
       });

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Diffuse indirect light of several techniques: a pixel takes it from the first enabled one that has any there.
+ * Diffuse indirect light of several techniques: a pixel takes it from the first enabled one that has any there. Light of
+ * the sky is added to that of a technique that leaves the sky out.
  */
 #pragma once
 
@@ -23,9 +24,16 @@ class SceneCapture;
 enum class IndirectKind
 {
   BakedOnSurfaces, ///< baked at the very point
+  Sky,             ///< light that arrives straight from the environment; the kinds below leave it out
   LiveProbes,      ///< around the point, for the current scene
   BakedProbes      ///< around the point, for the baked scene
 };
+
+/// Whether light of a kind is only a part of what arrives, to which the kinds after it add theirs.
+inline bool IsPartOfLight(IndirectKind kind)
+{
+  return kind == IndirectKind::Sky;
+}
 
 /// A technique's indirect light, on the surfaces in the G-buffer and elsewhere.
 struct IndirectLight

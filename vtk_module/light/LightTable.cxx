@@ -3,6 +3,7 @@
 #include "light/LightTable.h"
 
 #include "base/Matrices.h"
+#include "light/LightShape.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -10,12 +11,27 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkTransform.h"
 
+#include <glm/gtc/constants.hpp>
+
 namespace penumbra
 {
+namespace
+{
+glm::dvec3 Transformed(vtkLinearTransform* transform, const glm::dvec3& vector)
+{
+  glm::dvec3 result;
+  transform->TransformVector(&vector[0], &result[0]);
+  return result;
+}
+}
+
 void LightTable::Collect(vtkOpenGLRenderer* renderer)
 {
   this->Entries.clear();
   this->Positional = false;
+  this->Areas = false;
+  this->Shapes = false;
+  this->Misshapen = 0;
   vtkTransform* toView = renderer->GetActiveCamera()->GetModelViewTransformObject();
   vtkTransform* userTransform = renderer->GetUserLightTransform();
   vtkLightCollection* lights = renderer->GetLights();
@@ -57,6 +73,17 @@ void LightTable::Collect(vtkOpenGLRenderer* renderer)
     entry.Headlight = light->LightTypeIsHeadlight() != 0;
     entry.FollowsCamera = light->LightTypeIsSceneLight() == 0;
     this->Positional |= entry.Positional;
+    ReadShape(light, entry);
+    if (entry.Headlight ||
+      (entry.Shape > GI_SHAPE_POINT && entry.Positional == (entry.Shape == GI_SHAPE_ANGLE)))
+    {
+      this->Misshapen += entry.Shape > GI_SHAPE_POINT ? 1 : 0;
+      entry.Shape = GI_SHAPE_NONE;
+    }
+    entry.Side = Transformed(toView, entry.WorldSide);
+    entry.Up = Transformed(toView, entry.WorldUp);
+    this->Areas |= entry.Shape >= GI_SHAPE_SPHERE;
+    this->Shapes |= entry.Shape > GI_SHAPE_POINT;
     this->Entries.push_back(entry);
   }
   // VTK's own decision, which also depends on lights that are off.
@@ -109,11 +136,14 @@ shared::LightData LightTable::MakeData(const Light& light, double scale) const
   entry.Color = glm::vec4(light.Color * scale, cone);
   entry.Direction = glm::vec4(light.Direction, light.Exponent);
   entry.Position = glm::vec4(light.Position, 0.0);
-  entry.Attenuation = glm::vec4(light.Attenuation, 0.0);
+  entry.Attenuation = glm::vec4(light.Attenuation, light.Area() / glm::pi<double>());
   entry.Kind = glm::ivec4(this->SingleHeadlight ? GI_LIGHT_HEADLIGHT
       : light.Positional                        ? GI_LIGHT_POSITIONAL
                                                 : GI_LIGHT_DIRECTIONAL,
     light.MaskChannel, light.Headlight ? 1 : 0, light.FollowsCamera ? 0 : 1);
+  entry.Side = glm::vec4(light.Side, light.Shape);
+  const double half = std::sin(light.Size / 2.0);
+  entry.Up = glm::vec4(light.Up, light.Shape == GI_SHAPE_ANGLE ? 2.0 * half * half : light.Size);
   return entry;
 }
 
@@ -149,6 +179,8 @@ void LightTable::Upload()
     inWorld[i] = this->MakeData(light, 1.0);
     inWorld[i].Direction = glm::vec4(light.WorldDirection, light.Exponent);
     inWorld[i].Position = glm::vec4(light.WorldPosition - this->WorldOrigin, 0.0);
+    inWorld[i].Side = glm::vec4(light.WorldSide, inWorld[i].Side.w);
+    inWorld[i].Up = glm::vec4(light.WorldUp, inWorld[i].Up.w);
   }
   const std::size_t bytes = count * sizeof(shared::LightData);
   this->ViewBlock.Upload(GL_SHADER_STORAGE_BUFFER, inView.data(), bytes);

@@ -28,12 +28,22 @@ struct Light
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
   double ConeAngle = 90.0; ///< half aperture in degrees; 90 and more means omnidirectional
   double Exponent = 1.0;
+  int Shape = GI_SHAPE_NONE; ///< as in light.h
+  double Size =
+    0.0; ///< radius of a sphere; half the angular diameter of a directional light, in radians
+  glm::dvec3 Side{ 0.0 }; ///< from the centre of a flat light to its side, view coordinates
+  glm::dvec3 Up{ 0.0 };
+  glm::dvec3 WorldSide{ 0.0 };
+  glm::dvec3 WorldUp{ 0.0 };
   bool Positional = false;
   bool Headlight = false;     ///< at the camera, so that its shadows are hidden
   bool FollowsCamera = false; ///< a headlight, or a light fixed in camera coordinates
   int MaskChannel = -1;       ///< channel of the direct visibility mask, -1 for none
 
   bool IsCone() const { return this->Positional && this->ConeAngle < 90.0; }
+  bool IsFlat() const { return this->Shape >= GI_SHAPE_DISC; }
+  /// Area of a flat light.
+  double Area() const;
 };
 
 class LightTable
@@ -48,6 +58,12 @@ public:
   /// Whether the only light is a headlight, for which VTK has a special formula.
   bool IsSingleHeadlight() const { return this->SingleHeadlight; }
   bool HasPositional() const { return this->Positional; }
+  /// Whether some light's unshadowed light differs from that of a point.
+  bool HasAreas() const { return this->Areas; }
+  /// Whether some light has a size of its own.
+  bool HasShapes() const { return this->Shapes; }
+  /// Number of lights whose shape is for the other kind of light, and has no effect.
+  int MisshapenLights() const { return this->Misshapen; }
 
   /// Lights that cast shadows.
   struct Shadowed
@@ -83,6 +99,9 @@ private:
   std::vector<Light> Entries;
   bool SingleHeadlight = false;
   bool Positional = false;
+  bool Areas = false;
+  bool Shapes = false;
+  int Misshapen = 0;
   double ViewScale = 1.0;
   glm::dvec3 WorldOrigin{ 0.0 };
   Buffer ViewBlock;

@@ -278,6 +278,13 @@ bool vtkGIPass::Internals::DrawFrame(
   {
     technique->SetTookPart(false);
   }
+  if (const int count = this->Lights.MisshapenLights())
+  {
+    builder.AddNote("The shape of " + std::to_string(count) +
+      " lights has no effect: angles are for directional lights, spheres, discs and rectangles for "
+      "positional ones, "
+      "and headlights have no shape.");
+  }
   bool lit = false;
   for (vtkGITechnique* technique : ChooseTechniques(this->Techniques, builder, plan))
   {
@@ -301,6 +308,7 @@ bool vtkGIPass::Internals::DrawFrame(
   }
   this->Capture.Contribute(builder);
   ContributeSky(builder, this->Capture.Skies());
+  ContributeBackdrop(builder);
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
       plan.SpreadShare(), plan.Interreflection() });
@@ -310,13 +318,15 @@ bool vtkGIPass::Internals::DrawFrame(
     this->KeepRadiance(builder, record);
   }
   builder.AddLastPasses();
-  ContributePresentation(builder);
+  ContributePresentation(builder, this->Capture.Materials());
   graph.Compile();
   this->Lights.Upload();
 
   WindowTarget target;
   target.Framebuffer = BoundFramebuffer();
-  const std::unique_ptr<Texture> depth = WindowDepth(window, target.Framebuffer);
+  // Surfaces that are no props need depths that VTK must not see.
+  const std::unique_ptr<Texture> depth =
+    this->Capture.HasSurfaces() ? nullptr : WindowDepth(window, target.Framebuffer);
   target.Direct = depth != nullptr;
   target.Depth = depth.get();
   GpuTimer timer;
@@ -369,7 +379,8 @@ void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, ViewRecord& record)
       const float* albedoValues = ReadTexture(*context.Input(resource::Albedo), albedo);
       for (vtkIdType i = 3; i < 4 * kept->GetNumberOfPoints(); i += 4)
       {
-        values[i] = context.Input(resource::Sky) ? 1.0f : albedoValues[i];
+        // A catcher covers its pixels partly.
+        values[i] = context.Input(resource::Sky) ? 1.0f : std::min(values[i], albedoValues[i]);
       }
       record.Radiance = kept;
     });

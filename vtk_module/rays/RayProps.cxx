@@ -34,10 +34,10 @@ double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
 }
 }
 
-void RayProps::Update(vtkRenderer* renderer)
+void RayProps::Update(vtkRenderer* renderer, const std::vector<RayPart>& others)
 {
   std::vector<vtkProp*> left;
-  const std::vector<RayPart> parts = GatherRayParts(renderer, left, this->Cache);
+  std::vector<RayPart> parts = GatherRayParts(renderer, left, this->Cache);
   this->LeftOutCount = left.size();
   this->TracedProps.clear();
   for (const RayPart& part : parts)
@@ -48,6 +48,7 @@ void RayProps::Update(vtkRenderer* renderer)
   {
     this->TracedProps.erase(prop);
   }
+  parts.insert(parts.end(), others.begin(), others.end());
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   glm::dvec3 center = this->Scene.Origin();

@@ -22,8 +22,9 @@ class RayProps
 {
 public:
   /// Bring everything up to date with the renderer's visible props. Only changes cost time. Throws
-  /// std::runtime_error if the scene does not fit into memory. The context must be current.
-  void Update(vtkRenderer* renderer);
+  /// std::runtime_error if the scene does not fit into memory. The context must be current. others: surfaces that are
+  /// no props.
+  void Update(vtkRenderer* renderer, const std::vector<RayPart>& others = {});
 
   /// Arguments of shaders that include rays/surface.glsl and rays/sky.glsl, with emitterCount.
   Arguments ShaderArguments() const;

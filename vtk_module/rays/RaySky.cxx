@@ -144,18 +144,55 @@ EqualCells EqualCells::Coarser(int columns, int rows) const
   return cells;
 }
 
+namespace
+{
+vtkTexture* SkyTexture(vtkRenderer* renderer)
+{
+  return renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+}
+
+glm::dmat3 WorldToSky(vtkRenderer* renderer)
+{
+  const glm::dvec3 right = ToVec3(renderer->GetEnvironmentRight());
+  const glm::dvec3 up = ToVec3(renderer->GetEnvironmentUp());
+  return glm::transpose(glm::dmat3(right, up, glm::cross(right, up)));
+}
+}
+
+glm::dvec3 OpenSkyLight(vtkRenderer* renderer, const glm::dvec3& normal)
+{
+  glm::dvec3 sum(0.0);
+  if (!SkyTexture(renderer))
+  {
+    return sum;
+  }
+  const SkyPictures sky = SkyPictures::Of(renderer, SkyDecoding::Of(renderer));
+  const glm::dvec3 n = WorldToSky(renderer) * normal;
+  for (int y = 0; y < sky.Height; ++y)
+  {
+    const double latitude = ((y + 0.5) / sky.Height - 0.5) * glm::pi<double>();
+    for (int x = 0; x < sky.Width; ++x)
+    {
+      const double longitude = ((x + 0.5) / sky.Width - 0.5) * glm::two_pi<double>();
+      const double cosine =
+        std::cos(latitude) * (n.x * std::cos(longitude) + n.z * std::sin(longitude)) +
+        n.y * std::sin(latitude);
+      const std::size_t at = static_cast<std::size_t>(y) * sky.Width + x;
+      sum += std::max(cosine, 0.0) * std::cos(latitude) * glm::dvec3(sky.Matte[at]);
+    }
+  }
+  return sky.Width > 0 ? sum * (glm::two_pi<double>() / sky.Width / sky.Height) : sum;
+}
+
 void RaySky::Update(vtkRenderer* renderer)
 {
-  vtkTexture* texture =
-    renderer->GetUseImageBasedLighting() ? renderer->GetEnvironmentTexture() : nullptr;
+  vtkTexture* texture = SkyTexture(renderer);
   if (!texture)
   {
     this->Release();
     return;
   }
-  const glm::vec3 right(ToVec3(renderer->GetEnvironmentRight()));
-  const glm::vec3 up(ToVec3(renderer->GetEnvironmentUp()));
-  const glm::mat3 toSky = glm::transpose(glm::mat3(right, up, glm::cross(right, up)));
+  const glm::mat3 toSky(WorldToSky(renderer));
   const vtkMTimeType time = TextureTime(texture);
   const SkyDecoding decoding = SkyDecoding::Of(renderer);
   if (texture == this->Source && time == this->Time && toSky == this->ToSky &&

@@ -61,6 +61,10 @@ private:
   SkyDecoding Decoding;
 };
 
+/// Irradiance, divided by pi, of a surface with this normal in world coordinates that nothing hides from the environment;
+/// 0 if the renderer does not use its light. Reads the whole image.
+glm::dvec3 OpenSkyLight(vtkRenderer* renderer, const glm::dvec3& normal);
+
 /// Sampling table of an equirectangular image: a row of cumulative
 /// probabilities for each band of latitude, and another row for the bands. Each row begins with 0 and ends
 /// with 1. A tenth of all directions is sampled uniformly. Pharr, Jakob and Humphreys 2016, Physically

@@ -17,7 +17,7 @@ RayProps& FrameBuilder::Rays(const std::string& consequence)
 {
   if (!this->TracedSceneReady)
   {
-    this->TracedScene.Update(this->GetRenderer());
+    this->TracedScene.Update(this->GetRenderer(), this->RayParts);
     this->TracedSceneReady = true;
     if (this->TracedScene.WithoutNormals() > 0)
     {
@@ -93,6 +93,35 @@ void FrameBuilder::AddLastPasses()
   {
     addPasses(*this);
   }
+}
+
+void FrameBuilder::AddSurface(
+  const std::array<double, 6>& bounds, double near, double far, const RayPart* part)
+{
+  if (part)
+  {
+    this->RayParts.push_back(*part);
+  }
+  View& view = this->CurrentView;
+  view.SurfaceBounds = bounds;
+  glm::dmat4& m = view.ViewToClip;
+  const auto clip = [&m](double distance) {
+    return (m[3][2] - m[2][2] * distance) / (m[3][3] - m[2][3] * distance);
+  };
+  const double nearest = std::min(-1.0, clip(near));
+  const double farthest = std::max(1.0, clip(far));
+  if (nearest == -1.0 && farthest == 1.0)
+  {
+    return;
+  }
+  // In both kinds of projection, another range of distances is a scale and a shift of depths.
+  const double scale = 2.0 / (farthest - nearest);
+  const double shift = -1.0 - scale * nearest;
+  for (int column = 0; column < 4; ++column)
+  {
+    m[column][2] = scale * m[column][2] + shift * m[column][3];
+  }
+  view.DepthWindow = scale * view.DepthWindow + 0.5 * (1.0 + shift - scale);
 }
 
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)

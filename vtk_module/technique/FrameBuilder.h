@@ -10,6 +10,7 @@
 #include "light/ForwardPart.h"
 #include "light/IndirectLight.h"
 #include "light/LightTable.h"
+#include "rays/RayPart.h"
 #include "technique/LightingPlan.h"
 
 namespace penumbra
@@ -60,6 +61,12 @@ public:
   /// Shift this frame's picture by a fraction of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
+  /// While techniques plan: have the passes of this frame reckon with a surface that is no prop. It lies in these bounds,
+  /// at distances from near to far along the view direction. The projection is extended to contain
+  /// them; props are still clipped as by the camera. part: for rays; nullptr if they pass through it.
+  void AddSurface(
+    const std::array<double, 6>& bounds, double near, double far, const RayPart* part);
+
   /// Have passes added after those of everything else, except for what presents the picture. They run when no other pass
   /// can.
   void AddLast(std::function<void(FrameBuilder& frame)> addPasses)
@@ -95,6 +102,7 @@ private:
   MotionTable& Motions;
   penumbra::ViewState& States;
   const LightingPlan& CurrentPlan;
+  std::vector<RayPart> RayParts;
   bool TracedSceneReady = false;
   bool MotionReady = false;
   bool LitRadianceRequested = false;

@@ -20,7 +20,10 @@ public:
   /// Take a share of the lights' strength, 0 to 1, and spread it evenly over all directions, unless there is indirect
   /// light.
   void SpreadLight(double share) { this->Share = share; }
-  double SpreadShare() const { return this->Indirect.empty() ? this->Share : 0.0; }
+  double SpreadShare() const
+  {
+    return this->Indirect.empty() && !this->LightsSky() ? this->Share : 0.0;
+  }
 
   /// Fraction of their reflectance, 0 to 1, with which occluders of ambient light reflect it.
   void SetInterreflection(double share) { this->InterreflectionShare = share; }
@@ -32,15 +35,34 @@ public:
   {
     this->Indirect.push_back({ kind, detail });
   }
+  /// Announce a technique that lights surfaces by the environment's light, with its visibility.
+  void AnnounceSkyLight() { this->SkyAnnounced = true; }
+  /// Whether that technique lights this frame. All other indirect light then leaves out what arrives straight from the
+  /// environment. Light that was baked contains it: where bakes light the space, and where rays draw the picture, the
+  /// technique rests.
+  bool LightsSky() const
+  {
+    return this->SkyAnnounced && !this->ByRays && !this->HasKind(IndirectKind::BakedProbes);
+  }
+  bool HasKind(IndirectKind kind) const
+  {
+    return std::any_of(this->Indirect.begin(), this->Indirect.end(),
+      [kind](const Source& source) { return source.Kind == kind; });
+  }
   /// Whether any of it is known in space, not only on surfaces.
   bool HasLightInSpace() const
   {
     return std::any_of(this->Indirect.begin(), this->Indirect.end(),
       [](const Source& source) { return source.Kind != IndirectKind::BakedOnSurfaces; });
   }
-  /// The coarsest detail of all indirect light; infinity if there is none.
+  /// The coarsest detail of all indirect light; infinity if there is none; 0 if there is true visibility, which nothing
+  /// may darken.
   double IndirectDetail() const
   {
+    if (this->LightsSky())
+    {
+      return 0.0;
+    }
     double detail = this->Indirect.empty() ? std::numeric_limits<double>::infinity() : 0.0;
     for (const Source& source : this->Indirect)
     {
@@ -70,6 +92,7 @@ private:
   double Share = 0.0;
   double InterreflectionShare = 0.0;
   bool LiveLightRequested = false;
+  bool SkyAnnounced = false;
   bool ByRays = false;
 };
 }

@@ -16,7 +16,7 @@ namespace penumbra::tool
 {
 namespace
 {
-constexpr double Border = 1.08; // width of the picture relative to the scene
+constexpr double Border = 1.1; // width of the picture relative to the scene: margins of about 5 %
 
 /// The camera's axes: to the right, up, and from the scene to the camera.
 struct Axes
@@ -49,6 +49,23 @@ Vec3 ViewDirection(const Camera& camera, const DefaultView& view)
   Vec3 direction;
   turn->TransformVector(axes.Front.data(), direction.data());
   return direction;
+}
+
+/// The default view with another axis up, if the camera says so and its position does not.
+DefaultView Stand(const Camera& camera, DefaultView view)
+{
+  if (camera.ViewUp && !camera.Position)
+  {
+    view.Up = *camera.ViewUp;
+    vtkMath::Normalize(view.Up.data());
+    if (std::abs(vtkMath::Dot(view.Up.data(), view.Front.data())) > 0.7)
+    {
+      // What stands along y faces z, and the other way round what stands along z faces -y.
+      const bool alongY = std::abs(view.Up[1]) > 0.7;
+      view.Front = alongY ? Vec3{ 0, 0, view.Up[1] } : Vec3{ 0, -view.Up[2], 0 };
+    }
+  }
+  return view;
 }
 
 /// Maxima of sideways + slope * depth on both sides. They are the two planes of the frustum that touch the scene and meet
@@ -127,9 +144,10 @@ void AddFramedPoints(
   }
 }
 
-void SetCamera(const Camera& described, const DefaultView& view, const std::vector<Vec3>& points,
+void SetCamera(const Camera& described, const DefaultView& usual, const std::vector<Vec3>& points,
   double aspect, vtkRenderer* renderer)
 {
+  const DefaultView view = Stand(described, usual);
   vtkCamera* camera = renderer->GetActiveCamera();
   const Vec3 up = described.ViewUp.value_or(view.Up);
   Vec3 direction = ViewDirection(described, view);

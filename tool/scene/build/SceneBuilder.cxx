@@ -3,11 +3,13 @@
 #include "scene/build/SceneBuilder.h"
 
 #include "common/Failure.h"
+#include "sky/SkyProp.h"
 #include "scene/build/ColorMaps.h"
 #include "scene/build/ObjectActors.h"
 #include "scene/build/TextureFiles.h"
 
 #include <vtkActor2D.h>
+#include <vtkGILightShape.h>
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkPropCollection.h>
@@ -22,6 +24,14 @@ namespace
 void SetEnvironment(
   const EnvironmentMap& environment, const DefaultView& view, vtkRenderer* renderer)
 {
+  if (environment.Sky)
+  {
+    // The default view looks north.
+    environment.Sky->SetUp(view.Up[0], view.Up[1], view.Up[2]);
+    environment.Sky->SetNorth(-view.Front[0], -view.Front[1], -view.Front[2]);
+    environment.Sky->ApplyTo(renderer);
+    return;
+  }
   vtkSmartPointer<vtkTexture> texture = ReadEnvironmentTexture(environment.Path);
   Vec3 up = view.Up, right;
   vtkMath::Cross(view.Up.data(), view.Front.data(), right.data());
@@ -31,17 +41,8 @@ void SetEnvironment(
   renderer->SetEnvironmentRight(right.data());
   if (environment.Visible)
   {
-    // VTK's skybox is rotated by a quarter turn relative to its image-based light.
-    Vec3 aside;
-    vtkMath::Cross(right.data(), up.data(), aside.data());
-    vtkNew<vtkSkybox> sky;
-    sky->SetProjectionToSphere();
-    sky->SetTexture(texture);
-    sky->SetFloorPlane(
-      static_cast<float>(up[0]), static_cast<float>(up[1]), static_cast<float>(up[2]), 0);
-    sky->SetFloorRight(
-      static_cast<float>(aside[0]), static_cast<float>(aside[1]), static_cast<float>(aside[2]));
-    sky->GammaCorrectOn();
+    auto sky = MakeSkybox(texture);
+    Orient(sky, right.data(), up.data());
     renderer->AddActor(sky);
   }
 }
@@ -51,6 +52,26 @@ void Aim(vtkLight* light, const Light& from)
   light->SetLightTypeToSceneLight();
   light->SetPosition(from.Position[0], from.Position[1], from.Position[2]);
   light->SetFocalPoint(from.Target[0], from.Target[1], from.Target[2]);
+}
+
+void SetShape(vtkLight* light, const Light& from)
+{
+  if (from.Diameter)
+  {
+    vtkGILightShape::SetAngle(light, *from.Diameter);
+  }
+  if (from.Radius)
+  {
+    vtkGILightShape::SetSphere(light, *from.Radius);
+  }
+  if (from.Disc)
+  {
+    vtkGILightShape::SetDisc(light, *from.Disc);
+  }
+  if (!from.Rectangle.empty())
+  {
+    vtkGILightShape::SetRectangle(light, from.Rectangle[0], from.Rectangle[1], from.Turn);
+  }
 }
 
 void AddLight(const Light& from, vtkRenderer* renderer)
@@ -84,12 +105,19 @@ void AddLight(const Light& from, vtkRenderer* renderer)
   light->SetColor(from.Color[0], from.Color[1], from.Color[2]);
   light->SetIntensity(from.Intensity);
   light->SetSwitch(from.On);
+  SetShape(light, from);
   renderer->AddLight(light);
 }
 
-/// A key light from above left that follows the camera, and a weak headlight that brightens its shadows.
-std::vector<Light> DefaultLights()
+/// A key light from above left that follows the camera, and a weak headlight that brightens its shadows. None where the
+/// environment has a sun.
+std::vector<Light> DefaultLights(const Scene& scene)
 {
+  const auto& environment = scene.Environment;
+  if (environment && environment->Sky && environment->Sky->GetSun())
+  {
+    return {};
+  }
   Light key, fill;
   key.Kind = LightKind::Key;
   key.Intensity = 0.95;
@@ -203,7 +231,7 @@ BuiltScene BuildScene(const Scene& scene, vtkIdType maximumTriangles, Reporter& 
   built.Triangles = budget.GetSpent();
   SetBackground(scene.Backdrop.value_or(Background()), built.Renderer);
   built.Renderer->AutomaticLightCreationOff();
-  for (const Light& light : scene.Lights.value_or(DefaultLights()))
+  for (const Light& light : scene.Lights ? *scene.Lights : DefaultLights(scene))
   {
     AddLight(light, built.Renderer);
   }

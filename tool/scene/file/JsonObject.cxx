@@ -189,8 +189,10 @@ void JsonObject::ForEach(const std::string& key,
 {
   if (const auto* list = this->Find(key, &nlohmann::json::is_array, "a list in brackets"))
   {
-    // The name of an element is the singular of the key: "object 2 of the scene".
-    const std::string singular = key.back() == 's' ? key.substr(0, key.size() - 1) : key;
+    // The name of an element is the singular of the key: "object 2 of the scene", "box 1 of the environment".
+    const bool sibilant = key.size() > 3 && key.compare(key.size() - 3, 3, "xes") == 0;
+    const std::string singular =
+      key.back() == 's' ? key.substr(0, key.size() - (sibilant ? 2 : 1)) : key;
     std::size_t index = 0;
     for (const auto& value : *list)
     {

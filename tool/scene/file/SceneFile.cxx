@@ -6,6 +6,7 @@
 #include "scene/file/JsonObject.h"
 #include "scene/readers/Formats.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -32,20 +33,6 @@ json Parse(const std::string& path)
     Fail("the scene file '{}' is not valid JSON: {}", path,
       start == std::string::npos ? text : text.substr(start + 2));
   }
-}
-
-EnvironmentMap ReadEnvironment(const json& value, const std::string& where)
-{
-  EnvironmentMap environment;
-  JsonObject object(value, where);
-  object.Read("file", environment.Path);
-  object.Read("visible", environment.Visible);
-  object.Finish();
-  if (environment.Path.empty())
-  {
-    FailUsage("{} needs the key 'file'", where);
-  }
-  return environment;
 }
 
 /// The text of a parameter's value (a number, text or truth value), which its technique checks.
@@ -139,6 +126,39 @@ void ReadSize(JsonObject& object, Scene& scene)
 }
 }
 
+namespace
+{
+void ReadShape(JsonObject& object, Light& light)
+{
+  const bool local = light.Kind == LightKind::Point || light.Kind == LightKind::Cone;
+  if (light.Kind == LightKind::Directional || light.Kind == LightKind::Key)
+  {
+    object.Read("angle", light.Diameter, Bounds{ 0, 90 });
+  }
+  else
+  {
+    object.Read("angle", light.Angle, Bounds{ 0.1, 89.9 });
+  }
+  object.Read("radius", light.Radius, NotNegative);
+  object.Read("disc", light.Disc, NotNegative);
+  object.Read("rectangle", light.Rectangle);
+  object.Read("turn", light.Turn);
+  const int shapes =
+    (light.Radius ? 1 : 0) + (light.Disc ? 1 : 0) + (light.Rectangle.empty() ? 0 : 1);
+  if (shapes > 1 || (shapes == 1 && !local))
+  {
+    FailUsage("{} must be of type point or cone, and have one of 'radius', 'disc' and 'rectangle'",
+      object.Where());
+  }
+  const bool positive = std::all_of(
+    light.Rectangle.begin(), light.Rectangle.end(), [](double length) { return length >= 0.0; });
+  if (!light.Rectangle.empty() && (light.Rectangle.size() != 2 || !positive))
+  {
+    FailUsage("'rectangle' of {} must be a width and a height, such as [2, 1]", object.Where());
+  }
+}
+}
+
 Light ReadLight(const json& value, const std::string& where)
 {
   Light light;
@@ -151,7 +171,7 @@ Light ReadLight(const json& value, const std::string& where)
   object.Read("target", light.Target);
   object.Read("azimuth", light.Azimuth);
   object.Read("elevation", light.Elevation, Bounds{ -90, 90 });
-  object.Read("angle", light.Angle, Bounds{ 0.1, 89.9 });
+  ReadShape(object, light);
   object.Read("exponent", light.Exponent, Bounds{ 0, 128 });
   object.Read("attenuation", light.Attenuation);
   object.ReadColor("color", light.Color);

@@ -18,6 +18,7 @@ Scene ReadSceneFile(const std::string& path);
 /// Parts of a scene, also read from the texts of options such as --light. where: the part's name in messages.
 Light ReadLight(const nlohmann::json& value, const std::string& where);
 Camera ReadCamera(const nlohmann::json& value, const std::string& where);
+EnvironmentMap ReadEnvironment(const nlohmann::json& value, const std::string& where);
 Background ReadBackground(const nlohmann::json& value, const std::string& where);
 Object ReadObject(const nlohmann::json& value, const std::string& where);
 }

@@ -4,7 +4,9 @@
 /// the scene file.
 #pragma once
 
+#include <vtkGISkySource.h>
 #include <vtkProperty.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
 #include <map>
@@ -144,6 +146,11 @@ struct Light
   double Elevation = 45;
   double Angle = 30; ///< cone: half angle in degrees
   double Exponent = 1;
+  std::optional<double> Diameter; ///< key and directional: angle in degrees
+  std::optional<double> Radius;   ///< point and cone: of a sphere
+  std::optional<double> Disc;     ///< point and cone: radius
+  std::vector<double> Rectangle;  ///< point and cone: width and height, or empty
+  double Turn = 0;                ///< rectangle: degrees about its axis
   Vec3 Attenuation = { 1, 0, 0 };
   Vec3 Color = { 1, 1, 1 };
   double Intensity = 1;
@@ -166,8 +173,9 @@ struct Camera
 
 struct EnvironmentMap
 {
-  std::string Path;
-  bool Visible = false; ///< shown as the background
+  std::string Path;                    ///< a picture, or "" with a sky
+  vtkSmartPointer<vtkGISkySource> Sky; ///< its directions of the world are set with the scene
+  bool Visible = false;                ///< shown as the background
 };
 
 struct Background

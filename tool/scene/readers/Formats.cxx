@@ -8,6 +8,7 @@
 #include "scene/readers/CleanGeometry.h"
 #include "scene/readers/Completeness.h"
 #include "scene/readers/FormatReaders.h"
+#include "scene/readers/StandingAxis.h"
 
 #include <vtkGenericDataObjectReader.h>
 #include <vtkMetaImageReader.h>
@@ -36,15 +37,6 @@ struct Format
   DefaultView View;
 };
 
-/// Modelled shapes stand along y and face z.
-const DefaultView Model = { { 0, 0, 1 }, { 0, 1, 0 }, 25, 12 };
-/// Simulations and volumes stand along z; x points right.
-const DefaultView Simulation = { { 0, -1, 0 }, { 0, 0, 1 }, 30, 20 };
-/// Right, anterior, superior coordinates: a view of the face.
-const DefaultView Patient = { { 0, 1, 0 }, { 0, 0, 1 }, 30, 2 };
-/// The camera looks north.
-const DefaultView Land = { { 0, -1, 0 }, { 0, 0, 1 }, -20, 38 };
-
 template <typename Reader>
 constexpr auto ReadXml = ReadChecked<Reader, RequireCompleteXml>;
 
@@ -61,38 +53,39 @@ double ReadingLimit(const std::string& path)
 const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = {
-    { ".vti", "VTK image data", ReadXml<vtkXMLImageDataReader>, Simulation },
-    { ".vtp", "VTK polygonal data", ReadXml<vtkXMLPolyDataReader>, Model },
-    { ".vtu", "VTK unstructured grid", ReadXml<vtkXMLUnstructuredGridReader>, Simulation },
-    { ".vtr", "VTK rectilinear grid", ReadXml<vtkXMLRectilinearGridReader>, Simulation },
-    { ".vts", "VTK structured grid", ReadXml<vtkXMLStructuredGridReader>, Simulation },
-    { ".vtm", "VTK multi-block data", ReadXml<vtkXMLMultiBlockDataReader>, Simulation },
-    { ".vtk", "VTK legacy file", ReadWith<vtkGenericDataObjectReader>, Simulation },
-    { ".ply", "Stanford polygons", ReadChecked<vtkPLYReader, RequireCompletePly>, Model },
-    { ".stl", "stereolithography", ReadAfterCheck<vtkSTLReader, RequireCompleteStl>, Simulation },
-    { ".obj", "Wavefront object, with its materials", ReadObj, Model },
-    { ".glb", "glTF 2.0, binary", ReadGltf, Model },
-    { ".gltf", "glTF 2.0", ReadGltf, Model },
-    { ".pdb", "Protein Data Bank", ReadPdb, Model },
-    { ".nii", "NIfTI volume", ReadNifti, Patient },
-    { ".nii.gz", "NIfTI volume, compressed", ReadNifti, Patient },
+    { ".vti", "VTK image data", ReadXml<vtkXMLImageDataReader>, SimulationView },
+    { ".vtp", "VTK polygonal data", ReadXml<vtkXMLPolyDataReader>, ModelView },
+    { ".vtu", "VTK unstructured grid", ReadXml<vtkXMLUnstructuredGridReader>, SimulationView },
+    { ".vtr", "VTK rectilinear grid", ReadXml<vtkXMLRectilinearGridReader>, SimulationView },
+    { ".vts", "VTK structured grid", ReadXml<vtkXMLStructuredGridReader>, SimulationView },
+    { ".vtm", "VTK multi-block data", ReadXml<vtkXMLMultiBlockDataReader>, SimulationView },
+    { ".vtk", "VTK legacy file", ReadWith<vtkGenericDataObjectReader>, SimulationView },
+    { ".ply", "Stanford polygons", ReadChecked<vtkPLYReader, RequireCompletePly>, ModelView },
+    { ".stl", "stereolithography", ReadAfterCheck<vtkSTLReader, RequireCompleteStl>,
+      SimulationView },
+    { ".obj", "Wavefront object, with its materials", ReadObj, ModelView },
+    { ".glb", "glTF 2.0, binary", ReadGltf, ModelView },
+    { ".gltf", "glTF 2.0", ReadGltf, ModelView },
+    { ".pdb", "Protein Data Bank", ReadPdb, ModelView },
+    { ".nii", "NIfTI volume", ReadNifti, PatientView },
+    { ".nii.gz", "NIfTI volume, compressed", ReadNifti, PatientView },
     { ".mha", "MetaImage volume", ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>,
-      Simulation },
+      SimulationView },
     { ".mhd", "MetaImage volume with a header of its own",
-      ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>, Simulation },
-    { ".nrrd", "nearly raw raster data", ReadNrrd, Simulation },
-    { ".slc", "SLC volume", ReadWith<vtkSLCReader>, Simulation },
-    { ".ex2", "Exodus II", ReadExodus, Simulation },
-    { ".e", "Exodus II", ReadExodus, Simulation },
-    { ".exo", "Exodus II", ReadExodus, Simulation },
-    { ".dem", "USGS elevation", ReadDemHeights, Land },
-    { ".npz", "NumPy archive with an elevation array", ReadNumpyHeights, Land },
-    { ".npy", "NumPy elevation array", ReadNumpyHeights, Land },
-    { ".png", "elevation picture", ReadPictureHeights, Land },
-    { ".jpg", "elevation picture", ReadPictureHeights, Land },
-    { ".jpeg", "elevation picture", ReadPictureHeights, Land },
-    { ".tif", "elevation picture", ReadPictureHeights, Land },
-    { ".tiff", "elevation picture", ReadPictureHeights, Land },
+      ReadChecked<vtkMetaImageReader, RequireCompleteMetaImage>, SimulationView },
+    { ".nrrd", "nearly raw raster data", ReadNrrd, SimulationView },
+    { ".slc", "SLC volume", ReadWith<vtkSLCReader>, SimulationView },
+    { ".ex2", "Exodus II", ReadExodus, SimulationView },
+    { ".e", "Exodus II", ReadExodus, SimulationView },
+    { ".exo", "Exodus II", ReadExodus, SimulationView },
+    { ".dem", "USGS elevation", ReadDemHeights, LandView },
+    { ".npz", "NumPy archive with an elevation array", ReadNumpyHeights, LandView },
+    { ".npy", "NumPy elevation array", ReadNumpyHeights, LandView },
+    { ".png", "elevation picture", ReadPictureHeights, LandView },
+    { ".jpg", "elevation picture", ReadPictureHeights, LandView },
+    { ".jpeg", "elevation picture", ReadPictureHeights, LandView },
+    { ".tif", "elevation picture", ReadPictureHeights, LandView },
+    { ".tiff", "elevation picture", ReadPictureHeights, LandView },
   };
   return formats;
 }
@@ -180,6 +173,17 @@ LoadedData Load(const std::string& path, Reporter& reporter)
     Fail("{} (its cells are not where the file says)", damaged);
   }
   loaded.View = format->View;
+  if (auto* polygons = vtkPolyData::SafeDownCast(loaded.Data))
+  {
+    const Standing standing = FindStanding(polygons, format->View, format->Extension == ".vtp");
+    loaded.View = standing.View;
+    if (standing.Reason)
+    {
+      reporter.Note(fmt::format("'{}' stands along {}, because {}: give --camera up=X,Y,Z for "
+                                "another axis",
+        path, standing.View.Up[2] > 0 ? "z" : "y", standing.Reason));
+    }
+  }
   if (!loaded.Data && loaded.Actors.empty())
   {
     Fail("{}", damaged);

@@ -143,11 +143,12 @@ void LiveField::Follow(Frame& frame)
   }
 }
 
-void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights)
+void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights, bool skyApart)
 {
   const int size = this->Grids().Size();
   this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays);
-  this->Uninitialized |= this->ProbeMaps.AreEmpty();
+  this->Uninitialized |= this->ProbeMaps.AreEmpty() || skyApart != this->Update.SkyApart;
+  this->Update.SkyApart = skyApart;
   if (!this->ProbeMaps.RayResults->Written)
   {
     this->CompleteRayResults = this->NextProbe == 0 ? 0 : -1;

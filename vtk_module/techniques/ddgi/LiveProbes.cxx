@@ -131,6 +131,10 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
 {
   Defines variant = this->Rays->ShaderDefines();
   variant.merge(this->Uniforms.Variant());
+  if (this->SkyApart)
+  {
+    variant["GI_SKY_APART"] = "1";
+  }
   auto& pass = this->AddPass(frame, "ddgi-trace")
                  .ReadHistory(*maps.Directions, "fieldDirections")
                  .UpdateHistory(*maps.RayResults, "found")

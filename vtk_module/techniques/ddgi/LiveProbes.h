@@ -43,6 +43,7 @@ struct LiveProbeUpdate
   ProbeUniforms Uniforms;
   RayProps* Rays = nullptr;
   LightTable* Lights = nullptr;
+  bool SkyApart = false; ///< the probes leave out light that arrives straight from the environment
   int RayCount = 0;     ///< per probe
   int UpdateNumber = 0; ///< selects the rotation of the rays' directions
   int First = 0;        ///< first probe that this frame updates

@@ -79,7 +79,7 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
   RayProps& rays = frame.Rays("they send no indirect light");
   LiveField& field = frame.ViewState<LiveField>(this);
   LightTable& lights = frame.Lights();
-  field.AddUpdates(frame, rays, lights);
+  field.AddUpdates(frame, rays, lights, frame.Plan().LightsSky());
   IndirectLight light;
   light.Kind = IndirectKind::LiveProbes;
   light.Declare = [this, &field, &view](PassDeclaration& pass) {

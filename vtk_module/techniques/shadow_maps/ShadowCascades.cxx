@@ -60,7 +60,12 @@ struct ViewCone
     this->Eye = glm::dvec3(view.ViewToWorld[3]);
     this->Axis = glm::normalize(glm::dmat3(view.ViewToWorld) * axis);
     // Round distances to quarter octaves.
-    const glm::dvec2 range = DistanceRange(this->Eye, view.Bounds);
+    glm::dvec2 range = DistanceRange(this->Eye, view.Bounds);
+    if (view.SurfaceBounds[0] <= view.SurfaceBounds[1])
+    {
+      const glm::dvec2 others = DistanceRange(this->Eye, view.SurfaceBounds);
+      range = { std::min(range.x, others.x), std::max(range.y, others.y) };
+    }
     this->Farthest = std::exp2(std::ceil(4.0 * std::log2(range.y)) / 4.0);
     this->Nearest = range.x > 0.0 ? std::exp2(std::floor(4.0 * std::log2(range.x)) / 4.0) : 0.0;
   }

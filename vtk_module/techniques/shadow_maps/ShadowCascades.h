@@ -7,7 +7,7 @@
  */
 #pragma once
 
-#include "techniques/shadow_maps/ShadowViews.h"
+#include "shadows/ShadowViews.h"
 
 namespace penumbra
 {

@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace penumbra
 {
@@ -47,6 +48,28 @@ glm::dmat4 ToTile(const AtlasTile& tile, double width, double height)
   const glm::dvec3 low(tile.X / width, tile.Y / height, 0.0);
   return glm::translate(glm::dmat4(1.0), low + 0.5 * size) *
     glm::scale(glm::dmat4(1.0), 0.5 * size);
+}
+
+/// The size and shape of a light, for its penumbrae.
+void SetShape(const Light& light, const ShadowOptions& options, shared::ShadowLightData& data)
+{
+  double size = light.Positional ? options.LightRadius : options.LightTangent;
+  size = light.Shape == GI_SHAPE_POINT ? 0.0 : size;
+  size = light.Shape == GI_SHAPE_ANGLE ? std::tan(light.Size) : size;
+  size = light.Shape == GI_SHAPE_SPHERE ? light.Size : size;
+  data.Side = glm::vec4(0.0);
+  data.Up = glm::vec4(0.0);
+  if (light.IsFlat())
+  {
+    size = std::max(glm::length(light.Side), glm::length(light.Up));
+    data.Side = glm::vec4(light.Side / size, 0.0);
+    data.Up = glm::vec4(light.Up / size, 0.0);
+  }
+  data.Size = glm::vec4(size,
+    !light.IsFlat()                  ? GI_OUTLINE_ROUND
+      : light.Shape == GI_SHAPE_DISC ? GI_OUTLINE_ELLIPSE
+                                     : GI_OUTLINE_PARALLELOGRAM,
+    0.0, 0.0);
 }
 
 shared::ShadowMapData MapData(const ShadowMap& map, const ShadowPlan& plan, const View& view)
@@ -121,7 +144,7 @@ ShadowPlan PlanShadows(const LightTable& table, const std::vector<std::size_t>& 
     shared::ShadowLightData data;
     data.Direction = glm::vec4(light.Direction, 0.0);
     data.Position = glm::vec4(light.Position, light.Positional ? 1.0 : 0.0);
-    data.Size = glm::vec4(light.Positional ? options.LightRadius : options.LightTangent, 0, 0, 0);
+    SetShape(light, options, data);
     data.Maps = glm::ivec4(first, views.size(),
       !parts.Spheres.empty() ? GI_SHADOW_CASCADES
         : views.size() == 6u ? GI_SHADOW_CUBE

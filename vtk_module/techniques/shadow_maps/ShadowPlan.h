@@ -5,8 +5,8 @@
  */
 #pragma once
 
-#include "techniques/shadow_maps/ShadowAtlas.h"
-#include "techniques/shadow_maps/ShadowViews.h"
+#include "shadows/ShadowAtlas.h"
+#include "shadows/ShadowViews.h"
 
 #include "shadow.h"
 

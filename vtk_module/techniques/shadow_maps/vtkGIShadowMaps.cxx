@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIShadowMaps.h"
 
-#include "base/ScopeExit.h"
-#include "capture/ChangeTimes.h"
 #include "capture/SceneCapture.h"
 #include "gpu/ScopedState.h"
+#include "shadows/ShadowCasters.h"
 #include "technique/FrameBuilder.h"
 #include "techniques/shadow_maps/ShadowPlan.h"
 
-#include "vtkActor.h"
-#include "vtkAssemblyNode.h"
-#include "vtkAssemblyPath.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderWindow.h"
 
-#include <cstdint>
 #include <map>
 #include <tuple>
 
@@ -36,35 +31,6 @@ constexpr double PatternRadius = 2.5;
 constexpr int PatternSamples = 16;
 
 using TileKey = std::tuple<int, int, int>;
-
-// Time of the last change of a prop or one of its parts.
-vtkMTimeType CasterTime(vtkProp* prop)
-{
-  vtkMTimeType time = prop->GetRedrawMTime();
-  prop->InitPathTraversal();
-  while (vtkAssemblyPath* path = prop->GetNextPath())
-  {
-    vtkProp* part = path->GetLastNode()->GetViewProp();
-    time = std::max(time, part->GetRedrawMTime());
-    if (auto* actor = vtkActor::SafeDownCast(part))
-    {
-      time = std::max(time, AppearanceTime(actor));
-    }
-  }
-  return time;
-}
-
-// Numbers that change with the set of casters and with each caster.
-std::vector<double> CasterSignature(const SceneCapture& scene)
-{
-  std::vector<double> signature;
-  for (vtkProp* prop : scene.Casters())
-  {
-    signature.push_back(static_cast<double>(CasterTime(prop)));
-    signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
-  }
-  return signature;
-}
 
 // A texel of the atlas that is fixed in the world, because directional views move by whole texels. The dither
 // pattern of partly transparent casters starts there.
@@ -89,30 +55,16 @@ Defines VariantOf(const ShadowPlan& plan)
     {
       variant["GI_SOFT"] = "1";
     }
+    if (light.Size.y > GI_OUTLINE_ROUND)
+    {
+      variant["GI_FLAT"] = "1";
+    }
     if (light.Maps.z != GI_SHADOW_SINGLE)
     {
       variant[light.Maps.z == GI_SHADOW_CUBE ? "GI_CUBE" : "GI_CASCADES"] = "1";
     }
   }
   return variant;
-}
-
-void DrawMap(FrameContext& context, SceneCapture& scene, const Texture& atlas, const ShadowMap& map)
-{
-  ScopedState scope(context.State());
-  context.BindTarget({}, { &atlas, -1 });
-  scope.Viewport(map.Tile.X, map.Tile.Y, map.Tile.Size, map.Tile.Size);
-  scope.Set(GL_SCISSOR_TEST, true);
-  scope.Set(GL_DEPTH_TEST, true);
-  scope.DepthFunc(GL_LEQUAL);
-  scope.DepthMask(true);
-  const GLfloat far = 1.0f;
-  glClearBufferfv(GL_DEPTH, 0, &far);
-  // The depth range covers all casters. Clamping keeps those that rounding puts just outside of it.
-  glEnable(GL_DEPTH_CLAMP); // VTK's state cache does not track it
-  const ScopeExit unclamp([] { glDisable(GL_DEPTH_CLAMP); });
-  scene.DrawCasters(
-    context.Renderer(), map.View.WorldToView, map.View.ViewToClip, map.View.Parallel, Anchor(map));
 }
 
 void DrawMask(FrameContext& context, const Defines& variant, int layers, int lights)
@@ -268,7 +220,7 @@ void vtkGIShadowMaps::DrawMaps(
     const auto found = contents.Tiles.find(key);
     if (redrawAll || found == contents.Tiles.end() || found->second != signature)
     {
-      DrawMap(context, scene, atlas.Storage, map);
+      DrawShadowMap(context, scene, atlas.Storage, map.View, map.Tile, Anchor(map));
       ++this->DrawnMaps;
     }
     drawn.Tiles[key] = std::move(signature);
@@ -307,6 +259,7 @@ void vtkGIShadowMaps::ShadeForward(FrameBuilder& frame)
   visibility.OnSurfaces = VariantOf(*this->Impl->Plan);
   visibility.InVolumes = visibility.OnSurfaces;
   visibility.InVolumes.erase("GI_SOFT");
+  visibility.InVolumes.erase("GI_FLAT");
   visibility.Textures = 1;
   visibility.Bind = [this](ForwardProgram& program) {
     program.Set(this->FilterArguments(program.IsOfVolume()));

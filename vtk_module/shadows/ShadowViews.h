@@ -45,6 +45,11 @@ int CountShadowViews(const Light& light, const Bounds& bounds);
 std::vector<ShadowView> FitShadowViews(
   const Light& light, const Bounds& bounds, int resolution, double margin);
 
+/// Fit the view along a direction in which light travels: the map covers `across`, whose centre is in its middle, and its
+/// depth range all casters.
+ShadowView FitDirection(const glm::dvec3& direction, const Bounds& across, const Bounds& casters,
+  int resolution, double margin);
+
 /// Fit the view of a directional light to a part of the scene, or to the whole scene if that is smaller.
 /// Texels keep their positions in the world while the sphere moves with a constant radius.
 ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const ShadowSphere& sphere,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "techniques/shadow_maps/ShadowViews.h"
+#include "shadows/ShadowViews.h"
 
 #include "light/LightTable.h"
 
@@ -80,18 +80,19 @@ ShadowView Parallel(
   return view;
 }
 
-glm::dmat4 LookAlong(const Light& light, const glm::dvec3& from)
+glm::dmat4 LookAlong(const glm::dvec3& direction, const glm::dvec3& from)
 {
-  return glm::lookAt(from, from + light.WorldDirection, AnyUp(light.WorldDirection));
+  return glm::lookAt(from, from + direction, AnyUp(direction));
+}
+
+glm::dvec3 Center(const Bounds& bounds)
+{
+  return { (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2 };
 }
 
 ShadowView FitDirectional(const Light& light, const Bounds& bounds, int resolution, double margin)
 {
-  const glm::dvec3 center(
-    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
-  const glm::dmat4 worldToView = LookAlong(light, center);
-  const double half = WithMargin(Extent(worldToView, bounds).Half(), resolution, margin);
-  return Parallel(worldToView, bounds, half, resolution);
+  return FitDirection(light.WorldDirection, bounds, bounds, resolution, margin);
 }
 
 // A square window at distance 1 in front of a positional light.
@@ -108,8 +109,7 @@ Window WindowOntoBounds(const Light& light, const Bounds& bounds)
 {
   Window window;
   const glm::dvec3 eye = light.WorldPosition;
-  const glm::dvec3 center(
-    (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2);
+  const glm::dvec3 center = Center(bounds);
   const glm::dvec3 direction = center - eye;
   if (glm::length(direction) <= 0.0)
   {
@@ -142,7 +142,7 @@ Window WindowOntoScene(const Light& light, const Bounds& bounds)
   const double cone = std::tan(glm::radians(light.ConeAngle));
   if (light.ConeAngle < WidestCone && (!window.Narrow || cone < window.Half))
   {
-    window.WorldToView = LookAlong(light, light.WorldPosition);
+    window.WorldToView = LookAlong(light.WorldDirection, light.WorldPosition);
     window.Center = glm::dvec2(0.0);
     window.Half = cone;
     window.Narrow = true;
@@ -163,6 +163,14 @@ glm::dvec2 DistanceRange(const glm::dvec3& from, const Bounds& bounds)
   return { glm::length(glm::clamp(from, low, high) - from), farthest };
 }
 
+ShadowView FitDirection(const glm::dvec3& direction, const Bounds& across, const Bounds& casters,
+  int resolution, double margin)
+{
+  const glm::dmat4 worldToView = LookAlong(direction, Center(across));
+  const double half = WithMargin(Extent(worldToView, across).Half(), resolution, margin);
+  return Parallel(worldToView, casters, half, resolution);
+}
+
 ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const ShadowSphere& sphere,
   int resolution, double margin)
 {
@@ -176,7 +184,7 @@ ShadowView FitShadowSphere(const Light& light, const Bounds& bounds, const Shado
     return sceneView;
   }
   const double grid = step * 2.0 * half / resolution;
-  const glm::dmat3 toLight(LookAlong(light, glm::dvec3(0.0)));
+  const glm::dmat3 toLight(LookAlong(light.WorldDirection, glm::dvec3(0.0)));
   glm::dvec3 center = toLight * sphere.Center;
   center.x = std::round(center.x / grid) * grid;
   center.y = std::round(center.y / grid) * grid;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "techniques/shadow_maps/ShadowAtlas.h"
+#include "shadows/ShadowAtlas.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,59 @@
+#version 430 core
+// Draws the ground into the G-buffer. See SceneCapture::AddSurface() and capture/declarations.glsl. Variants: GI_EXTENDED,
+// and the numbers of requested targets.
+#include "shared/view.h"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "ground/plane.glsl"
+
+layout(binding = 0) uniform sampler2D depthTexture;
+
+uniform bool hides;    // whether the ground hides props below it
+uniform vec3 color;
+uniform int material;
+
+layout(location = 0) out vec4 albedo;
+layout(location = 1) out vec4 normal;
+layout(location = 2) out vec4 ambient;
+#ifdef GI_EXTENDED
+layout(location = 3) out vec4 surface;
+layout(location = 4) out vec4 emission;
+#endif
+#ifdef GI_SURROUNDINGS
+layout(location = GI_SURROUNDINGS) out vec4 surroundings;
+#endif
+#ifdef GI_DISPLACEMENT
+layout(location = GI_DISPLACEMENT) out vec4 displacement;
+#endif
+#ifdef GI_FACET
+layout(location = GI_FACET) out vec4 facet;
+#endif
+
+void main()
+{
+  GiGround ground = giGroundAt(gl_FragCoord.xy);
+  float drawn = texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r;
+  vec4 clip = view.ViewToClip * vec4(ground.P, 1.0);
+  float depth = clip.z / clip.w * 0.5 + 0.5;
+  if (ground.opacity <= 0.0 || depth <= 0.0 || depth >= 1.0 || (hides ? drawn <= depth : drawn < 1.0))
+  {
+    discard;
+  }
+  gl_FragDepth = depth;
+  albedo = vec4(color, 1.0);
+  normal = vec4(giEncodeOctahedral(plane.xyz), float(material) / 65535.0, 1.0);
+  ambient = vec4(0.0);
+#ifdef GI_EXTENDED
+  surface = vec4(1.0);
+  emission = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+#ifdef GI_SURROUNDINGS
+  surroundings = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+#ifdef GI_DISPLACEMENT
+  displacement = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+#ifdef GI_FACET
+  facet = vec4(normal.xy, 0.0, 1.0);
+#endif
+}

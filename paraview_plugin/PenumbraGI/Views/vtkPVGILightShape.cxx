@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVGILightShape.h"
+
+#include "vtkGILightShape.h"
+#include "vtkLight.h"
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkPVGILightShape);
+
+vtkPVGILightShape::vtkPVGILightShape() = default;
+
+vtkPVGILightShape::~vtkPVGILightShape()
+{
+  vtkGILightShape::Remove(this->Light);
+}
+
+void vtkPVGILightShape::SetLight(vtkLight* light)
+{
+  if (light != this->Light)
+  {
+    vtkGILightShape::Remove(this->Light);
+    this->Light = light;
+    this->Apply();
+  }
+}
+
+void vtkPVGILightShape::SetShape(int shape)
+{
+  this->Shape = shape;
+  this->Apply();
+}
+
+void vtkPVGILightShape::SetAngle(double degrees)
+{
+  this->Angle = degrees;
+  this->Apply();
+}
+
+void vtkPVGILightShape::SetRadius(double radius)
+{
+  this->Radius = radius;
+  this->Apply();
+}
+
+void vtkPVGILightShape::SetSize(double width, double height)
+{
+  this->Size[0] = width;
+  this->Size[1] = height;
+  this->Apply();
+}
+
+void vtkPVGILightShape::SetTurn(double degrees)
+{
+  this->Turn = degrees;
+  this->Apply();
+}
+
+void vtkPVGILightShape::Apply()
+{
+  switch (this->Shape)
+  {
+    case vtkGILightShape::POINT:
+      vtkGILightShape::SetPoint(this->Light);
+      break;
+    case vtkGILightShape::ANGLE:
+      vtkGILightShape::SetAngle(this->Light, this->Angle);
+      break;
+    case vtkGILightShape::SPHERE:
+      vtkGILightShape::SetSphere(this->Light, this->Radius);
+      break;
+    case vtkGILightShape::DISC:
+      vtkGILightShape::SetDisc(this->Light, this->Radius);
+      break;
+    case vtkGILightShape::RECTANGLE:
+      vtkGILightShape::SetRectangle(this->Light, this->Size[0], this->Size[1], this->Turn);
+      break;
+    default:
+      vtkGILightShape::Remove(this->Light);
+  }
+}

@@ -1,0 +1,172 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Light of skies by sky-light compared with the path tracer on the demo's scenes and the example's isosurface: in a still
+picture, and in the first frames of an orbit. Exits with 1 if an error is above its limit.
+
+The scenes have no lights here and no highlights, and the reference has no bounces, so that pictures show the light that
+arrives straight from the sky."""
+import argparse
+import os
+import sys
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
+
+import numpy as np  # noqa: E402
+import penumbra  # noqa: E402
+import scenes  # noqa: E402
+from indirect_light import FINER, kept, smaller, write  # noqa: E402
+from isosurface_ddgi import Room  # noqa: E402
+from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
+from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture  # noqa: E402
+
+SCENES = {name: function for name, (_, function) in scenes.SCENES.items()}
+SCENES["isosurface"] = lambda: Room().renderer
+FRAMES = 32  # of a still picture
+# Limits of relMSE, of the signed mean, and of relMSE in the first frame of an orbit.
+LIMITS = {"uniform": (0.003, 0.01, 0.02), "gradient": (0.01, 0.02, None), "sun": (0.01, 0.02, None),
+          "picture": (0.01, 0.02, None)}
+
+
+def directions(height=256):
+    """Unit vectors of the pixels of an equirectangular image, lowest row first; y is up."""
+    latitude, longitude = np.meshgrid((np.arange(height) + 0.5) / height * np.pi - np.pi / 2,
+                                      (np.arange(2 * height) + 0.5) / height * np.pi - np.pi, indexing="ij")
+    return np.stack((np.cos(latitude) * np.cos(longitude), np.sin(latitude), np.cos(latitude) * np.sin(longitude)), axis=-1)
+
+
+def disc(d, toward, degrees, radiance):
+    """A disc of light of an angular diameter."""
+    toward = np.array(toward) / np.linalg.norm(toward)
+    inside = d @ toward > np.cos(np.radians(0.5 * degrees))
+    return inside[..., None] * np.array(radiance)
+
+
+def sky(name):
+    """Radiance of a sky, as an image."""
+    d = directions()
+    up = d[..., 1:2]
+    blue, haze, ground = np.array((0.25, 0.45, 0.9)), np.array((0.9, 0.9, 0.85)), np.array((0.22, 0.2, 0.18))
+    if name == "uniform":
+        return np.ones(d.shape)
+    if name == "gradient":
+        return 0.3 + 0.7 * (0.5 + 0.5 * up) * np.array((0.9, 1.0, 1.1))
+    clear = np.where(up > 0, blue + (haze - blue) * (1 - np.clip(up, 0, 1)) ** 4, ground)
+    if name == "sun":
+        return clear + disc(d, (0.5, 0.6, -0.62), 3, (900, 850, 750))
+    # A picture with clouds, windows and a small sun, from a few waves.
+    random = np.random.default_rng(5)
+    waves = sum(np.sin(d @ random.normal(size=3) * 2.0 ** octave + random.uniform(0, 6)) / 1.6 ** octave for octave in range(1, 6))
+    clouds = np.clip(waves, 0, None)[..., None] * np.where(up > 0, 0.6, 0.05)
+    return 0.5 * clear + clouds + disc(d, (-0.3, 0.75, -0.5), 1.5, (4000, 3800, 3500)) + disc(d, (0.9, 0.15, 0.2), 12, (9, 7, 5))
+
+
+def environment(radiance):
+    """A texture of an image of radiance."""
+    image = vtkImageData()
+    image.SetDimensions(radiance.shape[1], radiance.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(radiance.reshape(-1, 3).astype(np.float32), deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.SetColorModeToDirectScalars()
+    texture.MipmapOn()
+    texture.InterpolateOn()
+    return texture
+
+
+def lit(scene, name):
+    """A scene lit by a sky alone."""
+    renderer = SCENES[scene]()
+    for actor in renderer.GetActors():
+        actor.GetProperty().SetSpecular(0)
+        actor.GetProperty().SetAmbient(0)
+    renderer.RemoveAllLights()
+    renderer.AutomaticLightCreationOff()
+    faint = vtkLight()  # without a light VTK draws unlit colours
+    faint.SetIntensity(1e-9)
+    renderer.AddLight(faint)
+    renderer.GradientBackgroundOff()
+    renderer.SetBackground(0, 0, 0)
+    renderer.SetEnvironmentTexture(environment(sky(name)))
+    renderer.SetEnvironmentUp(0, 0, 1)
+    renderer.SetEnvironmentRight(1, 0, 0)
+    renderer.UseImageBasedLightingOn()
+    # VTK's own tables, which only its highlights use, are made as small as possible.
+    renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
+    renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
+    renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
+    renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
+    renderer.GetEnvMapLookupTable().SetLUTSize(8)
+    renderer.GetEnvMapLookupTable().SetLUTSamples(8)
+    return renderer
+
+
+class Film:
+    """A scene under a sky in a window, drawn with a preset."""
+
+    def __init__(self, scene, name, size, preset, **parameters):
+        self.renderer = lit(scene, name)
+        self.gi = penumbra.enable(self.renderer, preset, **parameters)
+        self.gi.KeepRadianceOn()
+        self.window = penumbra.window(self.renderer, size=size, multisamples=0)
+
+    def picture(self, frames):
+        """Radiance after a number of frames."""
+        for _ in range(frames):
+            self.window.Render()
+        self.window.WaitForCompletion()
+        return penumbra.radiance(self.gi, self.renderer)[..., :3].astype(float)
+
+    def turn(self, degrees):
+        """Move the camera around the scene."""
+        self.renderer.GetActiveCamera().Azimuth(degrees)
+
+
+def options():
+    """Parse the command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenes", nargs="*", default=list(SCENES), help="any of " + ", ".join(SCENES))
+    parser.add_argument("--skies", nargs="+", default=list(LIMITS), choices=LIMITS)
+    parser.add_argument("--size", default="160x90", help="size of the pictures")
+    parser.add_argument("--spp", type=int, default=512, help="paths per pixel of the reference")
+    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="parameter of sky-light")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write the compared pictures there: first frame, still, path tracer")
+    args = parser.parse_args()
+    for name in args.scenes:
+        if name not in SCENES:
+            parser.error(f"there is no scene '{name}': choose from {', '.join(SCENES)}")
+    return args
+
+
+def main():
+    """Print a line for each sky and scene."""
+    args = options()
+    size = tuple(int(part) for part in args.size.split("x"))
+    parameters = {"sky-light." + key: value for key, value in (item.split("=", 1) for item in args.set)}
+    passed = True
+    print(f"{'sky':9} {'scene':11} still: relMSE  signed mean   first frame: relMSE  signed mean   s of processor time")
+    for name in args.skies:
+        for scene in args.scenes:
+            truth = kept(args.keep, f"{scene}_{name}_{args.size}_{args.spp}", lambda: Film(
+                scene, name, size, "reference",
+                **{"path-tracing.samples": args.spp, "path-tracing.bounces": 0}).picture(args.spp))
+            film = Film(scene, name, [FINER * side for side in size], "off", on="sky-light", **parameters)
+            started = time.process_time()
+            first = smaller(film.picture(1))
+            still = smaller(film.picture(FRAMES - 1))
+            seconds = time.process_time() - started
+            write(args.pictures, f"{name}_{scene}.png", first, still, truth)
+            error, mean = penumbra.relative_error(still, truth)
+            error1, mean1 = penumbra.relative_error(first, truth)
+            print(f"{name:9} {scene:11} {error:13.4f}  {100 * mean:+9.2f} %  {error1:19.4f}  {100 * mean1:+9.2f} %  {seconds:8.1f}", flush=True)
+            most, most_mean, most_first = LIMITS[name]
+            passed = passed and error <= most and abs(mean) <= most_mean and (most_first is None or error1 <= most_first)
+    return 0 if passed else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

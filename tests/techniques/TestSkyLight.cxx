@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Light of the sky where it is known in closed form, and when its shadow maps are drawn.
+ */
+#include "Messages.h"
+#include "Picture.h"
+#include "SceneParts.h"
+#include "Stage.h"
+
+#include "vtkGISkyLight.h"
+
+#include <vtkCamera.h>
+#include <vtkCubeSource.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkPBRIrradianceTexture.h>
+#include <vtkPBRLUTTexture.h>
+#include <vtkPBRPrefilterTexture.h>
+#include <vtkPointData.h>
+#include <vtkSphereSource.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+using namespace penumbra_test;
+
+namespace
+{
+constexpr int Side = 96;
+
+// A sky by the sine of latitude, from -1 to 1.
+vtkSmartPointer<vtkTexture> MakeSky(const std::function<double(double)>& radiance)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 32, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  for (int y = 0; y < 32; ++y)
+  {
+    const double height = std::sin(((y + 0.5) / 32.0 - 0.5) * vtkMath::Pi());
+    for (int x = 0; x < 64; ++x)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        image->SetScalarComponentFromDouble(x, y, 0, i, radiance(height));
+      }
+    }
+  }
+  return EnvironmentTexture(image);
+}
+
+void SetSky(vtkRenderer* renderer, vtkTexture* sky)
+{
+  auto* gl = static_cast<vtkOpenGLRenderer*>(renderer);
+  gl->SetEnvironmentTexture(sky);
+  gl->SetEnvironmentUp(0.0, 0.0, 1.0);
+  gl->SetEnvironmentRight(1.0, 0.0, 0.0);
+  gl->UseImageBasedLightingOn();
+  // VTK's default tables are large and slow to compute on a CPU.
+  gl->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
+  gl->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
+  gl->GetEnvMapIrradiance()->SetIrradianceSize(8);
+  gl->GetEnvMapIrradiance()->SetIrradianceStep(0.3f);
+  gl->GetEnvMapLookupTable()->SetLUTSize(8);
+  gl->GetEnvMapLookupTable()->SetLUTSamples(8);
+}
+
+class SkyLight : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Scene.Window->SetSize(Side, Side);
+    this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
+    AddFaintLight(this->Scene.Renderer);
+    SetSky(this->Scene.Renderer, MakeSky([](double) { return 1.0; }));
+    this->Pass = this->Scene.SetPasses().front();
+    this->Pass->KeepRadianceOn();
+    this->Technique = vtkGISkyLight::SafeDownCast(this->Pass->GetTechnique("sky-light"));
+    ASSERT_NE(this->Technique, nullptr);
+    this->Technique->EnabledOn();
+  }
+
+  static void Paint(vtkActor* actor, double grey) { actor->GetProperty()->SetColor(grey, grey, grey); }
+
+  vtkActor* AddBall(double x = 0.0, double z = 0.0)
+  {
+    vtkNew<vtkSphereSource> source;
+    source->SetThetaResolution(32);
+    source->SetPhiResolution(16);
+    source->SetCenter(x, 0.0, z);
+    vtkActor* ball = this->Scene.Add(source);
+    Paint(ball, 0.4);
+    return ball;
+  }
+
+  // Look from a point; height is that of the picture in world units.
+  void Look(const Point& from, const Point& at, double height)
+  {
+    vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.5 * height);
+    camera->SetPosition(from.data());
+    camera->SetFocalPoint(at.data());
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Scene.Renderer->ResetCameraClippingRange();
+  }
+
+  void Draw(int frames)
+  {
+    for (int i = 0; i < frames; ++i)
+    {
+      this->Scene.Window->Render();
+    }
+    EXPECT_TRUE(this->Pass->GetRadiance(this->Scene.Renderer, this->Radiance));
+    EXPECT_STREQ(this->Pass->GetLastError(), "");
+    EXPECT_TRUE(TakeMessages().empty());
+  }
+
+  int DrawnMaps() { return this->Technique->GetDrawnMaps(this->Scene.Renderer); }
+
+  // Mean radiance of the pixels that surfaces cover.
+  double Mean()
+  {
+    double sum = 0.0;
+    double count = 0.0;
+    vtkDataArray* values = this->Radiance->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      sum += values->GetComponent(i, 3) > 0.0 ? values->GetComponent(i, 1) : 0.0;
+      count += values->GetComponent(i, 3) > 0.0 ? 1.0 : 0.0;
+    }
+    return sum / count;
+  }
+
+  // Mean of the 3 x 3 pixels around a point of the scene.
+  double At(const Point& p)
+  {
+    vtkRenderer* renderer = this->Scene.Renderer;
+    renderer->SetWorldPoint(p[0], p[1], p[2], 1.0);
+    renderer->WorldToDisplay();
+    const int x = static_cast<int>(renderer->GetDisplayPoint()[0]);
+    const int y = static_cast<int>(renderer->GetDisplayPoint()[1]);
+    double sum = 0.0;
+    for (int i = 0; i < 9; ++i)
+    {
+      sum += this->Radiance->GetScalarComponentAsDouble(x + i % 3 - 1, y + i / 3 - 1, 0, 1) / 9.0;
+    }
+    return sum;
+  }
+
+  Stage Scene;
+  vtkSmartPointer<vtkGIPass> Pass;
+  vtkGISkyLight* Technique = nullptr;
+  vtkNew<vtkImageData> Radiance;
+};
+}
+
+TEST_F(SkyLight, OfAUniformSkyOnABallIsItsReflectance)
+{
+  vtkActor* ball = this->AddBall();
+  this->Look({ { 0.0, -9.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, 1.2);
+  for (const char* resolution : { "full", "half" })
+  {
+    this->Technique->SetParameterFromText("resolution", resolution);
+    this->Draw(1);
+    EXPECT_NEAR(this->Mean(), 0.4, 4e-4) << resolution;
+  }
+  // PBR materials too, apart from the highlight: a black sky below leaves none on a matte ball seen from above.
+  ball->GetProperty()->SetInterpolationToPBR();
+  ball->GetProperty()->SetMetallic(0.0);
+  ball->GetProperty()->SetRoughness(1.0);
+  this->Draw(1);
+  EXPECT_GT(this->Mean(), 0.96 * 0.4 - 0.01);
+  EXPECT_LT(this->Mean(), 0.96 * 0.4 + 0.06);
+}
+
+// A rectangle of height h and half length a covers this share of the sky, weighted by the cosine, of a floor at distance
+// d from its foot (Howell, A Catalog of Radiation Heat Transfer Configuration Factors, B-3).
+TEST_F(SkyLight, BesideAWall)
+{
+  const double a = 3.0;
+  Paint(AddFloor(this->Scene, -20.0, 20.0, -20.0, 20.0), 1.0);
+  Paint(AddQuad(this->Scene, { { -a, 0.0, 0.0 } }, { { a, 0.0, 0.0 } }, { { -a, 0.0, 1.0 } }), 1.0);
+  this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, -1.0, 0.0 } }, 3.0);
+  this->Draw(32);
+  for (const double d : { 0.3, 0.5, 1.0, 1.8 })
+  {
+    const double far = std::sqrt(1.0 + d * d);
+    const double hidden = (std::atan(a / d) - d / far * std::atan(a / far)) / vtkMath::Pi();
+    const double light = this->At({ { 0.0, -d, 0.0 } });
+    std::printf("wall at %g: %.4f, expected %.4f\n", d, light, 1.0 - hidden);
+    EXPECT_NEAR(light, 1.0 - hidden, 0.01) << d;
+  }
+}
+
+TEST_F(SkyLight, DrawsMapsOnlyWhilePropsChange)
+{
+  vtkActor* ball = this->AddBall();
+  this->AddBall(2.0);
+  this->Look({ { 0.0, -9.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, 4.0);
+  this->Technique->SetParameter("maps", 64);
+  this->Technique->SetParameter("first-maps", 48);
+  this->Draw(1);
+  EXPECT_EQ(this->DrawnMaps(), 48);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  for (const int expected : { 8, 8, 0, 0 })
+  {
+    camera->Azimuth(5.0);
+    this->Draw(1);
+    EXPECT_EQ(this->DrawnMaps(), expected);
+  }
+  this->Draw(1); // a still frame goes on with other directions
+  EXPECT_EQ(this->DrawnMaps(), 8);
+  // The sky turns with the camera: the maps stay.
+  this->Scene.Renderer->SetEnvironmentRight(0.0, 1.0, 0.0);
+  this->Draw(1);
+  EXPECT_EQ(this->DrawnMaps(), 0);
+  ball->SetPosition(0.1, 0.0, 0.0);
+  this->Draw(1);
+  EXPECT_EQ(this->DrawnMaps(), 48);
+}
+
+// The sky is bright above and black below; which side is up is the renderer's to say.
+TEST_F(SkyLight, FollowsTheEnvironmentsOrientation)
+{
+  Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), 0.5);
+  SetSky(this->Scene.Renderer, MakeSky([](double height) { return height > 0.0 ? 1.0 : 0.0; }));
+  this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 1.0);
+  this->Draw(1);
+  EXPECT_NEAR(this->Mean(), 0.5, 0.005);
+  this->Scene.Renderer->SetEnvironmentUp(0.0, 0.0, -1.0);
+  this->Draw(1);
+  EXPECT_NEAR(this->Mean(), 0.0, 0.005);
+  this->Scene.Renderer->SetEnvironmentUp(0.0, 1.0, 0.0);
+  this->Draw(1);
+  EXPECT_NEAR(this->Mean(), 0.25, 0.005);
+}
+
+TEST_F(SkyLight, ConvergesInStillFrames)
+{
+  Paint(AddFloor(this->Scene, -4.0, 4.0, -4.0, 4.0), 0.8);
+  this->AddBall(0.0, 0.5);
+  this->Look({ { 0.0, -9.0, 6.0 } }, { { 0.0, 0.0, 0.2 } }, 2.5);
+  const auto pictureAfter = [this](int frames) {
+    this->Draw(frames);
+    std::vector<double> values;
+    for (vtkIdType i = 0; i < Side * Side; ++i)
+    {
+      values.push_back(this->Radiance->GetPointData()->GetScalars()->GetComponent(i, 1));
+    }
+    return values;
+  };
+  const auto first = pictureAfter(1);
+  const auto later = pictureAfter(19);
+  const auto last = pictureAfter(100);
+  RelativeError error1;
+  RelativeError error20;
+  for (std::size_t i = 0; i < last.size(); ++i)
+  {
+    error1.Add(first[i], last[i]);
+    error20.Add(later[i], last[i]);
+  }
+  std::printf("frame 1: %.5f, frame 20: %.5f\n", error1.Mean(), error20.Mean());
+  EXPECT_LT(error1.Mean(), 0.02);
+  EXPECT_LT(error20.Mean(), 0.1 * error1.Mean());
+}
+
+TEST_F(SkyLight, RestsWithoutAnEnvironmentAndUnderPaths)
+{
+  this->AddBall();
+  this->Look({ { 0.0, -9.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, 1.2);
+  for (const char* technique : { "", "path-tracing" })
+  {
+    const bool traced = *technique != 0;
+    this->Scene.Renderer->SetUseImageBasedLighting(traced);
+    if (traced)
+    {
+      this->Pass->GetTechnique(technique)->EnabledOn();
+    }
+    this->Technique->EnabledOn();
+    this->Pass->Restart();
+    const Picture with = Shoot(this->Scene.Window);
+    EXPECT_EQ(this->DrawnMaps(), 0);
+    this->Technique->EnabledOff();
+    this->Pass->Restart();
+    EXPECT_EQ(Compare(with, Shoot(this->Scene.Window), 0).Max, 0) << technique;
+  }
+}
+
+// A corner of white sides: light that the sides reflect comes from live probes, which leave out what arrives straight
+// from the sky, and so it is counted once.
+TEST_F(SkyLight, AndLiveProbesAddUpToPaths)
+{
+  Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), 0.7);
+  Paint(AddQuad(this->Scene, { { -1.0, 1.0, 0.0 } }, { { 1.0, 1.0, 0.0 } }, { { -1.0, 1.0, 2.0 } }), 0.7);
+  Paint(AddQuad(this->Scene, { { -1.0, -1.0, 0.0 } }, { { -1.0, 1.0, 0.0 } }, { { -1.0, -1.0, 2.0 } }), 0.7);
+  this->Look({ { 6.0, -7.0, 5.0 } }, { { -0.3, 0.3, 0.7 } }, 2.4);
+  this->Scene.Window->SetSize(48, 48);
+  vtkGITechnique* probes = this->Pass->GetTechnique("ddgi");
+  probes->EnabledOn();
+  probes->SetParameter("probes", 512);
+  this->Draw(60);
+  const double drawn = this->Mean();
+  probes->EnabledOff();
+  this->Technique->EnabledOff();
+  this->Pass->SetPreset("reference");
+  this->Draw(64);
+  const double traced = this->Mean();
+  std::printf("drawn %.4f, traced %.4f\n", drawn, traced);
+  EXPECT_NEAR(drawn, traced, 0.03 * traced);
+}
+
+// The picture is the same after all resources were released, and in a second renderer.
+TEST_F(SkyLight, SurvivesReleasedResourcesAndSecondRenderers)
+{
+  this->AddBall();
+  this->Look({ { 0.0, -9.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, 1.2);
+  const Picture before = Shoot(this->Scene.Window);
+  this->Pass->ReleaseGraphicsResources(this->Scene.Window);
+  EXPECT_LE(Compare(before, Shoot(this->Scene.Window), 0).Max, 1);
+  vtkRenderer* second = this->Scene.AddRenderer();
+  second->SetBackground(0.0, 0.0, 0.0);
+  AddFaintLight(second);
+  SetSky(second, MakeSky([](double) { return 0.5; }));
+  second->AddActor(this->Scene.Renderer->GetActors()->GetLastActor());
+  second->SetActiveCamera(this->Scene.Renderer->GetActiveCamera());
+  this->Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->SetPass(this->Pass);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Picture both = Shoot(this->Scene.Window);
+    EXPECT_NEAR(both.Grey(Side / 4, Side / 2), 0.4 * 255.0, 1.0);
+    EXPECT_NEAR(both.Grey(3 * Side / 4, Side / 2), 0.2 * 255.0, 1.0);
+  }
+  EXPECT_TRUE(TakeMessages().empty());
+}
+
+// What VTK draws itself gets the same light.
+TEST_F(SkyLight, LightsTranslucentSurfaces)
+{
+  Paint(AddFloor(this->Scene, -2.0, 2.0, -2.0, 2.0), 0.6);
+  vtkActor* roof = AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0, 0.5);
+  Paint(roof, 0.6);
+  this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, 0.0, 0.5 } }, 1.0);
+  this->Draw(1);
+  const double opaque = this->Mean();
+  EXPECT_NEAR(opaque, 0.6, 0.002);
+  roof->GetProperty()->SetOpacity(0.999);
+  const Picture blended = Shoot(this->Scene.Window);
+  EXPECT_NEAR(blended.MeanGrey(40, 40, 56, 56), 0.6 * 255.0, 2.0);
+  EXPECT_TRUE(TakeMessages().empty());
+}

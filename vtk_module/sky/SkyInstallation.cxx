@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sky/SkyInstallation.h"
+
+#include "sky/SkyProp.h"
+#include "vtkGISkySource.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkOpenGLRenderer.h"
+#include "vtkPBRPrefilterTexture.h"
+#include "vtkSkybox.h"
+#include "vtkTexture.h"
+
+#include <algorithm>
+
+namespace penumbra
+{
+SkyInstallation* SkyInstallation::Install(vtkGISkySource* sky, vtkOpenGLRenderer* renderer)
+{
+  auto* installed = new SkyInstallation;
+  installed->Sky = sky;
+  installed->Renderer = renderer;
+  auto& before = installed->Before;
+  before.Texture = renderer->GetEnvironmentTexture();
+  before.Srgb = renderer->GetEnvMapPrefiltered()->GetConvertToLinear();
+  std::copy_n(renderer->GetEnvironmentUp(), 3, before.Up);
+  std::copy_n(renderer->GetEnvironmentRight(), 3, before.Right);
+  before.ImageBasedLighting = renderer->GetUseImageBasedLighting();
+  before.Harmonics = renderer->GetUseSphericalHarmonics();
+
+  installed->Texture->SetColorModeToDirectScalars();
+  installed->Texture->InterpolateOn();
+  installed->Texture->MipmapOn(); // for reflections of rough surfaces
+  installed->Texture->SetInputData(sky->GetImage());
+  renderer->SetEnvironmentTexture(installed->Texture, false);
+  renderer->UseImageBasedLightingOn();
+  renderer
+    ->UseSphericalHarmonicsOn(); // VTK's other way filters the image on the GPU, which takes longer
+  installed->Observer = renderer->AddObserver(vtkCommand::StartEvent, installed);
+  installed->UnRegister(); // the renderer has registered it
+  installed->Update();
+  return installed;
+}
+
+SkyInstallation::~SkyInstallation()
+{
+  if (this->Sky)
+  {
+    this->Sky->Forget(this);
+  }
+}
+
+vtkOpenGLRenderer* SkyInstallation::GetRenderer() const
+{
+  return this->Renderer;
+}
+
+bool SkyInstallation::IsCurrent() const
+{
+  return this->Renderer && this->Renderer->GetEnvironmentTexture() == this->Texture;
+}
+
+void SkyInstallation::Show(bool skybox)
+{
+  if (skybox && !this->Skybox)
+  {
+    this->Skybox = MakeSkybox(this->Texture);
+    this->Renderer->AddActor(this->Skybox);
+  }
+  else if (!skybox && this->Skybox)
+  {
+    this->Renderer->RemoveActor(this->Skybox);
+    this->Skybox = nullptr;
+  }
+}
+
+void SkyInstallation::Update()
+{
+  if (!this->IsCurrent())
+  {
+    return;
+  }
+  vtkImageData* image = this->Sky->GetImage();
+  if (image != this->Texture->GetInput())
+  {
+    this->Texture->SetInputData(image);
+  }
+  double right[3], up[3];
+  this->Sky->ComputeAxes(this->Renderer, right, up);
+  // The setters do nothing where the axes are the same.
+  this->Renderer->SetEnvironmentRight(right);
+  this->Renderer->SetEnvironmentUp(up);
+  this->Show(this->Sky->GetVisible());
+  if (this->Skybox)
+  {
+    Orient(this->Skybox, right, up);
+  }
+  vtkLight* sun = this->Sky->GetSun();
+  if (sun && !this->Sun)
+  {
+    this->Renderer->AddLight(sun);
+  }
+  else if (!sun && this->Sun)
+  {
+    this->Renderer->RemoveLight(this->Sun);
+  }
+  this->Sun = sun;
+}
+
+void SkyInstallation::Remove()
+{
+  if (!this->Renderer)
+  {
+    return;
+  }
+  const bool current = this->IsCurrent();
+  this->Show(false);
+  if (this->Sun)
+  {
+    this->Renderer->RemoveLight(this->Sun);
+  }
+  if (current)
+  {
+    this->Renderer->SetEnvironmentTexture(this->Before.Texture, this->Before.Srgb);
+    this->Renderer->SetEnvironmentUp(this->Before.Up);
+    this->Renderer->SetEnvironmentRight(this->Before.Right);
+    this->Renderer->SetUseImageBasedLighting(this->Before.ImageBasedLighting);
+    this->Renderer->SetUseSphericalHarmonics(this->Before.Harmonics);
+  }
+  this->Renderer->RemoveObserver(this->Observer);
+}
+
+void SkyInstallation::Execute(vtkObject*, unsigned long, void*)
+{
+  this->Update();
+}
+}
