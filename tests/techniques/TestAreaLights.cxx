@@ -201,6 +201,23 @@ TEST_F(AreaLights, HighlightsMatchThePathTracer)
   TakeMessages();
 }
 
+// A rectangle that shines at the ceiling lights the floor by reflection only, about half as much as a point light would.
+// DDGI errs as much with a point light.
+TEST_F(AreaLights, DDGIReflectsTheLightOfARectangle)
+{
+  this->Floor->GetProperty()->SetDiffuse(0.7);
+  vtkActor* ceiling = AddFloor(this->Scene, -6.0, 6.0, -6.0, 6.0, 3.0);
+  ceiling->GetProperty()->SetColor(0.7, 0.7, 0.7);
+  this->Lamp->SetPosition(0.0, 0.0, 1.0);
+  this->Lamp->SetFocalPoint(0.0, 0.0, 3.0);
+  vtkGILightShape::SetRectangle(this->Lamp, 2.0, 1.4);
+  const double traced = Blocks(this->ShineBy("path-tracing", 32), Side, Side).front();
+  const double drawn = Blocks(this->ShineBy("ddgi", 64), Side, Side).front();
+  std::printf("reflected: DDGI %.5f, path tracer %.5f\n", drawn, traced);
+  EXPECT_NEAR(drawn / traced, 1.0, 0.15);
+  TakeMessages();
+}
+
 // A shape far away looks like a point; a shape with its size removed is one, exactly.
 TEST_F(AreaLights, SmallShapesArePoints)
 {

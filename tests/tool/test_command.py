@@ -225,6 +225,18 @@ class Rendered(command.CommandTest):
         self.assertIn(says, notes[0])
         self.render("out.png", *fewer, "--quiet", scene=scene)
 
+    def test_lights_with_a_size(self):
+        lamp = {"type": "point", "position": [1, 1, 3]}
+        flat = ("--off", "ambient-occlusion")
+        self.render("point.png", *flat, scene=command.box(lights=[lamp]))
+        for shape in ({"radius": 1}, {"disc": 1}, {"rectangle": [3, 0.5], "turn": 20}):
+            name = next(iter(shape))
+            self.render(f"{name}.png", *flat, scene=command.box(lights=[{**lamp, **shape}]))
+            self.assertGreater(self.compare("point.png", f"{name}.png")["p99"], 0.02, name)
+        text = "point:1,1,3,rectangle=3,0.5,turn=20"
+        self.render("line.png", *flat, "--light", text, scene=command.box(lights=[]))
+        self.assertEqual(self.compare("rectangle.png", "line.png")["maximum"], 0)
+
     def test_techniques_change_the_picture(self):
         self.render("on.png")
         self.render("off.png", "--preset", "off")
