@@ -161,6 +161,7 @@ TEST(SkyInRenderer, RemovingRestoresTheRenderer)
   renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
   renderer->SetEnvironmentRight(0.0, 1.0, 0.0);
   renderer->UseSphericalHarmonicsOff();
+  renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(300);
   const int props = CountProps(renderer);
   const int lights = renderer->GetLights()->GetNumberOfItems();
 
@@ -182,6 +183,7 @@ TEST(SkyInRenderer, RemovingRestoresTheRenderer)
     EXPECT_FALSE(sky->IsAppliedTo(renderer));
     EXPECT_EQ(renderer->GetEnvironmentTexture(), texture.Get());
     EXPECT_TRUE(renderer->GetEnvMapPrefiltered()->GetConvertToLinear());
+    EXPECT_EQ(renderer->GetEnvMapPrefiltered()->GetPrefilterMaxSamples(), 300u);
     EXPECT_EQ(renderer->GetEnvironmentUp()[2], 1.0);
     EXPECT_EQ(renderer->GetEnvironmentRight()[1], 1.0);
     EXPECT_FALSE(renderer->GetUseImageBasedLighting());
