@@ -1,10 +1,12 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The ground: a catcher equals a ground that is modelled, on any background, and is no prop."""
+import tempfile
 import unittest
 
 import numpy as np
 import penumbra
+from PIL import Image
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -158,6 +160,23 @@ class Catcher(unittest.TestCase):
                 print(f"{techniques}: {100 * share:.2f} % of the pixels over {color} within 1/255")
                 self.assertGreater((np.abs(drawn - np.rint(np.array(color) * 255)) > 20).any(axis=2).mean(), 0.1)
                 self.assertEqual(share, 1)
+
+    def test_png_files_hold_straight_alpha(self):
+        for behind in ((0, 0, 0), (1, 1, 1)):
+            clear = View(ball(), background=behind)
+            clear.renderer.SetBackgroundAlpha(0)
+            over = View(ball(), background=(0.2, 0.6, 0.4))
+            for view in (clear, over):
+                penumbra.enable(view.renderer, "off", on=(*SHADOWS, "ground"), **{"anti-aliasing.mode": "accumulate"})
+            with tempfile.TemporaryDirectory() as folder:
+                penumbra.save_png(clear.window, folder + "/clear.png", frames=8, alpha=True)
+                with Image.open(folder + "/clear.png") as file:
+                    straight = np.asarray(file, float)
+            share = straight[..., 3:] / 255
+            laid = share * straight[..., :3] + (1 - share) * 255 * np.array((0.2, 0.6, 0.4))
+            drawn = penumbra.render(over.window, frames=8)
+            self.assertGreater(((share > 0.2) & (share < 0.8)).mean(), 0.003, "edges")
+            self.assertGreater(within(laid, drawn.astype(int), 3), 0.999)
 
     def test_nothing_changes_without_shadows(self):
         view = View(ball(), background=(0.2, 0.3, 0.4))
