@@ -16,7 +16,7 @@ simple._DisableFirstRenderCameraReset()
 if action == "save":
     view = scenes.make_view()
     scenes.show(view, scenes.sources())
-    enable(view, "fast")
+    enable(view, "off", on="shadow-maps")
     lamp = simple.AddLight(view=view)
     lamp.Type, lamp.Position, lamp.FocalPoint, lamp.ConeAngle = "Positional", [-20, -10, 40], [0, 0, 0], 180
     point = scenes.picture(view)
