@@ -79,7 +79,8 @@ public:
   void RequestLitRadiance();
   bool WantsLitRadiance() const { return this->LitRadianceRequested; }
 
-  /// Add a technique's indirect light, which includes the environment's. Lights then keep their full strength.
+  /// Add a technique's indirect light. It includes the environment's, unless LightingPlan::LightsSky(). Lights then keep
+  /// their full strength.
   void AddIndirectLight(IndirectLight light);
   /// In order of preference.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
