@@ -174,10 +174,12 @@ TEST_F(ToneMapping, AutomaticExposureDoesNotDependOnTheLights)
   EXPECT_LT(Compare(this->Draw(true), one, 1).Within, 0.9);
   EXPECT_EQ(Compare(this->Draw(true), one, 1).Within, 1.0);
   // Each stop doubles what the automatic exposure gives.
-  this->Draw(true, "none", 0.0);
+  this->Pass->Restart();
+  this->Draw(true, "none", -4.0);
   const int before = this->Square(0)[0];
-  this->Draw(true, "none", -1.0);
-  this->Draw(true, "none", -1.0);
+  EXPECT_GT(before, 20);
+  this->Pass->Restart();
+  this->Draw(true, "none", -5.0);
   EXPECT_NEAR(this->Square(0)[0], 0.5 * before, 1.0);
 }
 
@@ -283,5 +285,5 @@ TEST_F(ToneMapping, NumbersThatAreNotFiniteDoNotSpread)
   EXPECT_LT(this->Square(0)[0], 200);
   EXPECT_GT(this->Square(1)[1], 250);
   EXPECT_EQ(this->Square(2)[0], 0);
-  EXPECT_EQ(this->Square(3)[1], 77) << "the background";
+  EXPECT_NEAR(this->Square(3)[1], 77, 1) << "the background";
 }
