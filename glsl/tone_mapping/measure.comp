@@ -4,7 +4,6 @@
 // or a regular grid of its pixels if it is large.
 #include "shared/view.h"
 #include "lib/luminance.glsl"
-#include "lib/tone.glsl"
 
 layout(local_size_x = 256) in;
 
@@ -41,9 +40,16 @@ vec4 total(vec4 own)
   return sum;
 }
 
+// The part of a pixel; nothing where it is not finite.
+vec4 partOf(sampler2D source, ivec2 pixel)
+{
+  vec4 part = texelFetch(source, pixel, 0);
+  return any(isnan(part)) || any(isinf(part)) ? vec4(0.0) : part;
+}
+
 float brightness(vec4 part)
 {
-  return giLuminance(giFinite(part.rgb / max(part.a, 1e-6)));
+  return max(giLuminance(part.rgb / max(part.a, 1e-6)), 0.0);
 }
 
 void main()
@@ -56,8 +62,8 @@ void main()
   for (int i = int(gl_LocalInvocationID.x); i < count.x * count.y; i += LANES)
   {
     ivec2 pixel = min(stride * ivec2(i % count.x, i / count.x) + stride / 2, area - 1) + ivec2(view.Viewport.xy);
-    vec4 shown = texelFetch(shownTexture, pixel, 0);
-    vec4 encoded = texelFetch(encodedTexture, pixel, 0);
+    vec4 shown = partOf(shownTexture, pixel);
+    vec4 encoded = partOf(encodedTexture, pixel);
     sum.x += shown.a + encoded.a;
     sum.y += shown.a * pow(brightness(shown), 0.25) + encoded.a * pow(brightness(encoded), 0.25);
   }
@@ -68,8 +74,8 @@ void main()
   for (int i = int(gl_LocalInvocationID.x); i < count.x * count.y && darkest > 0.0; i += LANES)
   {
     ivec2 pixel = min(stride * ivec2(i % count.x, i / count.x) + stride / 2, area - 1) + ivec2(view.Viewport.xy);
-    vec4 shown = texelFetch(shownTexture, pixel, 0);
-    vec4 encoded = texelFetch(encodedTexture, pixel, 0);
+    vec4 shown = partOf(shownTexture, pixel);
+    vec4 encoded = partOf(encodedTexture, pixel);
     logs.x += shown.a + encoded.a;
     logs.y += shown.a + encoded.a / 2.2;
     logs.z += shown.a * log2(brightness(shown) + darkest) +

@@ -52,7 +52,8 @@ TEST_F(Reflectance, AWhiteBoxReflectsTheStatedShare)
   for (const double albedo : { 0.8, 0.5 })
   {
     this->Pass->GetTechnique("reflectance")->SetParameter("maximum-albedo", albedo);
-    this->Expect("DDGI", this->After(80), emission / (1.0 - albedo), 0.02);
+    this->Pass->Restart();
+    this->Expect("DDGI", this->After(40), emission / (1.0 - albedo), 0.02);
   }
   this->Pass->GetTechnique("ddgi")->EnabledOff();
   vtkGITechnique* paths = this->Pass->GetTechnique("path-tracing");

@@ -174,10 +174,12 @@ TEST_F(ToneMapping, AutomaticExposureDoesNotDependOnTheLights)
   EXPECT_LT(Compare(this->Draw(true), one, 1).Within, 0.9);
   EXPECT_EQ(Compare(this->Draw(true), one, 1).Within, 1.0);
   // Each stop doubles what the automatic exposure gives.
-  this->Draw(true, "none", 0.0);
+  this->Pass->Restart();
+  this->Draw(true, "none", -4.0);
   const int before = this->Square(0)[0];
-  this->Draw(true, "none", -1.0);
-  this->Draw(true, "none", -1.0);
+  EXPECT_GT(before, 20);
+  this->Pass->Restart();
+  this->Draw(true, "none", -5.0);
   EXPECT_NEAR(this->Square(0)[0], 0.5 * before, 1.0);
 }
 
@@ -258,10 +260,26 @@ TEST_F(ToneMapping, IsTheSameForThePathTracer)
     }
     this->Pass->GetTechnique("path-tracing")->EnabledOff();
     Save(this->Last, std::string("tone-rays-") + curve);
-    const Difference difference = Compare(raster, this->Last, 2);
-    std::printf("%s: %.4f of the pixels within 2 / 255, largest difference %d\n", curve,
-      difference.Within, difference.Max);
-    EXPECT_GE(difference.Within, 0.98) << "a few pixels at the sphere's outline are sampled differently";
+    // Along outlines the two sample pixels differently.
+    int smooth = 0;
+    int alike = 0;
+    for (int y = 1; y < raster.Height - 1; ++y)
+    {
+      for (int x = 1; x < raster.Width - 1; ++x)
+      {
+        const double here = raster.Grey(x, y);
+        const bool edge = std::abs(raster.Grey(x - 1, y) - here) > 16.0 ||
+          std::abs(raster.Grey(x + 1, y) - here) > 16.0 ||
+          std::abs(raster.Grey(x, y - 1) - here) > 16.0 ||
+          std::abs(raster.Grey(x, y + 1) - here) > 16.0;
+        smooth += !edge;
+        alike += !edge && std::abs(this->Last.Grey(x, y) - here) <= 2.0;
+      }
+    }
+    std::printf("%s: %d of %d pixels away from outlines within 2 / 255; %.4f of all\n", curve, alike,
+      smooth, Compare(raster, this->Last, 2).Within);
+    EXPECT_GT(smooth, 600);
+    EXPECT_EQ(alike, smooth);
   }
 }
 
@@ -283,5 +301,5 @@ TEST_F(ToneMapping, NumbersThatAreNotFiniteDoNotSpread)
   EXPECT_LT(this->Square(0)[0], 200);
   EXPECT_GT(this->Square(1)[1], 250);
   EXPECT_EQ(this->Square(2)[0], 0);
-  EXPECT_EQ(this->Square(3)[1], 77) << "the background";
+  EXPECT_NEAR(this->Square(3)[1], 77, 1) << "the background";
 }

@@ -68,6 +68,7 @@ struct Resolve
     if (this->Options.LitParts)
     {
       targets.insert(targets.end(), { resource::LitShown, resource::LitEncoded });
+      ScopedState scope(context.State());
       context.BindTarget({ resource::LitShown, resource::LitEncoded });
       const GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
       glClearBufferfv(GL_COLOR, 0, nothing);

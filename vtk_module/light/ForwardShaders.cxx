@@ -126,14 +126,14 @@ void ForwardShaders::AddIndirect(std::string& text) const
 void ForwardShaders::ApplyRules(std::string& text) const
 {
   const std::string sum = "  vec3 color = iblDiffuse + iblSpecular;";
-  const std::string first = "vec3 Lo = vec3(0.0);";
-  if (!Contains(text, sum.c_str()) || !Contains(text, first.c_str()))
+  const std::size_t fresnel = text.find("vec3 F90 = ");
+  if (!Contains(text, sum.c_str()) || fresnel == std::string::npos)
   {
     return;
   }
-  const Defines variant = SurroundingVariant(text);
-  Substitute(text, sum, this->Shaders.Source("forward/compensate.glsl", variant) + sum);
-  Substitute(text, first, this->Shaders.Source("forward/boost.glsl") + first);
+  text.insert(text.find(';', fresnel) + 1, "\n" + this->Shaders.Source("forward/boost.glsl"));
+  Substitute(
+    text, sum, this->Shaders.Source("forward/compensate.glsl", SurroundingVariant(text)) + sum);
   Substitute(text, "(diffuse + specular)", "(diffuse + giBoost * specular)");
 }
 
@@ -236,11 +236,11 @@ bool ForwardShaders::AddScattered(std::string& text) const
     Contains(text, "vec4 shading_gradient") ? "shading_gradient" : "gradient";
   text.insert(end,
     "finalColor.xyz += in_diffuse[" + component + "] * color.rgb * " +
-      (this->Light.HasRules() ? "giDataLight" : "") + "(giScattered(" +
+      (this->Light.HasRules() ? "giDataLight(" : "") + "giScattered(" +
       SamplePosition(text) + ", " + gradient +
       (several ? ", in_textureToEye[volIdx + 1], in_cellSpacing[volIdx]"
                : ", in_textureToEye[0], in_cellSpacing[0]") +
-      "));\n  ");
+      (this->Light.HasRules() ? "));\n  " : ");\n  "));
   return true;
 }
 

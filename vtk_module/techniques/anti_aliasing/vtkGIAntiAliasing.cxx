@@ -91,7 +91,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       for (const char* part : { resource::LitShown, resource::LitEncoded })
       {
         AddAverage(frame.AddPass(std::string("accumulate-") + part)
-                     .ModifyIfPresent(part, AccumulateOrder),
+                     .ModifyIfPresent(part, AccumulateOrder, "colorTexture"),
           frame, sums, part, maximum);
       }
     }
