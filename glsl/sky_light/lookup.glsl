@@ -10,7 +10,7 @@ uniform float fieldHalf; // half the width of a map in texels
 // Biases as for shadow maps, in texels.
 const float GiSkyConstantBias = 0.2;
 const float GiSkySlopeBias = 0.1;
-const float GiSkySteepest = 6.0; // tangent of the steepest plane with which depths are compared
+const float GiSkySteepest = 20.0; // tangent of the steepest plane with which depths are compared
 
 struct GiSkyReceiver
 {
