@@ -5,6 +5,7 @@
 
 #include "sky/SunPosition.h"
 
+#include "vtkGILightShape.h"
 #include "vtkGISkySource.h"
 #include "vtkGISoftBox.h"
 
@@ -249,6 +250,7 @@ TEST(SkySource, SunStandsWhereItIsSet)
   expect(1.0, 0.0, 0.0);
   sky->SetSunAzimuth(0.0);
   expect(0.0, 0.0, -1.0);
+  EXPECT_EQ(vtkGILightShape::GetShape(sky->GetSun()), vtkGILightShape::ANGLE);
   sky->FollowCameraOn();
   expect(0.0, 0.0, 1.0); // toward the camera, in its coordinates
   EXPECT_TRUE(sky->GetSun()->LightTypeIsCameraLight());

@@ -7,6 +7,7 @@
 #include "sky/MakeSky.h"
 #include "sky/SkyInstallation.h"
 #include "sky/SunPosition.h"
+#include "vtkGILightShape.h"
 #include "vtkGISoftBox.h"
 
 #include "vtkCamera.h"
@@ -22,7 +23,11 @@ using namespace penumbra;
 
 vtkStandardNewMacro(vtkGISkySource);
 
-vtkGISkySource::vtkGISkySource() = default;
+vtkGISkySource::vtkGISkySource()
+{
+  vtkGILightShape::SetAngle(this->Sun, vtkGISkySource::GetSunDiameter());
+}
+
 vtkGISkySource::~vtkGISkySource() = default;
 
 void vtkGISkySource::SetStrength(double strength)
