@@ -233,7 +233,7 @@ class Rendered(command.CommandTest):
         for shape in ({"radius": 1}, {"disc": 1}, {"rectangle": [3, 0.5], "turn": 20}):
             name = next(iter(shape))
             self.render(f"{name}.png", *flat, scene=command.box(lights=[{**lamp, **shape}]))
-            self.assertGreater(self.compare("point.png", f"{name}.png")["p99"], 0.02, name)
+            self.assertGreater(self.compare("point.png", f"{name}.png")["p99"], 0.005, name)
         text = "point:1,1,3,rectangle=3,0.5,turn=20"
         self.render("line.png", *flat, "--light", text, scene=command.box(lights=[]))
         self.assertEqual(self.compare("rectangle.png", "line.png")["maximum"], 0)
