@@ -95,7 +95,7 @@ Reflection ReflectionIn(const Scene& scene)
   Apply(scene.Techniques, pass);
   vtkGITechnique* technique = pass->GetTechnique("reflectance");
   return technique->GetEnabled() ? Reflection{ technique->GetParameter("maximum-albedo"),
-                                     technique->GetParameter("energy-compensation") != 0 }
+    technique->GetParameter("energy-compensation") != 0 }
                                  : Reflection();
 }
 
