@@ -77,6 +77,7 @@ def scene():
     lamp.SetLightTypeToSceneLight()
     lamp.PositionalOn()
     lamp.SetConeAngle(180)
+    lamp.SetIntensity(0.5)  # so that no colour is cut off at white
     lamp.SetPosition(0, -0.7 * h, 0.8 * h)
     renderer.AddLight(lamp)
     camera = renderer.GetActiveCamera()

@@ -89,7 +89,8 @@ TEST_F(DisplayLib, CompensatedHighlightsKeepAllLight)
         "vec3 V = vec3(sqrt(1.0 - NdV * NdV), 0.0, NdV);\n"
         "vec3 boost = giCompensation(vec3(1.0), giHighlightShare(NdV, %.6f));\n"
         "RESULT = L.z <= 0.0 ? vec4(0.0) : vec4(\n"
-        "  giReflectPBR(vec3(0.0, 0.0, 1.0), V, L, vec3(1.0), 1.0, %.6f, vec3(1.0), vec3(1.0), boost, 1.0),\n"
+        "  giReflectPBR(vec3(0.0, 0.0, 1.0), V, L, vec3(1.0), 1.0, %.6f, vec3(1.0), vec3(1.0), "
+        "boost, 1.0),\n"
         "  giReflectPBR(vec3(0.0, 0.0, 1.0), V, L, vec3(1.0), 1.0, %.6f, vec3(1.0), vec3(1.0)).r);",
         cosine, roughness, roughness, roughness);
       double with = 0.0;

@@ -70,8 +70,8 @@ TEST_F(Reflectance, AWhiteBoxReflectsTheStatedShare)
   points->InsertNextTuple3(0.2, -0.1, 0.3);
   vtkNew<vtkFloatArray> light;
   ASSERT_TRUE(gatherer->Gather(this->Scene.Renderer, points, nullptr, light));
-  this->Expect("bakes", { light->GetComponent(0, 0) / std::sqrt(4.0 * vtkMath::Pi()) },
-    emission / 0.2, 0.02);
+  this->Expect(
+    "bakes", { light->GetComponent(0, 0) / std::sqrt(4.0 * vtkMath::Pi()) }, emission / 0.2, 0.02);
 }
 
 // The colour that the eye sees is scaled by the same factor, whoever draws it.
@@ -82,8 +82,8 @@ TEST_F(Reflectance, ScalesDirectLightAlike)
   light->SetPosition(0.0, -10.0, 0.0);
   light->SetFocalPoint(0.0, 0.0, 0.0);
   this->Scene.Renderer->AddLight(light);
-  vtkActor* wall = Paint(
-    AddQuad(this->Scene, { -9.0, 0.0, -9.0 }, { 9.0, 0.0, -9.0 }, { -9.0, 0.0, 9.0 }), 1.0);
+  vtkActor* wall =
+    Paint(AddQuad(this->Scene, { -9.0, 0.0, -9.0 }, { 9.0, 0.0, -9.0 }, { -9.0, 0.0, 9.0 }), 1.0);
   this->LookFrom(0.0, -1.0, 0.0, 0.0, 0.0, 0.0);
   for (const double opacity : { 1.0, 0.999 })
   {

@@ -67,9 +67,9 @@ protected:
   vtkProperty* AddSquare(double r, double g, double b, bool pbr = false)
   {
     const double x = this->Count++;
-    vtkProperty* property = AddQuad(this->Scene, { x - 0.5, -0.5, 0.0 }, { x + 0.5, -0.5, 0.0 },
-      { x - 0.5, 0.5, 0.0 })
-                              ->GetProperty();
+    vtkProperty* property =
+      AddQuad(this->Scene, { x - 0.5, -0.5, 0.0 }, { x + 0.5, -0.5, 0.0 }, { x - 0.5, 0.5, 0.0 })
+        ->GetProperty();
     property->SetColor(r, g, b);
     property->SetAmbient(0.0);
     if (pbr)
@@ -218,7 +218,8 @@ TEST_F(ToneMapping, MapsTranslucentSurfacesAndVolumes)
   for (const bool automatic : { false, true })
   {
     this->Draw(false);
-    const std::array<std::array<int, 4>, 3> off = { { this->Square(0), this->Square(1), this->Square(2) } };
+    const std::array<std::array<int, 4>, 3> off = { { this->Square(0), this->Square(1),
+      this->Square(2) } };
     EXPECT_GT(off[2][0], 100);
     // Automatic exposure sees no captured surface here, and stays at 1.
     this->Tone->SetParameter("auto-exposure", automatic);
@@ -276,8 +277,8 @@ TEST_F(ToneMapping, IsTheSameForThePathTracer)
         alike += !edge && std::abs(this->Last.Grey(x, y) - here) <= 2.0;
       }
     }
-    std::printf("%s: %d of %d pixels away from outlines within 2 / 255; %.4f of all\n", curve, alike,
-      smooth, Compare(raster, this->Last, 2).Within);
+    std::printf("%s: %d of %d pixels away from outlines within 2 / 255; %.4f of all\n", curve,
+      alike, smooth, Compare(raster, this->Last, 2).Within);
     EXPECT_GT(smooth, 600);
     EXPECT_EQ(alike, smooth);
   }

@@ -88,6 +88,10 @@ class Rendered(command.CommandTest):
                           "--preset", "reference", "--spp", 64, "-o", f"{name}.exr")
         measured = self.compare("mirror.exr", "sky.exr")
         self.assertLess(measured["maximum"], 0.15, measured)  # the mirror turns the picture round
+        # Every preset has the visible environment in linear pictures.
+        for preset in ("off", "balanced"):
+            self.succeeds("render", "scene.json", "--preset", preset, "-o", "drawn.exr")
+            self.assertLess(self.compare("drawn.exr", "sky.exr")["maximum"], 0.15, preset)
 
     def test_skies_light_the_scene(self):
         """A white ball vanishes in a uniform sky; other skies light it from where they say."""

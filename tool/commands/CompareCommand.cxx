@@ -113,8 +113,7 @@ private:
                "not finite        {} pixels\n",
       metrics.RelativeMse, this->Options.Epsilon, metrics.SignedMean, metrics.Percentile99,
       metrics.Maximum, metrics.Ssim, metrics.DeltaEMean, metrics.DeltaE99, metrics.DeltaHMean,
-      metrics.DeltaH99, this->Options.Tolerance, metrics.FractionOver,
-      metrics.NonFinite);
+      metrics.DeltaH99, this->Options.Tolerance, metrics.FractionOver, metrics.NonFinite);
     if (masks)
     {
       fmt::print("masked            {} pixels\n", metrics.Masked);

@@ -108,7 +108,7 @@ Reflection ReflectionIn(const Scene& scene)
   ApplyPreset(scene.Techniques, pass);
   vtkGITechnique* technique = pass->GetTechnique("reflectance");
   return technique->GetEnabled() ? Reflection{ technique->GetParameter("maximum-albedo"),
-                                     technique->GetParameter("energy-compensation") != 0 }
+    technique->GetParameter("energy-compensation") != 0 }
                                  : Reflection();
 }
 

@@ -136,9 +136,10 @@ private:
   std::string Settings() const
   {
     const Reflection reflection = ReflectionIn(this->Input.Description);
-    return fmt::format("probes {} spacing {:.17g} bounces {} uniform {} adaptive {} albedo {:.17g} {}",
-      this->Probes, this->Spacing, this->Bounces, this->Uniform, this->Adaptive,
-      reflection.MaximumAlbedo, reflection.EnergyCompensation);
+    return fmt::format(
+      "probes {} spacing {:.17g} bounces {} uniform {} adaptive {} albedo {:.17g} {}", this->Probes,
+      this->Spacing, this->Bounces, this->Uniform, this->Adaptive, reflection.MaximumAlbedo,
+      reflection.EnergyCompensation);
   }
 
   /// Reads the field of an interrupted bake. Returns its number of samples, 0 if there is none to resume.

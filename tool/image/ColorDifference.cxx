@@ -64,9 +64,9 @@ ColorDifference Ciede2000(const Lab& one, const Lab& other)
 
   double turn = grey ? 0 : h2 - h1; // 10
   turn += turn > 180 ? -360 : turn < -180 ? 360 : 0;
-  const double deltaL = other.L - one.L;                                          // 8
-  const double deltaC = c2 - c1;                                                  // 9
-  const double deltaH = 2 * std::sqrt(c1 * c2) * std::sin(turn / 2 * Radians);    // 11
+  const double deltaL = other.L - one.L;                                       // 8
+  const double deltaC = c2 - c1;                                               // 9
+  const double deltaH = 2 * std::sqrt(c1 * c2) * std::sin(turn / 2 * Radians); // 11
 
   const double l = (one.L + other.L) / 2; // 12
   const double c = (c1 + c2) / 2;         // 13

@@ -27,10 +27,10 @@ struct Metrics
   /// Perceived differences of the values taken as display values (image/ColorDifference.h).
   double DeltaEMean = 0, DeltaE99 = 0; ///< CIEDE2000: mean and 99th percentile
   double DeltaHMean = 0, DeltaH99 = 0; ///< its part of hue
-  double Ssim = 1;           ///< mean structural similarity of the luminance
-  double FractionOver = 0;   ///< fraction of pixels that exceed the tolerance
-  std::size_t NonFinite = 0; ///< pixels with NaN or infinity in either picture, left out
-  std::size_t Masked = 0;    ///< pixels left out as too bright
+  double Ssim = 1;                     ///< mean structural similarity of the luminance
+  double FractionOver = 0;             ///< fraction of pixels that exceed the tolerance
+  std::size_t NonFinite = 0;           ///< pixels with NaN or infinity in either picture, left out
+  std::size_t Masked = 0;              ///< pixels left out as too bright
 };
 
 /// Measures picture a against reference b; both must have the same size.

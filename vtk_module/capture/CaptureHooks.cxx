@@ -176,7 +176,8 @@ void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp*
   {
     // Before direct light VTK has added only the light of the surroundings.
     vtkShaderProgram::Substitute(fragment, directLight,
-      this->Snippet("surrounding.glsl", this->Outputs, penumbra::SurroundingVariant(fragment)) + directLight,
+      this->Snippet("surrounding.glsl", this->Outputs, penumbra::SurroundingVariant(fragment)) +
+        directLight,
       false);
     snippet = "pbr.glsl";
   }

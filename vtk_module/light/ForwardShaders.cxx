@@ -83,7 +83,8 @@ void ForwardShaders::Declare(std::string& text, bool volume, Defines visibility)
   }
   if (!this->Light.Display.IsEmpty())
   {
-    declarations += this->Shaders.Source(this->Light.Display.Source, this->Light.Display.OnSurfaces);
+    declarations +=
+      this->Shaders.Source(this->Light.Display.Source, this->Light.Display.OnSurfaces);
   }
   if (!this->Light.Visibility.IsEmpty())
   {
@@ -174,8 +175,8 @@ void ForwardShaders::LightSurface(const ShaderTexts& texts) const
   }
   if (!this->Light.Indirect.empty())
   {
-    code += this->Shaders.Source("forward/around.glsl",
-      this->Light.HasRules() ? Defines{ { "GI_RULES", "1" } } : Defines());
+    code += this->Shaders.Source(
+      "forward/around.glsl", this->Light.HasRules() ? Defines{ { "GI_RULES", "1" } } : Defines());
     this->AddIndirect(text);
   }
   Substitute(text, ShadingTag, code);
@@ -236,8 +237,8 @@ bool ForwardShaders::AddScattered(std::string& text) const
     Contains(text, "vec4 shading_gradient") ? "shading_gradient" : "gradient";
   text.insert(end,
     "finalColor.xyz += in_diffuse[" + component + "] * color.rgb * " +
-      (this->Light.HasRules() ? "giDataLight(" : "") + "giScattered(" +
-      SamplePosition(text) + ", " + gradient +
+      (this->Light.HasRules() ? "giDataLight(" : "") + "giScattered(" + SamplePosition(text) +
+      ", " + gradient +
       (several ? ", in_textureToEye[volIdx + 1], in_cellSpacing[volIdx]"
                : ", in_textureToEye[0], in_cellSpacing[0]") +
       (this->Light.HasRules() ? "));\n  " : ");\n  "));

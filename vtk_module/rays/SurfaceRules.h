@@ -11,10 +11,13 @@ namespace penumbra
 {
 struct SurfaceRules
 {
-  double Reflectance = 1.0;     ///< diffuse reflectance or base colour of a surface whose colour is white
-  bool Compensates = false;     ///< highlights keep the light that microfacets reflect several times
-  bool DataKeepsHue = false;    ///< indirect light does not change the hue of surfaces coloured by data
-  double DataFloor = 0.0;       ///< share of their colour that surfaces coloured by data show without light
+  double Reflectance =
+    1.0; ///< diffuse reflectance or base colour of a surface whose colour is white
+  bool Compensates = false; ///< highlights keep the light that microfacets reflect several times
+  bool DataKeepsHue =
+    false; ///< indirect light does not change the hue of surfaces coloured by data
+  double DataFloor =
+    0.0; ///< share of their colour that surfaces coloured by data show without light
 
   bool ChangesData() const { return this->DataKeepsHue || this->DataFloor > 0.0; }
 

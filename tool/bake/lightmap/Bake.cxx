@@ -22,7 +22,8 @@ constexpr std::uint32_t BlockSize = 32768; // texels between checks whether to s
 std::string Describe(const BakeSettings& settings)
 {
   return fmt::format("{} samples, {} bounces{}{}{}{}{}", settings.Samples, settings.Bounces,
-    settings.MaximumAlbedo < 1.0 ? fmt::format(", white reflects {:g}", settings.MaximumAlbedo) : "",
+    settings.MaximumAlbedo < 1.0 ? fmt::format(", white reflects {:g}", settings.MaximumAlbedo)
+                                 : "",
     settings.EnergyCompensation ? ", metals keep their light" : "",
     settings.Directional ? ", directional" : "", settings.Denoise ? ", denoised" : "",
     settings.Direct ? ", with the lamps' light" : "");

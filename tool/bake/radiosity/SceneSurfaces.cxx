@@ -235,8 +235,7 @@ private:
 };
 }
 
-GatheredScene GatherScene(
-  vtkRenderer* renderer, double maximumAlbedo, tool::Reporter& reporter)
+GatheredScene GatherScene(vtkRenderer* renderer, double maximumAlbedo, tool::Reporter& reporter)
 {
   GatheredScene scene;
   MeshBuilder builder(scene.Mesh, maximumAlbedo);

@@ -46,8 +46,8 @@ struct Sums
 };
 
 // Add this frame to the sum of the previous frames, and show the average.
-void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource,
-  int maximum)
+void AddAverage(
+  PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource, int maximum)
 {
   History& sum = frame.Keep(std::string("sum.") + resource, frame.WindowTexture(GL_RGBA32F));
   pass.UpdateHistory(sum, "sums").Execute([&sums, &sum, resource, maximum](FrameContext& context) {

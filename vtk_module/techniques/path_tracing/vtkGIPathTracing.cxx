@@ -41,8 +41,8 @@ struct PathTracer
 
   bool HasEmptySums() const
   {
-    return std::any_of(this->Sums.begin(), this->Sums.end(),
-      [](const History* sum) { return !sum->Written; });
+    return std::any_of(
+      this->Sums.begin(), this->Sums.end(), [](const History* sum) { return !sum->Written; });
   }
 
   /// Copy the sums of an image to the GPU. Returns false if the image has another size.

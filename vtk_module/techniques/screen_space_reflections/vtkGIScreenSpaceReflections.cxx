@@ -144,8 +144,8 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   frame.RequestLitRadiance();
   const double thickness =
     this->Thickness > 0.0 ? this->Thickness : AutomaticThickness * view.Diagonal;
-  Reflections reflections = { frame,
-    frame.Keep(LobeTable, { GL_RGBA16F, TableSize, TableSize, 0 }), {} };
+  Reflections reflections = { frame, frame.Keep(LobeTable, { GL_RGBA16F, TableSize, TableSize, 0 }),
+    {} };
   if (frame.Capture().IsExtended())
   {
     reflections.Variant["GI_EXTENDED"] = "1";
@@ -160,8 +160,8 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     reflections.Table.Storage.SetParameter(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     frame.AddPass("reflection-lobes")
       .WriteHistory(reflections.Table, "table")
-      .Compute("screen_space_reflections/lobe_table.comp", {}, {},
-        Work::Items(TableSize, TableSize));
+      .Compute(
+        "screen_space_reflections/lobe_table.comp", {}, {}, Work::Items(TableSize, TableSize));
   }
   const glm::ivec2 size = PyramidLayout(view.Viewport).back();
   const std::vector<glm::ivec2> levels = LevelOffsets(view.Viewport);
@@ -192,10 +192,7 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     trace.WriteHistory(*ends, "ends");
   }
   trace.Compute("screen_space_reflections/trace.comp", variant,
-    Arguments()
-      .Set("levelOffset", levels)
-      .Set("reach", view.Diagonal)
-      .Set("thickness", thickness),
+    Arguments().Set("levelOffset", levels).Set("reach", view.Diagonal).Set("thickness", thickness),
     Work::Items(view.Viewport.z, view.Viewport.w));
   reflections.AddPass("reflection-reuse")
     .Read(Rays, "rayTexture")
@@ -204,8 +201,8 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     .Draw("screen_space_reflections/reuse.frag", reflections.Variant,
       Arguments().Set("neighbours", this->Filter ? Neighbours : 0));
   const bool keep = this->Fallback != None;
-  reflections.Composite(reflections.AddPass("reflection-composite")
-                          .Modify(resource::Color, CompositeOrder, "before"),
+  reflections.Composite(
+    reflections.AddPass("reflection-composite").Modify(resource::Color, CompositeOrder, "before"),
     resource::Color, keep, ends);
   reflections.Composite(reflections.AddPass("reflection-composite-radiance")
                           .ModifyIfPresent(resource::Radiance, CompositeOrder, "before"),
