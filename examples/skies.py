@@ -4,6 +4,7 @@
 Path traces one scene under six skies of vtkGISkySource: uniform, gradient, daylight at noon and near sunset, and soft
 boxes in two arrangements. Each picture shows the sky behind the scene, as Penumbra's path tracer sees it.
 """
+import math
 import sys
 
 import penumbra
@@ -64,6 +65,7 @@ def gradient(sky):
 def noon(sky):
     sky.SetKindToDaylight()
     sky.SetSunByTime(48.86, 2.35, "2026-06-21T09:30:00Z")
+    sky.SetSunStrength(math.pi)  # VTK divides the light of lamps on physically based materials by pi
 
 
 def evening(sky):
@@ -72,13 +74,14 @@ def evening(sky):
     sky.SetSunAzimuth(300.0)
     sky.SetTurbidity(1.6)
     sky.SetStrength(5.0)
+    sky.SetSunStrength(math.pi)
 
 
 def studio(sky):
     sky.SetKindToGradient()
     sky.SetStrength(0.35)
     sky.FollowCameraOn()
-    sky.AddSoftBox(box(Elevation=40.0, Azimuth=-50.0, Width=50.0, Height=50.0, Radiance=4.0))
+    sky.AddSoftBox(box(Elevation=40.0, Azimuth=-50.0, Width=50.0, Height=50.0, Radiance=2.5))
     sky.AddSoftBox(box(Elevation=15.0, Azimuth=75.0, Width=30.0, Height=60.0, Radiance=0.8))
     sky.AddSoftBox(box(Elevation=35.0, Azimuth=160.0, Width=40.0, Height=20.0, Radiance=6.0))
 

@@ -29,6 +29,8 @@ uniform int giBackMaterial;
 uniform float giAmbientAlpha;
 uniform int giMendsNormals;
 uniform vec2 giDepthWindow; // depths of the camera's clipping planes, if the projection reaches beyond them
+uniform float giReflectance; // factor of all diffuse reflectances and base colours
 #include "lib/octahedral.glsl"
+#include "lib/compensation.glsl"
 #include "lib/height.glsl"
 #include "capture/coverage.glsl"

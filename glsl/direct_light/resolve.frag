@@ -5,8 +5,10 @@
 // term), GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_IRRADIANCE (indirect light is known), GI_SURROUNDINGS (the highlights' reflection of the environment is known
 // separately), GI_LAMP_LIGHT (diffuse light from lights that do not follow the camera is known), GI_INTERREFLECTION
-// (occluders of ambient light reflect it too), GI_CATCHER (some surfaces show the background), GI_COVERAGE (fragments that cover a pixel partly, to be blended),
-// GI_RADIANCE (write linear radiance instead of the colour for display), GI_LIT (write both).
+// (occluders of ambient light reflect it too), GI_CATCHER (some surfaces show the background), GI_COVERAGE (fragments
+// that cover a pixel partly, to be blended), GI_RADIANCE (write linear radiance instead of the colour for display),
+// GI_LIT (write both), GI_LIT_PARTS (also write resource::LitShown and LitEncoded), GI_DATA_COLORS (surfaces coloured by
+// data are lit by lib/data_colors.glsl).
 #include "shared/view.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -15,11 +17,15 @@
 #include "lib/phong.glsl"
 #include "lib/pbr.glsl"
 #include "lib/lights.glsl"
+#include "lib/compensation.glsl"
 #include "lib/interreflection.glsl"
 #ifdef GI_AREA
 #include "lib/sampling.glsl"
 #include "lib/area_lights.glsl"
 #include "lib/area_highlights.glsl"
+#endif
+#ifdef GI_DATA_COLORS
+#include "lib/data_colors.glsl"
 #endif
 
 layout(binding = 0) uniform sampler2D depthTexture;
@@ -41,6 +47,15 @@ uniform vec3 ambientLight; // radiance that a white diffuse surface reflects fro
 layout(location = 0) out vec4 color;
 #ifdef GI_LIT
 layout(location = 1) out vec4 lit;
+#define GI_FIRST_PART 2
+#define GI_SECOND_PART 3
+#else
+#define GI_FIRST_PART 1
+#define GI_SECOND_PART 2
+#endif
+#ifdef GI_LIT_PARTS
+layout(location = GI_FIRST_PART) out vec4 litShown;
+layout(location = GI_SECOND_PART) out vec4 litEncoded;
 #endif
 
 float visibility(ivec2 pixel, int channel)
@@ -107,10 +122,18 @@ void main()
   vec3 P = vec3(0.0);
   vec3 V = vec3(0.0, 0.0, 1.0);
 #endif
-#if defined(GI_SPECULAR) || defined(GI_EXTENDED)
+#if defined(GI_SPECULAR) || defined(GI_EXTENDED) || defined(GI_DATA_COLORS)
   MaterialData material = materials[index];
 #endif
 
+  vec3 around = ambientLight;
+  vec3 ownColor = albedo.rgb; // reflectance of occluders of ambient light
+#ifdef GI_DATA_COLORS
+  bool data = (material.Model.y & GI_MATERIAL_DATA) != 0;
+  around = data ? giDataLight(around) : around;
+  indirect.rgb = data ? giDataLight(indirect.rgb) : indirect.rgb;
+  ownColor = data ? giDataLight(ownColor) : ownColor;
+#endif
   vec4 lampLight = vec4(0.0); // a: share of the lights' diffuse light that is known
 #ifdef GI_LAMP_LIGHT
   lampLight = texelFetch(lampLightTexture, pixel, 0);
@@ -120,9 +143,14 @@ void main()
   vec3 gloss = vec3(0.0); // light for a Phong highlight; all reflected light for PBR
 #ifdef GI_EXTENDED
   bool pbr = material.Model.x == GI_MATERIAL_PBR;
+  vec3 boost = vec3(1.0);
   vec4 surface = texelFetch(surfaceTexture, pixel, 0);
   vec3 f0 = mix(vec3(material.Specular.w), albedo.rgb, surface.r);
   vec3 f90 = mix(vec3(clamp(dot(f0, vec3(50.0 * 0.33)), 0.0, 1.0)), material.Specular.rgb, surface.r);
+  if (giCompensates)
+  {
+    boost = giCompensation(f0, giHighlightShare(clamp(dot(N, V), 1e-5, 1.0), surface.b));
+  }
 #endif
   for (int i = 0; i < lightCount; ++i)
   {
@@ -152,13 +180,13 @@ void main()
       {
         float lit = giAreaFacing(light, P, N);
         gloss += lit > 0.0
-          ? strength * giAreaPBR(light, P, N, V, lit, albedo.rgb, surface.r, surface.b, f0, f90, diffuseShare)
+          ? strength * giAreaPBR(light, P, N, V, lit, albedo.rgb, surface.r, surface.b, f0, f90, boost, diffuseShare)
           : vec3(0.0);
         continue;
       }
 #endif
 #endif
-      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90, diffuseShare);
+      gloss += strength * giReflectPBR(N, V, L, albedo.rgb, surface.r, surface.b, f0, f90, boost, diffuseShare);
       continue;
     }
 #endif
@@ -203,7 +231,7 @@ void main()
     // VTK's PBR materials reflect 1 / pi of the light that its Phong materials reflect.
     vec3 matte = (1.0 - surface.r) * (1.0 - f0) * albedo.rgb;
     vec3 reflectance = matte + f0;
-    vec3 surroundings = ambientLight / GI_PI * reflectance;
+    vec3 surroundings = around / GI_PI * reflectance;
 #ifdef GI_LAMP_LIGHT
     gloss += diffuseLight / GI_PI * matte;
 #endif
@@ -214,22 +242,35 @@ void main()
 #else
     surroundings += indirect.rgb * reflectance;
 #endif
-    result = ambientFactor(openness, reflectance) * (ambient + surface.g * surroundings) +
+    vec3 occluders = reflectance;
+#ifdef GI_DATA_COLORS
+    ambient = data ? giDataReflected(ambient, reflectance) : ambient;
+    occluders = data ? giDataLight(reflectance) : reflectance;
+#endif
+    result = ambientFactor(openness, occluders) * (ambient + surface.g * surroundings) +
       surface.g * gloss + emission;
+#ifdef GI_DATA_COLORS
+    result = data ? mix(albedo.rgb, result, giDataLit(true)) : result;
+#endif
     color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
   }
   else
   {
-    result = ambientFactor(openness, albedo.rgb) * (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
+    result = ambientFactor(openness, ownColor) * (ambient + albedo.rgb * (around + indirect.rgb)) +
       albedo.rgb * diffuseLight + material.Specular.rgb * surface.rgb * gloss + emission;
+#ifdef GI_DATA_COLORS
+    result = data ? mix(albedo.rgb, result, giDataLit(false)) : result;
+#endif
     color.rgb = result;
   }
 #else
-  vec3 result = ambientFactor(openness, albedo.rgb) *
-      (ambient + albedo.rgb * (ambientLight + indirect.rgb)) +
+  vec3 result = ambientFactor(openness, ownColor) * (ambient + albedo.rgb * (around + indirect.rgb)) +
     albedo.rgb * diffuseLight;
 #ifdef GI_SPECULAR
   result += material.Specular.rgb * gloss;
+#endif
+#ifdef GI_DATA_COLORS
+  result = data ? mix(albedo.rgb, result, giDataLit(false)) : result;
 #endif
   color.rgb = result;
 #endif
@@ -242,5 +283,15 @@ void main()
 #endif
 #ifdef GI_LIT
   lit = vec4(result, color.a);
+#endif
+#ifdef GI_LIT_PARTS
+  vec4 part = index == GI_MATERIAL_AS_DRAWN ? vec4(0.0) : vec4(result, color.a);
+#ifdef GI_EXTENDED
+  litShown = pbr ? vec4(0.0) : part;
+  litEncoded = pbr ? part : vec4(0.0);
+#else
+  litShown = part;
+  litEncoded = vec4(0.0);
+#endif
 #endif
 }

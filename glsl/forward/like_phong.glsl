@@ -15,4 +15,5 @@ void main()
   vec3 diffuse = diffuseColor * lightColor0;
   vec3 specular = lightColor0;
   gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);
+  //VTK::TCoord::Impl
 }

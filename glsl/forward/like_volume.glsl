@@ -27,5 +27,6 @@ vec4 computeLighting(vec4 color, int component, float label)
 
 void main()
 {
-  gl_FragData[0] = computeLighting(vec4(1.0), 0, 0.0);
+  vec4 g_fragColor = computeLighting(vec4(1.0), 0, 0.0);
+  gl_FragData[0] = g_fragColor;
 }

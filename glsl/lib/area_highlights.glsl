@@ -135,15 +135,15 @@ float giAreaPhong(LightData light, vec3 position, vec3 N, vec3 V, float power)
 layout(binding = 11) uniform sampler2DArray highlightTable; // see direct_light/highlight_table.comp
 
 // Reflection of a light by the metallic-roughness model, without attenuation. facing: from giAreaFacing(). The diffuse
-// part has Fresnel's factor of the light's centre. diffuseShare: as in giReflectPBR().
+// part has Fresnel's factor of the light's centre. boost, diffuseShare: as in giReflectPBR().
 vec3 giAreaPBR(LightData light, vec3 position, vec3 N, vec3 V, float facing, vec3 albedo, float metallic,
-  float roughness, vec3 f0, vec3 f90, float diffuseShare)
+  float roughness, vec3 f0, vec3 f90, vec3 boost, float diffuseShare)
 {
   vec3 L = normalize(light.Position.xyz - position);
   float strength;
   if (giIsSmall(light, position, strength))
   {
-    return max(strength, 0.0) * giReflectPBR(N, V, L, albedo, metallic, roughness, f0, f90, diffuseShare);
+    return max(strength, 0.0) * giReflectPBR(N, V, L, albedo, metallic, roughness, f0, f90, boost, diffuseShare);
   }
   float cosine = clamp(dot(N, V), 0.0, 1.0);
   vec2 size = vec2(textureSize(highlightTable, 0).xy);
@@ -155,7 +155,7 @@ vec3 giAreaPBR(LightData light, vec3 position, vec3 N, vec3 V, float facing, vec
   mat3 toLocal = transpose(mat3(X, cross(N, X), N));
   mat3 toCosine = mat3(vec3(1.0, 0.0, entries.z), vec3(0.0, entries.y, 0.0), vec3(entries.x, 0.0, entries.w));
   float share = giPatchShare(giPatch(light, position), toCosine * toLocal);
-  vec3 specular = giAreaBrightness(light, position) * share * (f0 * shares.x + f90 * shares.y);
+  vec3 specular = giAreaBrightness(light, position) * share * (f0 * shares.x + f90 * shares.y) * boost;
   vec3 F = giFresnelSchlick(f0, f90, clamp(dot(normalize(V + L), L), 0.0, 1.0));
   return specular + diffuseShare * (1.0 - metallic) * (1.0 - F) * albedo / GI_PI * facing;
 }

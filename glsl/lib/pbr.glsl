@@ -25,9 +25,9 @@ vec3 giFresnelSchlick(vec3 f0, vec3 f90, float HdL)
 }
 
 // Radiance toward the eye for light of unit irradiance at normal incidence. diffuseShare: share of the light that the
-// diffuse term reflects; 0 leaves only the highlight.
-vec3 giReflectPBR(
-  vec3 N, vec3 V, vec3 L, vec3 albedo, float metallic, float roughness, vec3 f0, vec3 f90, float diffuseShare)
+// diffuse term reflects; 0 leaves only the highlight. boost: factor of the highlight, see lib/compensation.glsl.
+vec3 giReflectPBR(vec3 N, vec3 V, vec3 L, vec3 albedo, float metallic, float roughness, vec3 f0, vec3 f90, vec3 boost,
+  float diffuseShare)
 {
   vec3 H = normalize(V + L);
   float NdV = clamp(dot(N, V), 1e-5, 1.0);
@@ -35,12 +35,12 @@ vec3 giReflectPBR(
   float NdH = clamp(dot(N, H), 1e-5, 1.0);
   float HdL = clamp(dot(H, L), 1e-5, 1.0);
   vec3 F = giFresnelSchlick(f0, f90, HdL);
-  vec3 specular = giDistributionGGX(NdH, roughness) * giVisibilitySmith(NdV, NdL, roughness) * F;
+  vec3 specular = giDistributionGGX(NdH, roughness) * giVisibilitySmith(NdV, NdL, roughness) * F * boost;
   vec3 diffuse = diffuseShare * (1.0 - metallic) * (1.0 - F) * albedo / GI_PI;
   return (diffuse + specular) * NdL;
 }
 
 vec3 giReflectPBR(vec3 N, vec3 V, vec3 L, vec3 albedo, float metallic, float roughness, vec3 f0, vec3 f90)
 {
-  return giReflectPBR(N, V, L, albedo, metallic, roughness, f0, f90, 1.0);
+  return giReflectPBR(N, V, L, albedo, metallic, roughness, f0, f90, vec3(1.0), 1.0);
 }

@@ -125,7 +125,7 @@ Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
   EmitterPoint point = emitterPoint(u, at.position);
   vec3 L = normalize(point.path);
   float weight = strategy == 1 ? 1.0 : powerHeuristic(point.density, giReflectionDensity(r, L));
-  vec3 reflected = giReflect(r, L) * point.emission * weight;
+  vec3 reflected = giReflect(r, L) * giArriving(r, point.emission) * weight;
   return Arrival(point.density > 0.0 ? reflected / point.density : vec3(0.0),
     vec4(point.path, 1.0 - 1e-4), false);
 }
@@ -134,8 +134,8 @@ Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
 // Radiance that a surface reflects from the environment in direction L toward its viewer, per solid angle.
 vec3 skyReflected(GiReflector r, vec3 L)
 {
-  vec3 even = raySkyRadiance(L);
-  vec3 gloss = raySkyGloss(L);
+  vec3 even = giArriving(r, raySkyRadiance(L));
+  vec3 gloss = giArriving(r, raySkyGloss(L));
   return even == gloss ? giReflect(r, L) * even
                        : (giReflect(r, L) - giReflectGloss(r, L)) * even + giReflectGloss(r, L) * gloss;
 }
@@ -200,6 +200,10 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
   bool fromEye = density <= 0.0;
   vec3 radiance = vec3(0.0);
   vec3 throughput = vec3(1.0);
+  // Where indirect light arrives as on surfaces coloured by data, radiance and throughput start from scratch there.
+  vec3 before = vec3(0.0);
+  vec3 reflectance = vec3(0.0);
+  bool held = false;
   vec3 from = ray.origin;
   // After the last reflection, one more ray finds emitters and the sky.
 #ifdef GI_RAY_SKY
@@ -225,6 +229,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     bool seen = bounce == 0 && fromEye;
     vec3 V = seen ? normalize(eye - at.position) : -ray.direction;
     GiReflector r = giReflector(at, surface.Where.z & GI_SURFACE_MODEL, V);
+    r.data = seen && giDataKeepsHue && rayColoredByData(surface);
     radiance += throughput * directLight(r, at, seen, bounce, state);
     if (bounce == last)
     {
@@ -242,6 +247,14 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
       break;
     }
     throughput /= survive;
+    if (r.data)
+    {
+      held = true;
+      before = radiance;
+      reflectance = throughput;
+      radiance = vec3(0.0);
+      throughput = vec3(1.0);
+    }
     from = at.position;
     ray = Ray(origin, 0.0, L, RAY_FAR);
     float first;
@@ -251,10 +264,12 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
 #ifdef GI_RAY_SKY
       float other = raySkyDensity(L);
       float share = strategy == 0 ? powerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
-      radiance += arriving / survive * skyReflected(r, L) * share;
+      vec3 shining = arriving / survive * skyReflected(r, L) * share;
+      before += r.data ? shining : vec3(0.0);
+      radiance += r.data ? vec3(0.0) : shining;
 #endif
       break;
     }
   }
-  return radiance;
+  return held ? before + reflectance * giDataLight(radiance) : radiance;
 }

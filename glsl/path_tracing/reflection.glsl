@@ -3,6 +3,8 @@
 // Reflection of a surface, by the same formulas as direct_light/resolve.frag, and importance sampling of its
 // directions. Needs rays/surface.glsl, lib/pbr.glsl, lib/phong.glsl,
 // lib/sampling.glsl.
+#include "lib/compensation.glsl"
+#include "lib/data_colors.glsl"
 
 // Below this roughness a lobe is as good as a mirror: its width, the square of the roughness, is less than a pixel, and
 // floats no longer distinguish its half vectors.
@@ -21,8 +23,10 @@ struct GiReflector
   float lobe; // roughness of the lobe for sampling, at least GI_MIRROR_ROUGHNESS
   vec3 f0;
   vec3 f90;
+  vec3 boost; // factor of the highlight
   float occlusion;
   float gloss; // probability of sampling the highlight
+  bool data;   // indirect light is reflected as on surfaces coloured by data
 };
 
 GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
@@ -41,6 +45,12 @@ GiReflector giReflector(RaySurfacePoint at, int model, vec3 V)
   r.occlusion = at.occlusion;
   r.f0 = mix(vec3(at.specular.w), at.color.rgb, r.metallic);
   r.f90 = mix(vec3(clamp(dot(r.f0, vec3(50.0 * 0.33)), 0.0, 1.0)), at.specular.rgb, r.metallic);
+  r.boost = vec3(1.0);
+  if (r.pbr && giCompensates)
+  {
+    r.boost = giCompensation(r.f0, giHighlightShare(clamp(dot(N, V), 1e-5, 1.0), r.roughness));
+  }
+  r.data = false;
   float matte = dot(r.albedo, vec3(1.0)) * (r.pbr ? 1.0 - r.metallic : 1.0);
   vec3 fresnel = giFresnelSchlick(r.f0, r.f90, clamp(dot(N, V), 0.0, 1.0));
   float shiny = r.pbr ? dot(fresnel, vec3(1.0)) : 2.0 * dot(r.specular, vec3(1.0)) / (r.power + 1.0);
@@ -59,7 +69,7 @@ vec3 giReflect(GiReflector r, vec3 L, float roughness, float diffuseShare)
   }
   if (r.pbr)
   {
-    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90, diffuseShare);
+    return r.occlusion * giReflectPBR(r.N, r.V, L, r.albedo, r.metallic, roughness, r.f0, r.f90, r.boost, diffuseShare);
   }
   return (diffuseShare * r.albedo * facing + r.specular * giPhongSpecular(r.N, -L, r.V, r.power)) / GI_PI;
 }
@@ -80,6 +90,12 @@ vec3 giReflectGloss(GiReflector r, vec3 L)
 vec3 giReflectPointLight(GiReflector r, vec3 L)
 {
   return giReflect(r, L, r.roughness, 1.0);
+}
+
+// Indirect light as it arrives for reflection.
+vec3 giArriving(GiReflector r, vec3 light)
+{
+  return r.data ? giDataLight(light) : light;
 }
 
 vec3 giSampleReflection(GiReflector r, float lobe, vec2 u)

@@ -30,6 +30,8 @@ layout(rgba32f, binding = 1) uniform image2D sumEncoded; // linear rgb of PBR sa
 layout(rgba32f, binding = 2) uniform image2D sumAlbedo;  // rgb; a: samples that hit a surface
 layout(rgba32f, binding = 3) uniform image2D sumNormal;  // xyz in world coordinates; w: depth
 
+layout(rgba32f, binding = 4) uniform image2D sumUnlit;  // rgb for display of what is not lit; a: number of samples
+
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
@@ -66,7 +68,7 @@ void main()
   bool captured = texelFetch(albedoTexture, window, 0).a > 0.0;
   int material = int(texelFetch(normalTexture, window, 0).z * 65535.0 + 0.5);
   float depth = texelFetch(depthTexture, window, 0).r;
-  if (captured && (material == GI_MATERIAL_AS_DRAWN || materials[material].Model.y != 0))
+  if (captured && (material == GI_MATERIAL_AS_DRAWN || (materials[material].Model.y & GI_MATERIAL_THIN) != 0))
   {
     ray.tMax = length(giViewPosition(center, depth) - near) * drawnReach;
   }
@@ -80,6 +82,7 @@ void main()
   bool hidden = captured && drawnReach < 1.0 && first > farthest * (2.0 - drawnReach);
   bool met = hit.instance >= 0 && !hidden;
   bool encoded = false;
+  bool lit = false;
   vec3 value = texelFetch(colorTexture, window, 0).rgb; // lines and points, background
 #ifdef GI_VISIBLE_SKY
   if (!captured)
@@ -98,9 +101,12 @@ void main()
 #endif
     albedo = vec4(at.color.rgb, 1.0);
     normal = vec4(at.normal, dot(at.position - start, viewToScene * vec3(0.0, 0.0, -1.0)) - near.z);
-    encoded = (raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PBR;
+    RaySurface surface = raySurfaces[at.surface];
+    encoded = (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PBR;
+    lit = (surface.Where.z & GI_SURFACE_MODEL) != GI_SURFACE_UNLIT;
     value = pathRadiance(ray, at, 0.0, state);
     value = any(isnan(value)) || any(isinf(value)) ? vec3(0.0) : value;
+    value = lit && rayColoredByData(surface) ? mix(at.color.rgb, value, giDataLit(encoded)) : value;
   }
   float luminance = giLuminance(value);
   bool more = sampleIndex > 0;
@@ -108,10 +114,13 @@ void main()
   vec4 shown = more ? imageLoad(sumShown, window) : none;
   vec4 linear = more ? imageLoad(sumEncoded, window) : none;
   vec4 albedos = more ? imageLoad(sumAlbedo, window) : none;
+  vec4 unlit = more ? imageLoad(sumUnlit, window) : none;
   vec4 normals = more ? imageLoad(sumNormal, window) : none;
   imageStore(sumShown, window, shown + (encoded ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(value, 0.0)));
   imageStore(sumEncoded, window,
     linear + vec4(encoded ? value : vec3(0.0), luminance * luminance));
   imageStore(sumAlbedo, window, albedos + albedo);
+  // A sky that VTK encodes is in sumEncoded alone.
+  imageStore(sumUnlit, window, unlit + (lit || encoded ? none : vec4(value, 1.0)));
   imageStore(sumNormal, window, normals + normal);
 }

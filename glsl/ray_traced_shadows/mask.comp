@@ -29,7 +29,7 @@ uniform int layerCount;
 uniform int samples;
 uniform vec2 size;     // of lights without a shape: tangent of half the angle, or radius of positional ones
 
-const int CANDIDATES = 16; // points of a light of which each ray chooses one
+const int CELLS = 16; // parts of a light of which each ray chooses one
 
 const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
 const float REACH = 1e-3;         // half length of the ray that looks for the surface, as a share of the distance
@@ -67,26 +67,40 @@ RaySurfacePoint surfaceAt(ivec2 window)
   return at;
 }
 
-// Share of the light of a light with a shape that arrives. Each point counts as much as it contributes to the
-// irradiance: a ray goes to one of several points, chosen with that probability (Talbot, Cline and Egbert 2005,
-// "Importance Resampling for Global Illumination").
+// A point of a light, in one of its cells along a Z-order curve, and how much it contributes to the irradiance.
+vec4 cellPoint(LightData light, RaySurfacePoint at, int cell, vec2 within)
+{
+  ivec2 place = ivec2((cell & 1) | (cell >> 1 & 2), (cell >> 1 & 1) | (cell >> 2 & 2));
+  vec4 point = giLightPoint(light, at.position, (vec2(place) + within) / 4.0);
+  point.w *= max(dot(at.normal, normalize(point.xyz)), 0.0);
+  return point;
+}
+
+// Share of the light of a light with a shape that arrives. Each ray goes to a point of one of the light's cells, chosen
+// with the probability that it contributes to the irradiance (resampling: Talbot, Cline and Egbert 2005, "Importance
+// Resampling for Global Illumination").
 float shapeVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint state)
 {
   bool local = light.Kind.x == GI_LIGHT_POSITIONAL;
   float open = 0.0;
   for (int i = 0; i < samples; ++i)
   {
+    uint number = uint(view.Frame.x * samples + i);
+    vec2 within = giSample2D(number, giHash(seed));
     float sum = 0.0;
-    vec3 chosen = vec3(0.0);
-    for (int k = 0; k < CANDIDATES; ++k)
+    for (int cell = 0; cell < CELLS; ++cell)
     {
-      uint number = uint((view.Frame.x * samples + i) * CANDIDATES + k);
-      vec4 point = giLightPoint(light, at.position, giSample2D(number, seed));
-      float weight = point.w * max(dot(at.normal, normalize(point.xyz)), 0.0);
-      sum += weight;
-      chosen = giRandom(state) * sum < weight ? point.xyz : chosen;
+      sum += cellPoint(light, at, cell, within).w;
     }
-    open += sum > 0.0 && rayReaches(vec4(chosen, local ? 1.0 : RAY_FAR), at, state) ? 1.0 : 0.0;
+    float left = giSample2D(number, seed).x * sum;
+    vec4 point = vec4(0.0);
+    for (int cell = 0; cell < CELLS && left >= 0.0 && sum > 0.0; ++cell)
+    {
+      vec4 candidate = cellPoint(light, at, cell, within);
+      point = candidate.w > 0.0 ? candidate : point;
+      left -= candidate.w;
+    }
+    open += point.w > 0.0 && rayReaches(vec4(point.xyz, local ? 1.0 : RAY_FAR), at, state) ? 1.0 : 0.0;
   }
   return open / float(samples);
 }

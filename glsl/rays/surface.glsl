@@ -8,6 +8,8 @@
 #include "rays/pictures.glsl"
 #endif
 
+uniform float giReflectance; // factor of all diffuse reflectances and base colours
+
 struct RaySurfacePoint
 {
   vec3 position;  // relative to the scene's origin
@@ -31,6 +33,13 @@ struct RaySurfacePoint
 vec3 rayPointNormal(uint bits)
 {
   return bits == GI_RAY_NO_NORMAL ? vec3(0.0) : giDecodeOctahedral(unpackUnorm2x16(bits));
+}
+
+// Whether colours from data replace the material's colour.
+bool rayColoredByData(RaySurface surface)
+{
+  return (surface.Where.z & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS | GI_SURFACE_PLACE_COLORS)) != 0 ||
+    floatBitsToInt(surface.More.x) >= 0;
 }
 
 // Replaces the material's colour by a mapped one.
@@ -156,6 +165,7 @@ RaySurface rayMaterial(
     surface.Emission.rgb = surface.Color.rgb;
     surface.Color.rgb = vec3(0.0);
   }
+  surface.Color.rgb *= giReflectance;
   return surface;
 }
 

@@ -2,7 +2,8 @@
 // Adds reflections to the picture: where rays hit something, they replace the light of the surroundings
 // that VTK reflects there. Variants: GI_EXTENDED (textures, PBR), GI_SURROUNDINGS (VTK's image-based
 // reflection is known separately), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear radiance, not the colour for display),
-// GI_DEBUG (show how rays ended).
+// GI_LIT_PARTS (resource::LitShown or LitEncoded), GI_DATA_COLORS (as in direct_light/resolve.frag), GI_DEBUG (show how
+// rays ended).
 #include "shared/view.h"
 #include "shared/material.h"
 #include "shared/reflection.h"
@@ -43,13 +44,29 @@ vec3 withReflection(ivec2 window, vec3 radiance, Lobe lobe)
 #ifdef GI_SURROUNDINGS
   surroundings = texelFetch(surroundingsTexture, window, 0).rgb;
 #endif
+  float lit = 1.0; // factor of reflected light
+  vec3 light = ambientLight;
+#ifdef GI_DATA_COLORS
+  vec4 normal = texelFetch(normalTexture, window, 0);
+  if ((materials[int(normal.z * 65535.0 + 0.5)].Model.y & GI_MATERIAL_DATA) != 0)
+  {
+    reflection.rgb = giDataLight(reflection.rgb);
+    light = giDataLight(light);
+    vec3 albedo = texelFetch(albedoTexture, window, 0).rgb;
 #ifdef GI_EXTENDED
-  float occlusion = texelFetch(surfaceTexture, window, 0).g;
-  surroundings += lobe.pbr ? occlusion * ambientLight / GI_PI * lobe.f0 : vec3(0.0);
+    float metallic = lobe.pbr ? texelFetch(surfaceTexture, window, 0).r : 0.0;
+    vec3 reflectance = (1.0 - metallic) * (1.0 - lobe.f0) * albedo + lobe.f0;
+    surroundings = giDataReflected(surroundings, reflectance);
 #endif
-  vec3 missing = lobe.pbr ? vec3(0.0) : (1.0 - known) * lobe.color * ambientLight;
+    lit = giDataLit(lobe.pbr);
+  }
+#endif
+#ifdef GI_EXTENDED
+  surroundings += lobe.pbr ? texelFetch(surfaceTexture, window, 0).g * light / GI_PI * lobe.f0 : vec3(0.0);
+#endif
+  vec3 missing = lobe.pbr ? vec3(0.0) : (1.0 - known) * lobe.color * light;
   return max(
-    radiance + lobe.color * reflection.rgb + openness * (missing - known * surroundings), 0.0);
+    radiance + lit * (lobe.color * reflection.rgb + openness * (missing - known * surroundings)), 0.0);
 }
 
 #ifdef GI_DEBUG
@@ -87,7 +104,9 @@ void main()
   if (isTraced(lobe))
   {
     vec3 radiance = withReflection(window, texelFetch(litTexture, window, 0).rgb, lobe);
-#ifdef GI_RADIANCE
+#if defined(GI_LIT_PARTS)
+    color.rgb = color.a * radiance; // a: share of the pixel
+#elif defined(GI_RADIANCE)
     color.rgb = radiance;
 #else
     color.rgb = lobe.pbr ? pow(radiance, vec3(1.0 / 2.2)) : radiance;

@@ -2,6 +2,8 @@
 // of directions. Needs shared/view.h, shared/material.h, lib/octahedral.glsl, lib/reconstruct.glsl,
 // lib/pbr.glsl, lib/sampling.glsl. Variants: GI_EXTENDED (textures, PBR).
 #include "lib/luminance.glsl"
+#include "lib/compensation.glsl"
+#include "lib/data_colors.glsl"
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
@@ -55,7 +57,7 @@ Lobe lobeAt(ivec2 window, vec3 P)
   lobe.V = giToEye(P);
   float NdV = clamp(dot(lobe.N, lobe.V), 0.0, 1.0);
   lobe.pbr = material.Model.x == GI_MATERIAL_PBR;
-  lobe.reflects = material.Model.x != GI_MATERIAL_AS_DRAWN && material.Model.y == 0;
+  lobe.reflects = material.Model.x != GI_MATERIAL_AS_DRAWN && (material.Model.y & GI_MATERIAL_THIN) == 0;
   lobe.power = material.Specular.w;
   lobe.roughness = phongRoughness(lobe.power);
   lobe.f0 = vec3(0.0);
@@ -80,6 +82,7 @@ Lobe lobeAt(ivec2 window, vec3 P)
 #endif
   vec3 shares = lobeShares(NdV, lobe.roughness);
   lobe.color = lobe.pbr ? occlusion * (lobe.f0 * shares.x + lobe.f90 * shares.y) : lobe.color * shares.z;
+  lobe.color *= lobe.pbr && giCompensates ? giCompensation(lobe.f0, shares.x + shares.y) : vec3(1.0);
   lobe.width = lobe.roughness * lobe.roughness;
   return lobe;
 }

@@ -19,10 +19,14 @@ using ivec4 = glm::ivec4;
 #define GI_MATERIAL_PBR 2
 #define GI_MATERIAL_CATCHER 4 // 3 is that of unlit surfaces for rays
 
+// Flags of a material.
+#define GI_MATERIAL_THIN 1 // lines and points, which rays do not hit
+#define GI_MATERIAL_DATA 2 // coloured by data
+
 struct MaterialData
 {
   vec4 Specular; // Phong: rgb colour times coefficient, w power. PBR: rgb edge tint, w base F0
-  ivec4 Model;   // x: reflection model; y: 1 for lines and points, which rays do not hit;
+  ivec4 Model;   // x: reflection model; y: flags, see below;
                  // z: row of the motion table; w: persistent number of the prop, below 2^24
 };
 

@@ -8,9 +8,9 @@
 uniform float fieldHalf; // half the width of a map in texels
 
 // Biases as for shadow maps, in texels.
-const float GiConstantBias = 0.3;
-const float GiSlopeBias = 0.3;
-const float GiSteepest = 6.0; // tangent of the steepest plane with which depths are compared
+const float GiSkyConstantBias = 0.2;
+const float GiSkySlopeBias = 0.1;
+const float GiSkySteepest = 20.0; // tangent of the steepest plane with which depths are compared
 
 struct GiSkyReceiver
 {
@@ -27,14 +27,14 @@ float giSkyOpen(vec4 across, vec4 along, float depth, float facing, float texel,
     return 1.0;
   }
   // Depth of the facet's plane at each texel, as in shadow_maps/sheet.glsl.
-  float steepest = GiSteepest * texel;
+  float steepest = GiSkySteepest * texel;
   vec2 slope = vec2(dot(across.xyz, at.F), dot(along.xyz, at.F)) * (texel * texel / max(facing, 1e-6 * texel));
   slope = clamp(slope, -steepest, steepest);
   vec2 first = floor(place - 0.5);
   vec2 share = place - 0.5 - first;
   vec4 drawn = textureGather(fieldAtlas, (vec2(across.w, along.w) + first + 1.0) / vec2(textureSize(fieldAtlas, 0)));
-  float plane = depth + dot(slope, first + 0.5 - place) - GiConstantBias * texel -
-    GiSlopeBias * max(abs(slope.x), abs(slope.y));
+  float plane = depth + dot(slope, first + 0.5 - place) - GiSkyConstantBias * texel -
+    GiSkySlopeBias * max(abs(slope.x), abs(slope.y));
   vec4 open = step(min(plane + vec4(slope.y, slope.x + slope.y, slope.x, 0.0), 1.0), drawn);
   vec2 columns = mix(open.wx, open.zy, share.x);
   return mix(columns.x, columns.y, share.y);

@@ -63,13 +63,25 @@ def render(target, frames=1, alpha=False):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
 
 
+def _make_straight(pixels, renderer):
+    """Divide colours by their alpha, in place. VTK blends over the background's colour even where its alpha is 0."""
+    alpha = pixels[:, 3:] / 255.0
+    behind = numpy.zeros(3) if renderer.GetGradientBackground() else 255.0 * numpy.array(renderer.GetBackground())
+    straight = (pixels[:, :3] - (1 - alpha) * behind) / numpy.maximum(alpha, 1 / 255.0)
+    pixels[:, :3] = numpy.rint(numpy.clip(straight, 0, 255))
+
+
 def save_png(target, path, frames=1, alpha=False):
     """Draw a window (or a renderer's window) and write the picture to a PNG file.
 
-    The picture uses nothing from previous frames (see vtkGIPass.Restart()), so each picture of a film depends only on
+    alpha: the file has straight alpha; for a transparent background set SetBackgroundAlpha(0) on the renderer, and
+    SetAlphaBitPlanes(1) on the window before it draws. The picture uses nothing from previous frames (see vtkGIPass.Restart()), so each picture of a film depends only on
     the scene at its time.
     """
     image = _capture(target, frames, alpha, alone=True)
+    if alpha:
+        window = target.GetRenderWindow() if isinstance(target, vtkRenderer) else target
+        _make_straight(vtk_to_numpy(image.GetPointData().GetScalars()), window.GetRenderers().GetFirstRenderer())
     path = pathlib.Path(path)
     try:
         path.open("wb").close()

@@ -161,7 +161,7 @@ def shape_light(light, angle=None, radius=None, disc=None, rectangle=None, turn=
 
     A size that is negative or not finite raises ValueError and changes nothing.
     """
-    if not light.SMProxy.IsA("vtkSMLightProxy") and light.SMProxy.GetXMLName() != "Light":
+    if light.SMProxy.GetXMLName() != "Light":
         raise TypeError(f"only lights that AddLight() makes have a shape, not a {light.SMProxy.GetXMLLabel()}")
     sizes = [("angle", angle), ("radius", radius), ("disc", disc), ("rectangle", rectangle)]
     given = [(name, value) for name, value in sizes if value is not None]
@@ -175,12 +175,13 @@ def shape_light(light, angle=None, radius=None, disc=None, rectangle=None, turn=
     if not _is_loaded():
         load()
     manager = servermanager.ProxyManager().SMProxyManager
-    name = f"LightShape{light.GetGlobalID()}"
-    found = manager.GetProxy(_GROUP, name)
+    names = [manager.GetProxyName(_GROUP, i) for i in range(manager.GetNumberOfProxies(_GROUP))]
+    shapes = [proxy for proxy in (manager.GetProxy(_GROUP, name) for name in names) if proxy.GetXMLName() == "LightShape"]
+    found = next((proxy for proxy in shapes if proxy.GetProperty("Light").GetProxy(0) == light.SMProxy), None)
     if found is None:
         found = manager.NewProxy(_GROUP, "LightShape")
         found.GetProperty("Light").AddProxy(light.SMProxy)
-        manager.RegisterProxy(_GROUP, name, found)
+        manager.RegisterProxy(_GROUP, f"LightShape{light.GetGlobalID()}", found)
     proxy = servermanager._getPyProxy(found)
     shape = {"angle": 2, "radius": 3, "disc": 4, "rectangle": 5}[given[0][0]] if given else 0
     target = {"angle": "Angle", "rectangle": "Size"}.get(given[0][0], "Radius") if given else None

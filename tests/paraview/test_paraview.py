@@ -214,6 +214,16 @@ class States(Base):
             self.assertEqual(within(saved, picture(self.folder / f"{action}.png"), 0), 1.0, action)
 
 
+class Lights(Base):
+    def test_lights_have_shapes_also_in_states(self):
+        text = self.run_script("pvpython", "lights.py", "save", self.folder)
+        self.assertNotIn("accepted", text)
+        self.assertEqual(self.number("removed", text), 1)
+        self.assertGreater(self.number("shape changes", text), 0.02)
+        self.run_script("pvpython", "lights.py", "load", self.folder)
+        self.assertEqual(within(picture(self.folder / "lights-save.png"), picture(self.folder / "lights-load.png"), 0), 1.0)
+
+
 class Server(Base):
     def test_a_server_draws_the_same(self):
         with socket.socket() as probe:

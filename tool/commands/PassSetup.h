@@ -18,4 +18,12 @@ void SetUpPass(const Scene& scene, vtkGIPass* pass, Reporter& reporter);
 /// Gives the scene's look to a renderer. pass: set up by SetUpPass(), or nullptr for VTK alone. What the scene itself says
 /// of background and techniques comes after the look.
 void ApplyLook(const Scene& scene, vtkRenderer* renderer, vtkGIPass* pass, Reporter& reporter);
+
+/// Reflection of surfaces by the scene's technique settings, as in vtkGIReflectance.
+struct Reflection
+{
+  double MaximumAlbedo = 1;
+  bool EnergyCompensation = false;
+};
+Reflection ReflectionIn(const Scene& scene);
 }

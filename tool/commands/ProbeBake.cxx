@@ -3,6 +3,7 @@
 // penumbra bake probes: indirect light in space, stored at the points of grids.
 #include "commands/BakeInput.h"
 #include "commands/Commands.h"
+#include "commands/PassSetup.h"
 
 #include "bake/BakeImage.h"
 #include "common/Failure.h"
@@ -87,6 +88,9 @@ public:
     baker->SetAdaptive(this->Adaptive);
     baker->SetRelocate(!this->Uniform);
     baker->SetBounces(this->Bounces);
+    const Reflection reflection = ReflectionIn(this->Input.Description);
+    baker->SetMaximumAlbedo(reflection.MaximumAlbedo);
+    baker->SetEnergyCompensation(reflection.EnergyCompensation);
     vtkNew<vtkImageData> field;
     const int resumed = this->Resume(baker, field, console);
     if (resumed == 0)
@@ -131,8 +135,10 @@ private:
   /// The settings that an interrupted bake must have been made with. Its image holds the scene.
   std::string Settings() const
   {
-    return fmt::format("probes {} spacing {:.17g} bounces {} uniform {} adaptive {}", this->Probes,
-      this->Spacing, this->Bounces, this->Uniform, this->Adaptive);
+    const Reflection reflection = ReflectionIn(this->Input.Description);
+    return fmt::format("probes {} spacing {:.17g} bounces {} uniform {} adaptive {} albedo {:.17g} {}",
+      this->Probes, this->Spacing, this->Bounces, this->Uniform, this->Adaptive,
+      reflection.MaximumAlbedo, reflection.EnergyCompensation);
   }
 
   /// Reads the field of an interrupted bake. Returns its number of samples, 0 if there is none to resume.

@@ -3,6 +3,7 @@
 // penumbra bake radiosity: diffuse light between patches, independent of the view.
 #include "commands/BakeInput.h"
 #include "commands/Commands.h"
+#include "commands/PassSetup.h"
 
 #include "bake/radiosity/SceneSurfaces.h"
 #include "bake/radiosity/SolutionFile.h"
@@ -60,7 +61,8 @@ public:
     this->Check();
     this->Input.Build(console);
     vtkRenderer* renderer = this->Input.Built.Renderer;
-    radiosity::GatheredScene scene = radiosity::GatherScene(renderer, console);
+    radiosity::GatheredScene scene = radiosity::GatherScene(
+      renderer, ReflectionIn(this->Input.Description).MaximumAlbedo, console);
     const auto start = Clock::now();
     // Besides the patches, form factors depend on the number of rays and on the environment.
     const std::string identity =

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/Metrics.h"
 
+#include "image/ColorDifference.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,12 +34,36 @@ std::vector<char> TooBright(const Picture& a, const Picture& b, double limit)
   }
   return bright;
 }
+
+double Mean(const std::vector<double>& values)
+{
+  double sum = 0;
+  for (const double value : values)
+  {
+    sum += value;
+  }
+  return sum / static_cast<double>(values.size());
+}
+
+/// The 99th percentile. Reorders the values.
+double Percentile99(std::vector<double>& values)
+{
+  const auto rank =
+    values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), rank, values.end());
+  return *rank;
+}
+
+Lab LabOf(const Picture& picture, std::size_t pixel)
+{
+  return LabOfDisplay(picture.Color(pixel, 0), picture.Color(pixel, 1), picture.Color(pixel, 2));
+}
 }
 
 Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options)
 {
   Metrics metrics;
-  std::vector<double> worst;
+  std::vector<double> worst, total, hue;
   worst.reserve(a.PixelCount());
   double squares = 0, bias = 0;
   std::size_t over = 0;
@@ -67,6 +93,9 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
     // Half a 255th allows for the rounding of 8-bit files.
     over += greatest > (options.Tolerance + 0.5) / 255 ? 1 : 0;
     worst.push_back(greatest);
+    const ColorDifference seen = Ciede2000(LabOf(a, i), LabOf(b, i));
+    total.push_back(seen.Total);
+    hue.push_back(seen.Hue);
   }
   if (worst.empty())
   {
@@ -77,9 +106,11 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
   metrics.SignedMean = bias / count;
   metrics.FractionOver = over / count;
   metrics.Maximum = *std::max_element(worst.begin(), worst.end());
-  const auto rank = worst.begin() + static_cast<std::ptrdiff_t>(0.99 * (count - 1));
-  std::nth_element(worst.begin(), rank, worst.end());
-  metrics.Percentile99 = *rank;
+  metrics.Percentile99 = Percentile99(worst);
+  metrics.DeltaEMean = Mean(total);
+  metrics.DeltaE99 = Percentile99(total);
+  metrics.DeltaHMean = Mean(hue);
+  metrics.DeltaH99 = Percentile99(hue);
   metrics.Ssim = StructuralSimilarity(a, b);
   return metrics;
 }

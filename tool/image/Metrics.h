@@ -24,6 +24,9 @@ struct Metrics
   double SignedMean = 0;   ///< mean of luminance a - luminance b, which is bias, not noise
   double Percentile99 = 0; ///< of the pixels' greatest difference in any channel
   double Maximum = 0;
+  /// Perceived differences of the values taken as display values (image/ColorDifference.h).
+  double DeltaEMean = 0, DeltaE99 = 0; ///< CIEDE2000: mean and 99th percentile
+  double DeltaHMean = 0, DeltaH99 = 0; ///< its part of hue
   double Ssim = 1;           ///< mean structural similarity of the luminance
   double FractionOver = 0;   ///< fraction of pixels that exceed the tolerance
   std::size_t NonFinite = 0; ///< pixels with NaN or infinity in either picture, left out

@@ -28,6 +28,9 @@ public:
   /// is not possible.
   void Prepare(vtkRenderer* renderer);
 
+  /// Set the rules by which surfaces reflect.
+  void SetRules(const SurfaceRules& rules) { this->TracedScene.SetRules(rules); }
+
   /// Run groups of a compute shader, which are numbered along x, then y. The shader gets the scene, Points, Results
   /// and the arguments.
   void Run(

@@ -132,6 +132,8 @@ void vtkGILightGatherer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FirstSample: " << this->FirstSample << "\n";
   os << indent << "Bounces: " << this->Bounces << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "MaximumAlbedo: " << this->MaximumAlbedo << "\n";
+  os << indent << "EnergyCompensation: " << this->EnergyCompensation << "\n";
   os << indent << "IncludeLamps: " << this->IncludeLamps << "\n";
   os << indent << "IncludeIndirect: " << this->IncludeIndirect << "\n";
   os << indent << "Directional: " << this->Directional << "\n";
@@ -198,6 +200,10 @@ bool vtkGILightGatherer::Trace(vtkRenderer* renderer, vtkDataArray* points, vtkD
 {
   using Clock = std::chrono::steady_clock;
   Internals& impl = *this->Impl;
+  SurfaceRules rules;
+  rules.Reflectance = this->MaximumAlbedo;
+  rules.Compensates = this->EnergyCompensation;
+  impl.Stage.SetRules(rules);
   impl.Stage.Prepare(renderer);
   impl.LampsLeftOut = impl.Stage.LampsLeftOut();
   impl.PropsLeftOut = static_cast<int>(impl.Stage.PropsLeftOut());

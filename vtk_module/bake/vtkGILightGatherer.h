@@ -103,6 +103,19 @@ public:
 
   ///@{
   /**
+   * Reflection of the surfaces, as by the parameters of vtkGIReflectance: the share of the light that a white surface
+   * reflects, 1 by default, and whether rough metals keep their light, off by default. Pictures must be drawn with the
+   * values of the bake.
+   */
+  vtkSetClampMacro(MaximumAlbedo, double, 0.0, 1.0);
+  vtkGetMacro(MaximumAlbedo, double);
+  vtkSetMacro(EnergyCompensation, bool);
+  vtkGetMacro(EnergyCompensation, bool);
+  vtkBooleanMacro(EnergyCompensation, bool);
+  ///@}
+
+  ///@{
+  /**
    * Abort the running call soon. Each call switches this off when it starts.
    */
   vtkSetMacro(Abort, bool);
@@ -161,6 +174,8 @@ protected:
   bool IncludeIndirect = true;
   bool Directional = false;
   bool Abort = false;
+  double MaximumAlbedo = 1.0;
+  bool EnergyCompensation = false;
 
 private:
   vtkGILightGatherer(const vtkGILightGatherer&) = delete;

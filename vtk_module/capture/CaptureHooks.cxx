@@ -5,6 +5,7 @@
 #include "base/Matrices.h"
 #include "capture/MaterialTable.h"
 #include "capture/MotionTable.h"
+#include "capture/PropTraits.h"
 #include "gpu/ShaderLibrary.h"
 
 #include "vtkActor.h"
@@ -27,6 +28,7 @@ namespace
 // VTK's template is filled in the order Color, Edges, Normal, Light, TCoord. A texture multiplies
 // the lit colour at TCoord, so the capture comes after TCoord.
 const char* const Marker = "//PENUMBRA::Capture";
+const char* const ColorMarker = "//PENUMBRA::Color";   // before VTK's code for the light
 const char* const NormalMarker = "//PENUMBRA::Normal"; // after VTK's code for the normal
 
 // Impostors compute the position of each pixel, and their normal is the surface's own. VTK's template mentions the
@@ -36,6 +38,13 @@ bool WritesFragmentDepth(const std::string& fragment)
   static const std::regex assigned("gl_FragDepth\\s*=(?!\\s*gl_Frag)");
   return std::regex_search(fragment, assigned);
 }
+}
+
+penumbra::Defines penumbra::SurroundingVariant(const std::string& fragment)
+{
+  const bool known = Contains(fragment, "iblSpecular = prefilteredSpecularColor * specularBrdf;") &&
+    Contains(fragment, "vec2 brdf = texture(");
+  return known ? Defines{ { "GI_LOBE_KNOWN", "1" } } : Defines();
 }
 
 penumbra::Defines penumbra::PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders)
@@ -139,6 +148,8 @@ void vtkGICaptureHooks::BeforeMapper(
     "//VTK::Output::Dec\n" + this->Snippet("declarations.glsl", this->Outputs, variant), false);
   vtkShaderProgram::Substitute(texts.Fragment, "//VTK::Normal::Impl",
     std::string("//VTK::Normal::Impl\n") + NormalMarker + "\n", false);
+  vtkShaderProgram::Substitute(
+    texts.Fragment, "//VTK::Light::Impl", std::string(ColorMarker) + "\n//VTK::Light::Impl", false);
   vtkShaderProgram::Substitute(texts.Fragment, "//VTK::TCoord::Impl",
     this->Snippet("before_texture.glsl", this->Outputs) + "//VTK::TCoord::Impl\n" + Marker + "\n",
     false);
@@ -164,13 +175,19 @@ void vtkGICaptureHooks::AfterMapper(const penumbra::ShaderTexts& texts, vtkProp*
   if (!unlit && pbr && !layered && actor && Contains(fragment, directLight.c_str()))
   {
     // Before direct light VTK has added only the light of the surroundings.
-    vtkShaderProgram::Substitute(
-      fragment, directLight, "  vec3 giSurrounding = color;\n" + directLight, false);
+    vtkShaderProgram::Substitute(fragment, directLight,
+      this->Snippet("surrounding.glsl", this->Outputs, penumbra::SurroundingVariant(fragment)) + directLight,
+      false);
     snippet = "pbr.glsl";
   }
   else if (!unlit && !pbr && actor)
   {
     snippet = "phong.glsl";
+  }
+  if (std::string(snippet) != "as_drawn.glsl")
+  {
+    vtkShaderProgram::Substitute(
+      fragment, ColorMarker, this->Snippet("reflectance.glsl", this->Outputs), false);
   }
   // Only where VTK uses point normals, and does not compute normals itself.
   if (!unlit && Contains(fragment, "vertexVC") && Contains(fragment, "in vec3 normalVCVSOutput;"))
@@ -233,6 +250,14 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   {
     program->SetUniformf("giAmbientAlpha", this->Materials->HasPartialCoverage() ? 1.0f : 0.0f);
   }
+  if (program->IsUniformUsed("giReflectance"))
+  {
+    program->SetUniformf("giReflectance", static_cast<float>(this->Rules.Reflectance));
+  }
+  if (program->IsUniformUsed("giCompensates"))
+  {
+    program->SetUniformi("giCompensates", this->Rules.Compensates ? 1 : 0);
+  }
   if (program->IsUniformUsed("giMendsNormals"))
   {
     program->SetUniformi("giMendsNormals", this->MendsNormals ? 1 : 0);
@@ -244,8 +269,9 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
   }
   if (actor && program->IsUniformUsed("giMaterial"))
   {
-    const penumbra::MaterialTable::Owner owner =
+    penumbra::MaterialTable::Owner owner =
       this->Motion ? this->Motion->Find(actor) : penumbra::MaterialTable::Owner();
+    owner.ColoredByData = this->Rules.ChangesData() && penumbra::IsColoredByData(actor);
     const int front = this->Materials->Find(actor->GetProperty(), owner);
     program->SetUniformi("giMaterial", front);
     if (program->IsUniformUsed("giBackMaterial"))

@@ -8,6 +8,7 @@
 
 #include "capture/CaptureOutputs.h"
 #include "capture/ShaderHooks.h"
+#include "rays/SurfaceRules.h"
 
 #include <glm/glm.hpp>
 
@@ -54,6 +55,9 @@ public:
   /// Set whether surfaces without usable normals are captured with the normals of their facets, or as VTK draws them.
   void SetMendsNormals(bool mends) { this->MendsNormals = mends; }
 
+  /// Set the rules by which surfaces reflect.
+  void SetRules(const penumbra::SurfaceRules& rules) { this->Rules = rules; }
+
   /// Set the table that records the motion of props; nullptr for none.
   void SetMotion(penumbra::MotionTable* motion) { this->Motion = motion; }
 
@@ -94,4 +98,5 @@ private:
   glm::ivec2 Anchor{ 0 };
   int Layer = 0;
   bool MendsNormals = false;
+  penumbra::SurfaceRules Rules;
 };

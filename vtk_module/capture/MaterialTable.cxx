@@ -30,10 +30,11 @@ int MaterialTable::Find(vtkProperty* property, const Owner& owner)
   const double last = pbr ? vtkProperty::ComputeReflectanceFromIOR(property->GetBaseIOR(), 1.0)
                           : property->GetSpecularPower();
   const bool thin = property->GetRepresentation() != VTK_SURFACE;
-  const std::array<float, 8> key = { { static_cast<float>(color[0] * scale),
+  const std::array<float, 9> key = { { static_cast<float>(color[0] * scale),
     static_cast<float>(color[1] * scale), static_cast<float>(color[2] * scale),
     static_cast<float>(last), pbr ? 1.0f : 0.0f, thin ? 1.0f : 0.0f,
-    static_cast<float>(owner.Motion), static_cast<float>(owner.Number) } };
+    static_cast<float>(owner.Motion), static_cast<float>(owner.Number),
+    owner.ColoredByData ? 1.0f : 0.0f } };
   const auto found = this->Index.find(key);
   if (found != this->Index.end())
   {
@@ -46,8 +47,9 @@ int MaterialTable::Find(vtkProperty* property, const Owner& owner)
     return static_cast<int>(limit) - 1;
   }
   this->Entries.push_back({ glm::vec4(key[0], key[1], key[2], key[3]),
-    glm::ivec4(
-      pbr ? GI_MATERIAL_PBR : GI_MATERIAL_PHONG, thin ? 1 : 0, owner.Motion, owner.Number) });
+    glm::ivec4(pbr ? GI_MATERIAL_PBR : GI_MATERIAL_PHONG,
+      (thin ? GI_MATERIAL_THIN : 0) | (owner.ColoredByData ? GI_MATERIAL_DATA : 0), owner.Motion,
+      owner.Number) });
   return this->Index[key] = static_cast<int>(this->Entries.size()) - 1;
 }
 

@@ -29,6 +29,7 @@ public:
   {
     int Motion = 0;
     int Number = 0;
+    bool ColoredByData = false;
   };
 
   /// Index of a property's entry, created at first use. The G-buffer holds 16 bits: materials beyond
@@ -56,7 +57,7 @@ public:
 
 private:
   std::vector<shared::MaterialData> Entries;
-  std::map<std::array<float, 8>, int> Index;
+  std::map<std::array<float, 9>, int> Index;
   bool Specular = false;
   bool PartialCoverage = false;
   bool Catcher = false;

@@ -9,6 +9,7 @@
 #include "vtkAssembly.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkMapper.h"
 #include "vtkPolyData.h"
 #include "vtkProp3DCollection.h"
@@ -121,6 +122,39 @@ bool MayHaveAmbient(vtkProperty* property, bool environment)
     pbr && (property->GetCoatStrength() > 0.0 || property->GetAnisotropy() > 0.0);
   return !plain || layered || (pbr ? environment : property->GetAmbient() > 0.0);
 }
+}
+
+namespace
+{
+bool HasScalars(vtkMapper* mapper, vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (HasScalars(mapper, it->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  auto* set = vtkDataSet::SafeDownCast(data);
+  int association = 0;
+  // Other data, such as molecules, always have colours.
+  return !set ||
+    vtkAbstractMapper::GetAbstractScalars(set, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), association);
+}
+}
+
+bool IsColoredByData(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  vtkDataObject* data = mapper ? mapper->GetInputDataObject(0, 0) : nullptr;
+  return data && mapper->GetScalarVisibility() && HasScalars(mapper, data);
 }
 
 bool CanCapture(vtkProp* prop)

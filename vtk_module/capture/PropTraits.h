@@ -5,6 +5,7 @@
  */
 #pragma once
 
+class vtkActor;
 class vtkProp;
 
 namespace penumbra
@@ -26,4 +27,7 @@ bool MayHavePartialCoverage(vtkProp* prop);
 /// light, or its colour if it is shown as drawn. environment: whether images light PBR materials. True if this is
 /// not known for certain.
 bool MayHaveAmbient(vtkProp* prop, bool environment);
+
+/// Whether colours from data replace the colour of an actor's property.
+bool IsColoredByData(vtkActor* actor);
 }

@@ -12,6 +12,8 @@
 #include "gpu/ScopedState.h"
 #include "graph/Frame.h"
 
+#include "rays/SurfaceRules.h"
+
 #include "vtkActor.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -114,6 +116,11 @@ bool SceneCapture::CastsPartialShadows() const
 void SceneCapture::SetMendsNormals(bool mends)
 {
   this->Hooks->SetMendsNormals(mends);
+}
+
+void SceneCapture::SetRules(const SurfaceRules& rules)
+{
+  this->Hooks->SetRules(rules);
 }
 
 void SceneCapture::SetMotion(MotionTable* motion)

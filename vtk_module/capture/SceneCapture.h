@@ -26,6 +26,7 @@ class Frame;
 class FrameContext;
 class MotionTable;
 class ShaderLibrary;
+struct SurfaceRules;
 
 class SceneCapture
 {
@@ -46,6 +47,9 @@ public:
 
   /// Set whether point normals that are zero or NaN count as missing in this frame. VTK draws them black.
   void SetMendsNormals(bool mends);
+
+  /// Set the rules by which the surfaces of this frame reflect.
+  void SetRules(const SurfaceRules& rules);
 
   /// Request an optional resource in this frame, while techniques contribute.
   void Request(const char* resource) { this->Outputs.Request(resource); }

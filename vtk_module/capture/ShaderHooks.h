@@ -28,6 +28,10 @@ struct ShaderTexts
 
 /// Change a mapper's finished shaders to pass the inputs of capture/facet.glsl. Returns the variant of it to use.
 Defines PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders);
+
+/// Variant of glsl/capture/surrounding.glsl and glsl/forward/pbr.glsl for a shader of VTK's: GI_LOBE_KNOWN if it
+/// reflects the environment by the lobe's reflectance alone. Since VTK 9.6.1 it adds multiple scattering itself.
+Defines SurroundingVariant(const std::string& fragment);
 }
 
 class vtkGIShaderHooks : public vtkOpenGLRenderPass

@@ -35,6 +35,10 @@ constexpr const char* Sky = "sky";
 constexpr const char* Backdrop =
   "backdrop"; ///< the window before the frame: background, lower layers
 constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct light; on request only
+/// Linear radiance of lit surfaces whose values VTK shows as they are (Phong), times the share of the pixel that they
+/// cover, which is a. Only if LightingPlan::MapsTones().
+constexpr const char* LitShown = "radiance.shown";
+constexpr const char* LitEncoded = "radiance.encoded"; ///< of those that VTK encodes for display (PBR)
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 constexpr const char* Color = "color";              ///< the picture, encoded for display
 constexpr const char* Radiance = "radiance";        ///< the picture, linear
@@ -51,8 +55,9 @@ inline std::string SamplerOf(const std::string& resource)
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
     { Irradiance, "irradianceTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
-    { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" },
-    { Reflection, "reflectionTexture" }, { Color, "colorTexture" }, { Radiance, "colorTexture" } };
+    { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
+    { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" }, { Color, "colorTexture" },
+    { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
 }

@@ -37,7 +37,9 @@ struct Resolve
     flag("GI_CATCHER", this->Materials->HasCatcher());
     flag("GI_COVERAGE", this->Materials->HasPartialCoverage());
     flag("GI_RADIANCE", radiance);
-    flag("GI_LIT", lit);
+    flag("GI_LIT", lit && this->Options.LitRadiance);
+    flag("GI_LIT_PARTS", lit && this->Options.LitParts);
+    flag("GI_DATA_COLORS", this->Options.Rules.ChangesData());
     return defines;
   }
 
@@ -57,10 +59,22 @@ struct Resolve
     {
       context.CopyWindow(resource::LitRadiance);
     }
-    // A technique that requests the lit radiance also modifies the picture, so both targets are textures here.
-    this->Draw(context,
-      this->Options.LitRadiance ? std::vector<const char*>{ resource::Color, resource::LitRadiance }
-                                : std::vector<const char*>{ resource::Color });
+    // Techniques that request the others also modify the picture, so all targets are textures then.
+    std::vector<const char*> targets = { resource::Color };
+    if (this->Options.LitRadiance)
+    {
+      targets.push_back(resource::LitRadiance);
+    }
+    if (this->Options.LitParts)
+    {
+      targets.insert(targets.end(), { resource::LitShown, resource::LitEncoded });
+      ScopedState scope(context.State());
+      context.BindTarget({ resource::LitShown, resource::LitEncoded });
+      const GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
+      glClearBufferfv(GL_COLOR, 0, nothing);
+      glClearBufferfv(GL_COLOR, 1, nothing);
+    }
+    this->Draw(context, targets);
   }
 
   // Start the radiance with the sky, or with the content of the window.
@@ -94,7 +108,8 @@ struct Resolve
       this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1),
       Arguments()
         .Set("ambientLight", glm::vec3(this->Options.SpreadShare * this->Lights->TotalColor()))
-        .Set("interreflection", this->Options.Interreflection));
+        .Set("interreflection", this->Options.Interreflection)
+        .Add(this->Options.Rules.ShaderArguments()));
   }
 };
 
@@ -180,6 +195,11 @@ void ContributeDirectLight(
   {
     pass.Write(
       resource::LitRadiance, frame.WindowTexture(options.Radiance ? GL_RGBA32F : GL_RGBA16F));
+  }
+  if (options.LitParts)
+  {
+    const TextureDesc desc = frame.WindowTexture(options.Radiance ? GL_RGBA32F : GL_RGBA16F);
+    pass.Write(resource::LitShown, desc).Write(resource::LitEncoded, desc);
   }
   pass.Execute(Resolve{ &lights, &materials, options });
 }

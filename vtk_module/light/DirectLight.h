@@ -8,6 +8,7 @@
 #pragma once
 
 #include "graph/Frame.h"
+#include "rays/SurfaceRules.h"
 
 namespace penumbra
 {
@@ -19,8 +20,10 @@ struct DirectLightOptions
   bool Extended = false;        ///< the capture wrote the extended set of targets
   bool Radiance = false;        ///< also write resource::Radiance
   bool LitRadiance = false;     ///< also write resource::LitRadiance
+  bool LitParts = false;        ///< also write resource::LitShown and LitEncoded
   double SpreadShare = 0.0;     ///< see LightingPlan::SpreadLight()
   double Interreflection = 0.0; ///< see LightingPlan::SetInterreflection()
+  SurfaceRules Rules{};
 };
 
 /// Add the pass that makes the picture from the G-buffer: it writes the colour, and the radiance if it is kept.

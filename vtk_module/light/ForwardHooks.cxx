@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "light/ForwardHooks.h"
 
+#include "capture/PropTraits.h"
 #include "light/ForwardShaders.h"
 #include "light/LightTable.h"
 
 #include "forward.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkObjectFactory.h"
@@ -39,7 +41,7 @@ vtkOpenGLRenderWindow* WindowOf(vtkRenderer* renderer)
 
 int CountTextures(const ForwardLight& light)
 {
-  int count = light.Visibility.Textures;
+  int count = light.Visibility.Textures + light.Display.Textures;
   for (const ForwardPart& part : light.Indirect)
   {
     count += part.Textures;
@@ -176,8 +178,14 @@ vtkGIForwardHooks::ProgramParts& vtkGIForwardHooks::PartsOfProgram(
   {
     parts.Visibility = std::make_unique<ForwardProgram>(handle, "", volume);
   }
-  const std::string spread = ForwardProgram::FieldName(0) + "Spread";
-  if (program->IsUniformUsed("giParallelRays") || program->IsUniformUsed(spread.c_str()))
+  if (program->IsUniformUsed("giMapsTones"))
+  {
+    parts.Display = std::make_unique<ForwardProgram>(handle, "", volume);
+  }
+  const ForwardProgram whole(handle, "", volume);
+  const std::string first = ForwardProgram::FieldName(0);
+  if (std::any_of(whole.Inputs().begin(), whole.Inputs().end(),
+        [&first](const Program::Input& input) { return input.Name.rfind(first, 0) == 0; }))
   {
     for (std::size_t i = 0; i < this->Light.Indirect.size(); ++i)
     {
@@ -197,9 +205,33 @@ void vtkGIForwardHooks::SetShadows(const ForwardProgram& part) const
                    .Set("giShadowOfSorted", this->SortedShadowChannels));
 }
 
-void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume)
+// Set the rules of reflection for a prop. giAbsorbed is 0 in programs of mappers that set no uniforms.
+void vtkGIForwardHooks::SetRules(vtkShaderProgram* program, vtkProp* prop) const
 {
-  const ProgramParts& parts = this->PartsOfProgram(program, volume);
+  const SurfaceRules& rules = this->Light.Rules;
+  auto* actor = vtkActor::SafeDownCast(prop);
+  const bool data = rules.ChangesData() && (!actor || IsColoredByData(actor));
+  const auto set = [program](const char* name, auto value) {
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniformf(name, static_cast<float>(value));
+    }
+  };
+  set("giAbsorbed", 1.0 - rules.Reflectance);
+  set("giDataFloor", data ? rules.DataFloor : 0.0);
+  for (const auto& [name, on] : { std::pair("giDataKeepsHue", data && rules.DataKeepsHue),
+         std::pair("giCompensates", rules.Compensates) })
+  {
+    if (program->IsUniformUsed(name))
+    {
+      program->SetUniformi(name, on ? 1 : 0);
+    }
+  }
+}
+
+void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, vtkProp* prop)
+{
+  const ProgramParts& parts = this->PartsOfProgram(program, IsVolume(prop));
   vtkOpenGLState* state = WindowOf(this->Renderer)->GetState();
   const int* units = this->Units.data();
   if (parts.Visibility)
@@ -209,6 +241,12 @@ void vtkGIForwardHooks::SetParts(vtkShaderProgram* program, bool volume)
     this->Light.Visibility.Bind(*parts.Visibility);
   }
   units += this->Light.Visibility.Textures;
+  if (parts.Display)
+  {
+    parts.Display->Begin(state, units);
+    this->Light.Display.Bind(*parts.Display);
+  }
+  units += this->Light.Display.Textures;
   for (std::size_t i = 0; i < parts.Indirect.size(); ++i)
   {
     const ForwardPart& light = this->Light.Indirect[i];
@@ -238,5 +276,9 @@ void vtkGIForwardHooks::SetUniforms(
           static_cast<GLsizei>(size[1] / reduction));
     }
   }
-  this->SetParts(program, IsVolume(prop));
+  if (this->Light.HasRules())
+  {
+    this->SetRules(program, prop);
+  }
+  this->SetParts(program, prop);
 }

@@ -63,12 +63,14 @@ private:
     vtkWeakPointer<vtkShaderProgram> Owner; ///< tells a new program at the address of a deleted one
     GLuint Handle = 0;                      ///< changes if the program is linked again
     std::unique_ptr<penumbra::ForwardProgram> Visibility; ///< nullptr if there is none
+    std::unique_ptr<penumbra::ForwardProgram> Display;    ///< nullptr if there is none
     std::vector<std::unique_ptr<penumbra::ForwardProgram>> Indirect;
   };
 
   ProgramParts& PartsOfProgram(vtkShaderProgram* program, bool volume);
+  void SetRules(vtkShaderProgram* program, vtkProp* prop) const;
   void SetShadows(const penumbra::ForwardProgram& part) const;
-  void SetParts(vtkShaderProgram* program, bool volume);
+  void SetParts(vtkShaderProgram* program, vtkProp* prop);
 
   const penumbra::ShaderLibrary* Shaders = nullptr;
   penumbra::ForwardLight Light;          ///< the last light that was not empty

@@ -85,6 +85,7 @@ void ForwardLight::Spread(double share, const glm::dvec3& total)
 bool ForwardLight::HasShadersOf(const ForwardLight& other) const
 {
   return this->Visibility.HasShadersOf(other.Visibility) &&
+    this->Display.HasShadersOf(other.Display) && this->HasRules() == other.HasRules() &&
     std::equal(this->Indirect.begin(), this->Indirect.end(), other.Indirect.begin(),
       other.Indirect.end(),
       [](const ForwardPart& a, const ForwardPart& b) { return a.HasShadersOf(b); });

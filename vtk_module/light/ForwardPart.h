@@ -6,6 +6,7 @@
 #pragma once
 
 #include "gpu/ShaderLibrary.h"
+#include "rays/SurfaceRules.h"
 
 #include <glm/glm.hpp>
 
@@ -76,13 +77,21 @@ struct ForwardLight
   /// Indirect light: fieldIndirect() and others, see forward/indirect.glsl, in order of preference.
   std::vector<ForwardPart> Indirect;
   double DirectScale = 1.0; ///< factor of the lights' strength
+  /// Maps finished colours to the display: giDisplayed(), see tone_mapping/forward.glsl.
+  ForwardPart Display;
+  SurfaceRules Rules;
 
   /// Take a share of the lights' strength and spread it evenly over all directions, in place of indirect light.
   /// total: sum of the lights' colours.
   void Spread(double share, const glm::dvec3& total);
   bool IsSpread() const { return this->DirectScale < 1.0; }
 
-  bool IsEmpty() const { return this->Visibility.IsEmpty() && this->Indirect.empty(); }
+  bool IsEmpty() const
+  {
+    return this->Visibility.IsEmpty() && this->Indirect.empty() && this->Display.IsEmpty() &&
+      !this->HasRules();
+  }
+  bool HasRules() const { return !(this->Rules == SurfaceRules()); }
   bool HasShadersOf(const ForwardLight& other) const;
 };
 }

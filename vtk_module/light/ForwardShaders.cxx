@@ -13,6 +13,7 @@ namespace
 {
 const char* const DeclarationTag = "//PENUMBRA::ForwardDec";
 const char* const ShadingTag = "//PENUMBRA::ForwardImpl";
+const char* const FinishTag = "//PENUMBRA::ForwardFinish"; // after VTK's textures
 
 void Substitute(std::string& text, const std::string& tag, const std::string& replacement)
 {
@@ -44,6 +45,7 @@ void ForwardShaders::MarkSurface(std::string& text)
 {
   Substitute(text, "//VTK::Light::Dec", std::string("//VTK::Light::Dec\n") + DeclarationTag);
   Substitute(text, "//VTK::Light::Impl", std::string(ShadingTag) + "\n//VTK::Light::Impl");
+  Substitute(text, "//VTK::TCoord::Impl", std::string("//VTK::TCoord::Impl\n") + FinishTag);
 }
 
 void ForwardShaders::MarkVolume(std::string& text)
@@ -75,6 +77,14 @@ std::string ForwardShaders::IndirectSource(bool volume) const
 void ForwardShaders::Declare(std::string& text, bool volume, Defines visibility) const
 {
   std::string declarations;
+  if (this->Light.HasRules())
+  {
+    declarations += this->Shaders.Source("forward/rules.glsl");
+  }
+  if (!this->Light.Display.IsEmpty())
+  {
+    declarations += this->Shaders.Source(this->Light.Display.Source, this->Light.Display.OnSurfaces);
+  }
   if (!this->Light.Visibility.IsEmpty())
   {
     declarations += this->Shaders.Source(this->Light.Visibility.Source, visibility) +
@@ -113,6 +123,20 @@ void ForwardShaders::AddIndirect(std::string& text) const
   Substitute(text, phong, phong + "\n" + this->Shaders.Source("forward/phong.glsl"));
 }
 
+void ForwardShaders::ApplyRules(std::string& text) const
+{
+  const std::string sum = "  vec3 color = iblDiffuse + iblSpecular;";
+  const std::size_t fresnel = text.find("vec3 F90 = ");
+  if (!Contains(text, sum.c_str()) || fresnel == std::string::npos)
+  {
+    return;
+  }
+  text.insert(text.find(';', fresnel) + 1, "\n" + this->Shaders.Source("forward/boost.glsl"));
+  Substitute(
+    text, sum, this->Shaders.Source("forward/compensate.glsl", SurroundingVariant(text)) + sum);
+  Substitute(text, "(diffuse + specular)", "(diffuse + giBoost * specular)");
+}
+
 void ForwardShaders::LightSurface(const ShaderTexts& texts) const
 {
   std::string& text = texts.Fragment;
@@ -124,6 +148,25 @@ void ForwardShaders::LightSurface(const ShaderTexts& texts) const
     return;
   }
   std::string code;
+  Defines finish;
+  if (Contains(text, "roughnessUniform"))
+  {
+    finish["GI_PBR"] = "1";
+  }
+  if (this->Light.HasRules())
+  {
+    finish["GI_RULES"] = "1";
+    code += this->Shaders.Source("forward/reflectance.glsl");
+    this->ApplyRules(text);
+  }
+  if (!this->Light.Display.IsEmpty())
+  {
+    finish["GI_DISPLAY"] = "1";
+  }
+  if (finish.count("GI_RULES") + finish.count("GI_DISPLAY") > 0)
+  {
+    Substitute(text, FinishTag, this->Shaders.Source("forward/finish.glsl", finish));
+  }
   if (!this->Light.Visibility.IsEmpty())
   {
     code += this->Shaders.Source("forward/surface.glsl", PassShape(texts, this->Shaders));
@@ -131,7 +174,8 @@ void ForwardShaders::LightSurface(const ShaderTexts& texts) const
   }
   if (!this->Light.Indirect.empty())
   {
-    code += this->Shaders.Source("forward/around.glsl");
+    code += this->Shaders.Source("forward/around.glsl",
+      this->Light.HasRules() ? Defines{ { "GI_RULES", "1" } } : Defines());
     this->AddIndirect(text);
   }
   Substitute(text, ShadingTag, code);
@@ -156,6 +200,24 @@ bool ForwardShaders::ApplyVolumeVisibility(std::string& text, Defines& variant) 
   return true;
 }
 
+bool ForwardShaders::FinishVolume(std::string& text) const
+{
+  const std::string sample = "finalColor.a = color.a;";
+  const std::string pixel = "gl_FragData[0] = g_fragColor;";
+  const bool lit = LightLoop(text) != std::string::npos;
+  const bool ruled = lit && this->Light.HasRules() && Contains(text, sample.c_str());
+  const bool displayed = lit && !this->Light.Display.IsEmpty() && Contains(text, pixel.c_str());
+  if (ruled)
+  {
+    Substitute(text, sample, this->Shaders.Source("forward/rule_sample.glsl") + sample);
+  }
+  if (displayed)
+  {
+    Substitute(text, pixel, pixel + "\n" + this->Shaders.Source("forward/finish_volume.glsl"));
+  }
+  return ruled || displayed;
+}
+
 bool ForwardShaders::AddScattered(std::string& text) const
 {
   // Insert after the computation of a shaded sample's colour, before it is returned.
@@ -173,11 +235,12 @@ bool ForwardShaders::AddScattered(std::string& text) const
   const std::string gradient =
     Contains(text, "vec4 shading_gradient") ? "shading_gradient" : "gradient";
   text.insert(end,
-    "finalColor.xyz += in_diffuse[" + component + "] * color.rgb * giScattered(" +
+    "finalColor.xyz += in_diffuse[" + component + "] * color.rgb * " +
+      (this->Light.HasRules() ? "giDataLight(" : "") + "giScattered(" +
       SamplePosition(text) + ", " + gradient +
       (several ? ", in_textureToEye[volIdx + 1], in_cellSpacing[volIdx]"
                : ", in_textureToEye[0], in_cellSpacing[0]") +
-      ");\n  ");
+      (this->Light.HasRules() ? "));\n  " : ");\n  "));
   return true;
 }
 
@@ -187,7 +250,8 @@ void ForwardShaders::LightVolume(std::string& text) const
   const bool dimmed =
     !this->Light.Visibility.IsEmpty() && this->ApplyVolumeVisibility(text, variant);
   const bool added = !this->Light.Indirect.empty() && this->AddScattered(text);
-  if (dimmed || added)
+  const bool finished = this->FinishVolume(text);
+  if (dimmed || added || finished)
   {
     this->Declare(text, true, variant);
   }

@@ -43,6 +43,8 @@ private:
   void Declare(std::string& text, bool volume, Defines visibility) const;
   std::string IndirectSource(bool volume) const;
   void AddIndirect(std::string& text) const;
+  void ApplyRules(std::string& text) const;
+  bool FinishVolume(std::string& text) const;
   void ApplyVisibility(std::string& text) const;
   bool ApplyVolumeVisibility(std::string& text, Defines& variant) const;
   bool AddScattered(std::string& text) const;

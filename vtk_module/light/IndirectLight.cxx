@@ -41,11 +41,9 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
     const bool first = number == 0;
     const bool part = IsPartOfLight(light.Kind) && number + 1 < lights.size();
     const int order = static_cast<int>(number);
-    auto& pass =
-      frame.AddPass("indirect-light" + (first ? "" : "-" + std::to_string(number + 1)));
+    auto& pass = frame.AddPass("indirect-light" + (first ? "" : "-" + std::to_string(number + 1)));
     const auto target = [&](const char* name, bool exists) {
-      exists ? pass.DrawOver(name, order)
-             : pass.Write(name, frame.WindowTexture(GL_RGBA16F));
+      exists ? pass.DrawOver(name, order) : pass.Write(name, frame.WindowTexture(GL_RGBA16F));
     };
     target(resource::Irradiance, captureStarts || !first);
     if (hasDirectLight && (first || light.IncludesDirectLight))

@@ -286,7 +286,10 @@ bool vtkGIPass::Internals::DrawFrame(
       "and headlights have no shape.");
   }
   bool lit = false;
-  for (vtkGITechnique* technique : ChooseTechniques(this->Techniques, builder, plan))
+  const std::vector<vtkGITechnique*> chosen = ChooseTechniques(this->Techniques, builder, plan);
+  rays.SetRules(plan.Rules());
+  this->Capture.SetRules(plan.Rules());
+  for (vtkGITechnique* technique : chosen)
   {
     technique->SetTookPart(true);
     builder.Offer(technique->GetShaderParameters());
@@ -311,7 +314,7 @@ bool vtkGIPass::Internals::DrawFrame(
   ContributeBackdrop(builder);
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
-      plan.SpreadShare(), plan.Interreflection() });
+      plan.MapsTones(), plan.SpreadShare(), plan.Interreflection(), plan.Rules() });
   record.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {

@@ -406,7 +406,8 @@ Arguments RayProps::ShaderArguments() const
   }
   return arguments.Block("RaySurfaceBlock", this->SurfaceStorage)
     .Block("RayEmitterBlock", this->EmitterStorage)
-    .Set("emitterCount", static_cast<int>(this->Emitters));
+    .Set("emitterCount", static_cast<int>(this->Emitters))
+    .Add(this->Rules.ShaderArguments());
 }
 
 Arguments RayProps::SkyCells(int rays)

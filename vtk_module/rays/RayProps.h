@@ -11,6 +11,7 @@
 #include "rays/RayPictures.h"
 #include "rays/RayScene.h"
 #include "rays/RaySky.h"
+#include "rays/SurfaceRules.h"
 #include "rays/parts/GatherCache.h"
 
 #include <cstdint>
@@ -25,6 +26,9 @@ public:
   /// std::runtime_error if the scene does not fit into memory. The context must be current. others: surfaces that are
   /// no props.
   void Update(vtkRenderer* renderer, const std::vector<RayPart>& others = {});
+
+  /// Set the rules by which surfaces reflect, from the next frame's shaders on.
+  void SetRules(const SurfaceRules& rules) { this->Rules = rules; }
 
   /// Arguments of shaders that include rays/surface.glsl and rays/sky.glsl, with emitterCount.
   Arguments ShaderArguments() const;
@@ -80,6 +84,7 @@ private:
     bool changed);
   void BuildEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
+  SurfaceRules Rules;
   GatherCache Cache;
   RayScene Scene;
   RayBuffer Attributes{ "attributes of triangles", 1 };

@@ -75,7 +75,8 @@ bool Borders(const Bounds& flat, const Bounds& others)
   const double allowed = FlatShare * Diagonal(flat);
   for (int axis = 0; axis < 6; axis += 2)
   {
-    const bool onOneSide = others[axis] >= flat[axis + 1] - allowed || others[axis + 1] <= flat[axis] + allowed;
+    const bool onOneSide =
+      others[axis] >= flat[axis + 1] - allowed || others[axis + 1] <= flat[axis] + allowed;
     if (flat[axis + 1] - flat[axis] <= allowed && onOneSide)
     {
       return true;

@@ -9,6 +9,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkOpenGLRenderer.h"
+#include "vtkPBRLUTTexture.h"
 #include "vtkPBRPrefilterTexture.h"
 #include "vtkSkybox.h"
 #include "vtkTexture.h"
@@ -17,6 +18,15 @@
 
 namespace penumbra
 {
+namespace
+{
+// VTK's filtering for its own shaders takes two seconds of a CPU at its default settings, and a tenth with these. The image
+// is small and smooth, and so is the table of the reflectance.
+constexpr unsigned int MostFilterSamples = 128;
+constexpr unsigned int LargestTable = 256;
+constexpr unsigned int MostTableSamples = 256;
+}
+
 SkyInstallation* SkyInstallation::Install(vtkGISkySource* sky, vtkOpenGLRenderer* renderer)
 {
   auto* installed = new SkyInstallation;
@@ -29,6 +39,14 @@ SkyInstallation* SkyInstallation::Install(vtkGISkySource* sky, vtkOpenGLRenderer
   std::copy_n(renderer->GetEnvironmentRight(), 3, before.Right);
   before.ImageBasedLighting = renderer->GetUseImageBasedLighting();
   before.Harmonics = renderer->GetUseSphericalHarmonics();
+  auto* filter = renderer->GetEnvMapPrefiltered();
+  auto* table = renderer->GetEnvMapLookupTable();
+  before.FilterSamples = filter->GetPrefilterMaxSamples();
+  before.TableSize = table->GetLUTSize();
+  before.TableSamples = table->GetLUTSamples();
+  filter->SetPrefilterMaxSamples(std::min(before.FilterSamples, MostFilterSamples));
+  table->SetLUTSize(std::min(before.TableSize, LargestTable));
+  table->SetLUTSamples(std::min(before.TableSamples, MostTableSamples));
 
   installed->Texture->SetColorModeToDirectScalars();
   installed->Texture->InterpolateOn();
@@ -128,6 +146,9 @@ void SkyInstallation::Remove()
     this->Renderer->SetEnvironmentRight(this->Before.Right);
     this->Renderer->SetUseImageBasedLighting(this->Before.ImageBasedLighting);
     this->Renderer->SetUseSphericalHarmonics(this->Before.Harmonics);
+    this->Renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(this->Before.FilterSamples);
+    this->Renderer->GetEnvMapLookupTable()->SetLUTSize(this->Before.TableSize);
+    this->Renderer->GetEnvMapLookupTable()->SetLUTSamples(this->Before.TableSamples);
   }
   this->Renderer->RemoveObserver(this->Observer);
 }

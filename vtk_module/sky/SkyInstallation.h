@@ -58,6 +58,9 @@ private:
     double Right[3];
     bool ImageBasedLighting = false;
     bool Harmonics = false;
+    unsigned int FilterSamples = 0;
+    unsigned int TableSize = 0;
+    unsigned int TableSamples = 0;
   } Before;
 };
 }

@@ -141,7 +141,9 @@ public:
 
   ///@{
   /**
-   * Factor of the sunlight relative to the sky, 0 to 1000. The sun is no part of the image: it is a light. Default: 1.
+   * Factor of the sunlight relative to the sky, 0 to 1000. The sun is no part of the image: it is a light. VTK divides
+   * the light of lights, but not that of environments, by pi on physically based materials: pi is the right factor for a
+   * scene of such materials. Default: 1, which is right for all others.
    */
   void SetSunStrength(double strength);
   vtkGetMacro(SunStrength, double);

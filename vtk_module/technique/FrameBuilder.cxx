@@ -63,6 +63,8 @@ ForwardLight FrameBuilder::GetForwardLight() const
 {
   ForwardLight light;
   light.Visibility = this->Visibility;
+  light.Display = this->Display;
+  light.Rules = this->CurrentPlan.Rules();
   for (const IndirectLight& indirect : this->Indirect)
   {
     if (!indirect.Forward.IsEmpty())

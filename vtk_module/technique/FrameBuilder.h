@@ -79,13 +79,17 @@ public:
   void RequestLitRadiance();
   bool WantsLitRadiance() const { return this->LitRadianceRequested; }
 
-  /// Add a technique's indirect light, which includes the environment's. Lights then keep their full strength.
+  /// Add a technique's indirect light. It includes the environment's, unless LightingPlan::LightsSky(). Lights then keep
+  /// their full strength.
   void AddIndirectLight(IndirectLight light);
   /// In order of preference.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
   /// Apply the visibility of lights to translucent surfaces and volumes, which VTK draws: functions giVisibility(), see
   /// forward/lights.glsl.
   void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }
+  /// Map the finished colours of what VTK draws itself to the display: function giDisplayed(), see
+  /// tone_mapping/forward.glsl.
+  void DisplayForward(ForwardPart display) { this->Display = std::move(display); }
   /// This visibility with the indirect light, or with the spread share of the lights if there is no indirect light.
   ForwardLight GetForwardLight() const;
 
@@ -108,6 +112,7 @@ private:
   bool LitRadianceRequested = false;
   std::vector<std::function<void(FrameBuilder&)>> Last;
   ForwardPart Visibility;
+  ForwardPart Display;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;
 };

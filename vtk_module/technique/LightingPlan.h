@@ -7,6 +7,7 @@
 #pragma once
 
 #include "light/IndirectLight.h"
+#include "rays/SurfaceRules.h"
 
 #include <algorithm>
 #include <limits>
@@ -82,6 +83,15 @@ public:
   void DrawByRays() { this->ByRays = true; }
   bool IsDrawnByRays() const { return this->ByRays; }
 
+  /// Have the linear values of lit surfaces kept apart (resource::LitShown, resource::LitEncoded), because a technique
+  /// maps them to the display.
+  void MapTones() { this->TonesMapped = true; }
+  bool MapsTones() const { return this->TonesMapped; }
+
+  /// Rules of reflection that hold for all surfaces of the frame.
+  SurfaceRules& Rules() { return this->ReflectionRules; }
+  const SurfaceRules& Rules() const { return this->ReflectionRules; }
+
 private:
   struct Source
   {
@@ -94,5 +104,7 @@ private:
   bool LiveLightRequested = false;
   bool SkyAnnounced = false;
   bool ByRays = false;
+  bool TonesMapped = false;
+  SurfaceRules ReflectionRules;
 };
 }

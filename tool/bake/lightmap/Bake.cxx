@@ -21,7 +21,9 @@ constexpr std::uint32_t BlockSize = 32768; // texels between checks whether to s
 /// Settings that must be the same to reuse the light of an earlier bake.
 std::string Describe(const BakeSettings& settings)
 {
-  return fmt::format("{} samples, {} bounces{}{}{}", settings.Samples, settings.Bounces,
+  return fmt::format("{} samples, {} bounces{}{}{}{}{}", settings.Samples, settings.Bounces,
+    settings.MaximumAlbedo < 1.0 ? fmt::format(", white reflects {:g}", settings.MaximumAlbedo) : "",
+    settings.EnergyCompensation ? ", metals keep their light" : "",
     settings.Directional ? ", directional" : "", settings.Denoise ? ", denoised" : "",
     settings.Direct ? ", with the lamps' light" : "");
 }
@@ -51,7 +53,7 @@ public:
   Baker(vtkRenderer* renderer, const BakeSettings& settings, tool::Reporter& reporter)
     : Options(settings)
     , Notes(reporter)
-    , Gather(renderer, settings.Bounces, settings.Directional)
+    , Gather(renderer, settings)
     , Unwrapped(Unwrap(renderer, settings, this->Gather, reporter))
     , Direct(this->Unwrapped, this->Gather, settings.Samples / BakeSettings::Rounds)
     , Earlier(settings, Describe(settings))

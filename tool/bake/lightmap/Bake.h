@@ -22,6 +22,8 @@ struct BakeSettings
   int LargestSide = 4096; ///< maximum width and height of the atlas, in texels
   int Samples = 256;      ///< paths per texel, a multiple of Rounds
   int Bounces = 64;
+  double MaximumAlbedo = 1.0; ///< see vtkGILightGatherer
+  bool EnergyCompensation = false;
   bool Directional = false;
   bool Direct = false; ///< also direct light
   bool Denoise = true;

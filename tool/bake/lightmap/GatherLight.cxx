@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bake/lightmap/GatherLight.h"
 
+#include "bake/lightmap/Bake.h"
 #include "common/Failure.h"
 #include "common/Reporter.h"
 
@@ -43,12 +44,14 @@ void ReduceMoments(float* values, const float* meanRadiance, const Vec3& normal)
 }
 }
 
-GatherLight::GatherLight(vtkRenderer* renderer, int bounces, bool directional)
+GatherLight::GatherLight(vtkRenderer* renderer, const BakeSettings& settings)
   : Renderer(renderer)
-  , Directional(directional)
+  , Directional(settings.Directional)
 {
-  this->Gatherer->SetBounces(bounces);
-  this->Gatherer->SetDirectional(directional);
+  this->Gatherer->SetBounces(settings.Bounces);
+  this->Gatherer->SetMaximumAlbedo(settings.MaximumAlbedo);
+  this->Gatherer->SetEnergyCompensation(settings.EnergyCompensation);
+  this->Gatherer->SetDirectional(settings.Directional);
 }
 
 GatherLight::~GatherLight()

@@ -13,10 +13,12 @@ class vtkGILightGatherer;
 
 namespace penumbra::lightmap
 {
+struct BakeSettings;
+
 class GatherLight
 {
 public:
-  GatherLight(vtkRenderer* renderer, int bounces, bool directional);
+  GatherLight(vtkRenderer* renderer, const BakeSettings& settings);
   ~GatherLight();
 
   /// Sets which light to include. By default it is indirect light only.

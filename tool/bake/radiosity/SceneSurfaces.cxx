@@ -144,8 +144,9 @@ bool HasHighlight(const RayPart& part)
 class MeshBuilder
 {
 public:
-  explicit MeshBuilder(PatchMesh& mesh)
+  MeshBuilder(PatchMesh& mesh, double maximumAlbedo)
     : Mesh(mesh)
+    , MaximumAlbedo(maximumAlbedo)
   {
   }
 
@@ -194,6 +195,11 @@ private:
     surface.Sides[0] = MakeSide(part.Surface, part, true, this->Textures);
     surface.Sides[1] =
       MakeSide(part.HasBack ? part.Back : part.Surface, part, false, this->Textures);
+    for (SideMaterial& side : surface.Sides)
+    {
+      side.Reflectance *= this->MaximumAlbedo;
+      side.TintReflects *= this->MaximumAlbedo;
+    }
     const int flags = part.Surface.Where.z;
     surface.Tints = (flags & GI_SURFACE_POINT_COLORS) != 0                ? Surface::OfPoints
       : (flags & (GI_SURFACE_CELL_COLORS | GI_SURFACE_PLACE_COLORS)) != 0 ? Surface::OfFaces
@@ -213,7 +219,7 @@ private:
       surface.Tints = albedo ? Surface::Untinted : material.Tints;
       for (SideMaterial& side : surface.Sides)
       {
-        side.Reflectance = albedo ? a : side.Reflectance;
+        side.Reflectance = albedo ? this->MaximumAlbedo * a : side.Reflectance;
         side.Emission = emission ? e : side.Emission;
         side.TintsEmission = side.TintsEmission && !emission;
       }
@@ -223,15 +229,17 @@ private:
   }
 
   PatchMesh& Mesh;
+  double MaximumAlbedo;
   TextureReader Textures;
   std::map<std::array<double, 6>, std::uint32_t> DataSurfaces;
 };
 }
 
-GatheredScene GatherScene(vtkRenderer* renderer, tool::Reporter& reporter)
+GatheredScene GatherScene(
+  vtkRenderer* renderer, double maximumAlbedo, tool::Reporter& reporter)
 {
   GatheredScene scene;
-  MeshBuilder builder(scene.Mesh);
+  MeshBuilder builder(scene.Mesh, maximumAlbedo);
   bool clipped = false, highlights = false;
   tool::ForEachOpaqueMesh(renderer, true, reporter, [&](const tool::MeshInstance& instance) {
     clipped = clipped || !instance.Part.Clip.empty();

@@ -86,6 +86,15 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
         frame.AddPass("accumulate-radiance").ModifyIfPresent(resource::Radiance, AccumulateOrder),
         frame, sums, resource::Radiance, maximum);
     }
+    if (frame.Plan().MapsTones())
+    {
+      for (const char* part : { resource::LitShown, resource::LitEncoded })
+      {
+        AddAverage(frame.AddPass(std::string("accumulate-") + part)
+                     .ModifyIfPresent(part, AccumulateOrder, "colorTexture"),
+          frame, sums, part, maximum);
+      }
+    }
     filter = view.StillFrames + 1 < FramesToFilter;
   }
   if (filter)

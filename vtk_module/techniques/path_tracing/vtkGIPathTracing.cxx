@@ -30,14 +30,14 @@ namespace
 // Order among the passes that modify the picture: before anti-aliasing.
 constexpr int TraceOrder = 700;
 
-constexpr std::array<const char*, 4> SumNames = { { "path-tracing.shown", "path-tracing.encoded",
-  "path-tracing.albedo", "path-tracing.normal" } };
+constexpr std::array<const char*, 5> SumNames = { { "path-tracing.shown", "path-tracing.encoded",
+  "path-tracing.albedo", "path-tracing.normal", "path-tracing.unlit" } };
 
 struct PathTracer
 {
   RayProps* Rays;
   LightTable* Lights;
-  std::array<History*, 4> Sums;
+  std::array<History*, 5> Sums;
 
   bool HasEmptySums() const
   {
@@ -115,23 +115,20 @@ struct PathTracer
   }
 
   /// Draw the mean. The sums are given as textures, because the tracing pass declares them as images.
-  void Show(FrameContext& context, bool radiance, int samples) const
+  void Show(FrameContext& context, const Defines& variant, int samples) const
   {
-    Defines variant;
-    if (radiance)
-    {
-      variant["GI_RADIANCE"] = "1";
-    }
     context.Draw("path_tracing/show.frag", variant,
       Arguments()
         .Sample("sumShown", &this->Sums[0]->Storage)
         .Sample("sumEncoded", &this->Sums[1]->Storage)
+        .Sample("sumAlbedo", &this->Sums[2]->Storage)
+        .Sample("sumUnlit", &this->Sums[4]->Storage)
         .Set("samples", static_cast<double>(samples)));
   }
 };
 
-constexpr std::array<const char*, 4> SumImages = { { "sumShown", "sumEncoded", "sumAlbedo",
-  "sumNormal" } };
+constexpr std::array<const char*, 5> SumImages = { { "sumShown", "sumEncoded", "sumAlbedo",
+  "sumNormal", "sumUnlit" } };
 }
 
 struct vtkGIPathTracing::Progress
@@ -283,13 +280,27 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
         current.Error =
           updateError ? tracer.EstimateError(context, current.Samples) : current.Error;
       }
-      tracer.Show(context, false, current.Samples);
+      tracer.Show(context, {}, current.Samples);
     });
   frame.AddPass("path-trace-radiance")
     .ReadHistory(*tracer.Sums[0], "sumShown")
     .ReadHistory(*tracer.Sums[1], "sumEncoded")
     .ModifyIfPresent(resource::Radiance, TraceOrder)
     .Execute([&progress, tracer](FrameContext& context) {
-      tracer.Show(context, true, progress.Samples);
+      tracer.Show(context, { { "GI_RADIANCE", "1" } }, progress.Samples);
     });
+  if (frame.Plan().MapsTones())
+  {
+    auto& parts = frame.AddPass("path-trace-lit");
+    for (std::size_t i = 0; i < tracer.Sums.size(); ++i)
+    {
+      parts.ReadHistory(*tracer.Sums[i], SumImages[i]);
+    }
+    parts.ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
+      .Modify(resource::LitShown, TraceOrder)
+      .Modify(resource::LitEncoded, TraceOrder)
+      .Execute([&progress, tracer](FrameContext& context) {
+        tracer.Show(context, { { "GI_LIT_PARTS", "1" } }, progress.Samples);
+      });
+  }
 }

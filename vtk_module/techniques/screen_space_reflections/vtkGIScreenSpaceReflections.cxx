@@ -81,7 +81,8 @@ struct Reflections
       .Read(resource::Normal)
       .ReadIfPresent(resource::Surface)
       .ReadHistory(this->Table, "lobeTable")
-      .Offer(this->Frame.Capture().Materials().ShaderArguments());
+      .Offer(this->Frame.Capture().Materials().ShaderArguments())
+      .Offer(this->Frame.Plan().Rules().ShaderArguments());
   }
 
   glm::vec3 AmbientLight() const
@@ -106,9 +107,9 @@ struct Reflections
   void Composite(PassDeclaration& pass, const char* picture, bool keep, History* ends) const
   {
     Defines variant = this->Variant;
-    if (picture == resource::Radiance)
+    if (picture != resource::Color)
     {
-      variant["GI_RADIANCE"] = "1";
+      variant[picture == resource::Radiance ? "GI_RADIANCE" : "GI_LIT_PARTS"] = "1";
     }
     if (ends)
     {
@@ -148,6 +149,10 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   if (frame.Capture().IsExtended())
   {
     reflections.Variant["GI_EXTENDED"] = "1";
+  }
+  if (frame.Plan().Rules().ChangesData())
+  {
+    reflections.Variant["GI_DATA_COLORS"] = "1";
   }
   if (!reflections.Table.Written)
   {
@@ -205,4 +210,10 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
   reflections.Composite(reflections.AddPass("reflection-composite-radiance")
                           .ModifyIfPresent(resource::Radiance, CompositeOrder, "before"),
     resource::Radiance, keep, ends);
+  for (const char* part : { resource::LitShown, resource::LitEncoded })
+  {
+    reflections.Composite(reflections.AddPass(std::string("reflection-composite-") + part)
+                            .ModifyIfPresent(part, CompositeOrder, "before"),
+      part, keep, nullptr);
+  }
 }

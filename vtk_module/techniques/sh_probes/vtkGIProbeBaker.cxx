@@ -88,6 +88,8 @@ struct vtkGIProbeBaker::Internals
     this->Gatherer->SetFirstSample(firstSample);
     this->Gatherer->SetBounces(settings.Bounces);
     this->Gatherer->SetSeed(settings.Seed);
+    this->Gatherer->SetMaximumAlbedo(settings.MaximumAlbedo);
+    this->Gatherer->SetEnergyCompensation(settings.EnergyCompensation);
     const auto places = Vectors(points);
     const auto directions = Vectors(normals);
     vtkNew<vtkFloatArray> light;
@@ -140,6 +142,8 @@ void vtkGIProbeBaker::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Relocate: " << this->Relocate << "\n";
   os << indent << "Samples: " << this->Samples << "\n";
   os << indent << "Bounces: " << this->Bounces << "\n";
+  os << indent << "MaximumAlbedo: " << this->MaximumAlbedo << "\n";
+  os << indent << "EnergyCompensation: " << this->EnergyCompensation << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }
 

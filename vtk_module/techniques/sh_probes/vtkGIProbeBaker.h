@@ -100,6 +100,19 @@ public:
 
   ///@{
   /**
+   * Reflection of the surfaces, as by the parameters of vtkGIReflectance: the share of the light that a white surface
+   * reflects, 1 by default, and whether rough metals keep their light, off by default. Pictures must be drawn with the
+   * values of the bake.
+   */
+  vtkSetClampMacro(MaximumAlbedo, double, 0.0, 1.0);
+  vtkGetMacro(MaximumAlbedo, double);
+  vtkSetMacro(EnergyCompensation, bool);
+  vtkGetMacro(EnergyCompensation, bool);
+  vtkBooleanMacro(EnergyCompensation, bool);
+  ///@}
+
+  ///@{
+  /**
    * Abort the running call soon. Each call switches this off when it starts.
    */
   vtkSetMacro(Abort, bool);
@@ -182,6 +195,8 @@ protected:
   bool Relocate = true;
   int Samples = 1024;
   int Bounces = 64;
+  double MaximumAlbedo = 1.0;
+  bool EnergyCompensation = false;
   int Seed = 0;
   bool Abort = false;
 

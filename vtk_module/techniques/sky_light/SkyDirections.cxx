@@ -168,8 +168,7 @@ void SkyDirections::Build(const SkyPictures& sky)
 
 void SkyDirections::BuildOpenLight(const SkyPictures& sky)
 {
-  const EqualCells cells =
-    EqualCells::Of(sky.Matte, sky.Width, sky.Height, OpenCells, OpenCells);
+  const EqualCells cells = EqualCells::Of(sky.Matte, sky.Width, sky.Height, OpenCells, OpenCells);
   std::vector<glm::dvec3> directions;
   for (int row = 0; row < OpenCells; ++row)
   {
@@ -198,7 +197,8 @@ void SkyDirections::BuildOpenLight(const SkyPictures& sky)
         weights += cosine;
       }
       light /= weights;
-      texels.emplace_back(glm::vec3(light), static_cast<float>(Luminance(light.x, light.y, light.z)));
+      texels.emplace_back(
+        glm::vec3(light), static_cast<float>(Luminance(light.x, light.y, light.z)));
     }
   }
   this->Open = std::make_unique<Texture>(TextureDesc{ GL_RGBA32F, width, width, 0 });
@@ -224,7 +224,8 @@ SkyDirections::Sample SkyDirections::Draw(unsigned int index) const
   const double across = within(u.x, column > 0 ? *(place - 1) : 0.0, *place);
   const double longitude = ((column + across) / this->Columns - 0.5) * 2.0 * glm::pi<double>();
   const double low = std::sin((static_cast<double>(row) / this->Rows - 0.5) * glm::pi<double>());
-  const double height = std::clamp(low + along * BandArea(static_cast<int>(row), this->Rows), -1.0, 1.0);
+  const double height =
+    std::clamp(low + along * BandArea(static_cast<int>(row), this->Rows), -1.0, 1.0);
   const double radius = std::sqrt(1.0 - height * height);
   const glm::dvec3 inSky(radius * std::cos(longitude), height, radius * std::sin(longitude));
   return { glm::normalize(glm::transpose(glm::dmat3(this->SkyFromWorld)) * inSky),

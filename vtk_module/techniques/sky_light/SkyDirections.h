@@ -25,8 +25,9 @@ class SkyDirections
 public:
   struct Sample
   {
-    glm::dvec3 Toward{ 0.0, 0.0, 1.0 }; ///< direction in the world from which light arrives, unit length
-    double Density = 1.0;               ///< probability density per solid angle
+    glm::dvec3 Toward{ 0.0, 0.0,
+      1.0 };              ///< direction in the world from which light arrives, unit length
+    double Density = 1.0; ///< probability density per solid angle
   };
 
   /// Update from the renderer. Returns whether the light changed. Without an environment, Shines() is false.

@@ -67,7 +67,9 @@ void SkyMaps::Draw(FrameContext& context, SceneCapture& scene, const History& at
   if (missing > 0)
   {
     count = std::min(missing,
-      view.StandsAlone ? missing : restarts || still ? settings.FirstMaps : settings.MapsPerFrame);
+      view.StandsAlone      ? missing
+        : restarts || still ? settings.FirstMaps
+                            : settings.MapsPerFrame);
   }
   else if (!still)
   {
@@ -93,13 +95,14 @@ void SkyMaps::DrawNext(
 {
   const int size = this->Current.MapSize;
   const int columns = Columns(this->Current.Maps);
-  const int slot = static_cast<int>(this->NextDirection % static_cast<unsigned int>(this->Current.Maps));
+  const int slot =
+    static_cast<int>(this->NextDirection % static_cast<unsigned int>(this->Current.Maps));
   Map map;
   map.Direction = sky.Draw(this->NextDirection++);
   map.Weight = sky.Radiance(map.Direction.Toward) / map.Direction.Density;
   map.Tile = { slot % columns * size, slot / columns * size, size };
-  map.View = FitDirection(
-    -map.Direction.Toward, this->Bounds.Effective, this->Bounds.All, size, Margin);
+  map.View =
+    FitDirection(-map.Direction.Toward, this->Bounds.Effective, this->Bounds.All, size, Margin);
   DrawShadowMap(context, scene, atlas.Storage, map.View, map.Tile, { map.Tile.X, map.Tile.Y });
   ++this->DrawnMaps;
   if (slot == this->Count())
@@ -151,7 +154,8 @@ std::vector<glm::vec4> SkyMaps::Data(int first, int count) const
     data.emplace_back(glm::vec3(rows[0] / view.Texel), map.Tile.X + half);
     data.emplace_back(glm::vec3(rows[1] / view.Texel), map.Tile.Y + half);
     data.emplace_back(glm::vec3(-rows[2] * toDepth), -view.Near * toDepth);
-    data.emplace_back(glm::vec3(map.Weight / std::max(mean, 1e-30) / toDepth), view.Texel * toDepth);
+    data.emplace_back(
+      glm::vec3(map.Weight / std::max(mean, 1e-30) / toDepth), view.Texel * toDepth);
   }
   return data;
 }

@@ -68,8 +68,8 @@ private:
   };
 
   void Restart(const SceneCapture& scene, const Settings& settings);
-  void DrawNext(FrameContext& context, SceneCapture& scene, const History& atlas,
-    const SkyDirections& sky);
+  void DrawNext(
+    FrameContext& context, SceneCapture& scene, const History& atlas, const SkyDirections& sky);
   void Weigh(const SkyDirections& sky);
 
   Settings Current;
@@ -78,7 +78,8 @@ private:
   glm::dvec3 Middle{ 0.0 };
   std::vector<Map> Maps;
   unsigned int NextDirection = 0; ///< in the sequence
-  int Outdated = 0;               ///< number of maps to replace, because the sky has turned away from their directions
+  int Outdated =
+    0; ///< number of maps to replace, because the sky has turned away from their directions
   int DrawnMaps = 0;
 };
 }

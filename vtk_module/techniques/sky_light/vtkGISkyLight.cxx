@@ -144,8 +144,7 @@ int vtkGISkyLight::GetRequiredFrames()
 bool vtkGISkyLight::IsFinished(vtkRenderer* renderer)
 {
   const ViewLight* light = this->Find(renderer);
-  return !light || !light->Sky.Shines() ||
-    light->AveragedFrames >= OwnFrames;
+  return !light || !light->Sky.Shines() || light->AveragedFrames >= OwnFrames;
 }
 
 void vtkGISkyLight::Plan(LightingPlan& plan, FrameBuilder& frame)
@@ -246,8 +245,7 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
     Arguments arguments = grid.Arguments();
     arguments.Sample("openLight", &light.Sky.OpenLight())
       .Set("openTexels", SkyDirections::OpenTexels)
-      .Set("viewToSky",
-        light.Sky.ToSky() * glm::mat3(glm::dmat3(context.GetView().ViewToWorld)));
+      .Set("viewToSky", light.Sky.ToSky() * glm::mat3(glm::dmat3(context.GetView().ViewToWorld)));
     context.DrawBound("sky_light/irradiance.frag", grid.Variant(), arguments);
   };
   sky.Forward = this->MakeForwardPart(frame, light);

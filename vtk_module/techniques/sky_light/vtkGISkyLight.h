@@ -52,8 +52,8 @@ private:
   const ViewLight* Find(vtkRenderer* renderer) const;
   void AddMaps(penumbra::FrameBuilder& frame, ViewLight& light);
   void AddLookups(penumbra::FrameBuilder& frame, ViewLight& light);
-  void LookUp(penumbra::FrameContext& context, const ViewLight& light, const Grid& grid, int lookups,
-    const penumbra::Texture& target);
+  void LookUp(penumbra::FrameContext& context, const ViewLight& light, const Grid& grid,
+    int lookups, const penumbra::Texture& target);
   penumbra::ForwardPart MakeForwardPart(penumbra::FrameBuilder& frame, const ViewLight& light);
 };
 

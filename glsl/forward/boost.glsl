@@ -1,0 +1,1 @@
+  vec3 giBoost = giCompensates ? giCompensation(F0, giHighlightShare(NdV, roughness)) : vec3(1.0);

@@ -1,0 +1,1 @@
+  diffuseColor *= 1.0 - giAbsorbed;
