@@ -4,7 +4,9 @@
 
 #include "looks/LookLights.h"
 #include "looks/LookSettings.h"
+#include "looks/LookSky.h"
 #include "looks/SavedRenderer.h"
+#include "looks/Vertical.h"
 
 #include "vtkCommand.h"
 #include "vtkGIPass.h"
@@ -21,6 +23,7 @@ public:
   AppliedLook(std::string name, const LookDescription& look, vtkRenderer* renderer,
     std::shared_ptr<LookSettings> settings)
     : Name(std::move(name))
+    , Look(look)
     , Renderer(renderer)
     , Before(renderer)
     , Settings(std::move(settings))
@@ -29,13 +32,19 @@ public:
     {
       this->Before.SwitchLightsOff();
       this->Lights.emplace(look, renderer);
-      // Now, if this is called at the start of a frame, and in the next frame again, whose camera and props count.
-      if (renderer->IsActiveCameraCreated())
-      {
-        this->Lights->Place(renderer);
-      }
-      this->StartTag =
-        renderer->AddObserver(vtkCommand::StartEvent, this, &AppliedLook::PlaceLights);
+    }
+    if (look.Sky)
+    {
+      this->Sky.emplace(look, renderer);
+    }
+    // Now, if this is called at the start of a frame, and in the next frame again, whose camera and props count. Without a
+    // camera only then: VTK makes one that shows what is there, so it must not be asked for earlier. The priority is
+    // higher than that of the sky's own observer.
+    this->StartTag =
+      renderer->AddObserver(vtkCommand::StartEvent, this, &AppliedLook::PlaceInFrame, 1.0f);
+    if (renderer->IsActiveCameraCreated())
+    {
+      this->Place();
     }
     if (look.Background)
     {
@@ -60,6 +69,10 @@ public:
     }
     this->Renderer->RemoveObserver(this->StartTag);
     this->Renderer->RemoveObserver(this->DeleteTag);
+    if (this->Sky)
+    {
+      this->Sky->RemoveFrom(this->Renderer);
+    }
     if (this->Lights)
     {
       this->Lights->RemoveFrom(this->Renderer);
@@ -71,19 +84,34 @@ public:
   const std::shared_ptr<LookSettings>& GetSettings() const { return this->Settings; }
 
 private:
-  void PlaceLights()
+  void PlaceInFrame()
   {
     this->Renderer->RemoveObserver(this->StartTag);
     this->StartTag = 0;
-    this->Lights->Place(this->Renderer);
+    this->Place();
+  }
+
+  void Place()
+  {
+    const glm::dvec3 up = UpOf(this->Look, this->Renderer);
+    if (this->Lights && !this->Look.FollowsCamera)
+    {
+      this->Lights->Place(this->Renderer, up);
+    }
+    if (this->Sky)
+    {
+      this->Sky->Place(this->Look.FollowsCamera, up);
+    }
   }
 
   void ForgetRenderer();
 
   std::string Name;
+  LookDescription Look;
   vtkRenderer* Renderer;
   SavedRenderer Before;
   std::optional<LookLights> Lights;
+  std::optional<LookSky> Sky;
   std::shared_ptr<LookSettings> Settings;
   unsigned long StartTag = 0;
   unsigned long DeleteTag = 0;

@@ -64,6 +64,15 @@ public:
     }
   }
 
+  void Read(const std::string& key, bool& target)
+  {
+    if (const json* value = this->Find(key))
+    {
+      this->Require(value->is_boolean(), key, *value, "true or false");
+      target = value->get<bool>();
+    }
+  }
+
   void Read(const std::string& key, double& target, double low, double high)
   {
     if (const json* value = this->Find(key))
@@ -149,6 +158,7 @@ LookLight ReadLight(const json& value, const std::string& where)
   section.Read("azimuth", light.Azimuth, -180, 180);
   section.Read("color", light.Color);
   section.Read("intensity", light.Intensity, 0, 1000);
+  section.Read("angle", light.Angle, 0, 90);
   section.Finish();
   return light;
 }
@@ -163,6 +173,51 @@ std::vector<LookLight> ReadLights(const json& value, Section& look)
       ReadLight(item, "light " + std::to_string(lights.size() + 1) + " of " + look.GetWhere()));
   }
   return lights;
+}
+
+LookSoftBox ReadBox(const json& value, const std::string& where)
+{
+  LookSoftBox box;
+  Section section(value, where);
+  section.Read("elevation", box.Elevation, -90, 90);
+  section.Read("azimuth", box.Azimuth, -180, 180);
+  section.Read("width", box.Width, 0.1, 170);
+  section.Read("height", box.Height, 0.1, 170);
+  section.Read("radius", box.Radius, 0, 180);
+  section.Read("radiance", box.Radiance, 0, 1e6);
+  section.Read("color", box.Color);
+  section.Read("softness", box.Softness, 0, 1);
+  section.Finish();
+  return box;
+}
+
+LookSkyDescription ReadSky(const json& value, Section& look)
+{
+  LookSkyDescription sky;
+  Section section(value, "the sky of " + look.GetWhere());
+  section.ReadChoice("kind", { "uniform", "gradient", "daylight" }, sky.Kind);
+  section.Read("strength", sky.Strength, 0, 1e6);
+  section.Read("color", sky.Color);
+  section.Read("zenith", sky.Zenith);
+  section.Read("horizon", sky.Horizon);
+  section.Read("ground", sky.Ground);
+  section.Read("ground-albedo", sky.GroundAlbedo);
+  section.Read("turbidity", sky.Turbidity, 1, 10);
+  section.Read("sun-elevation", sky.SunElevation, -90, 90);
+  section.Read("sun-azimuth", sky.SunAzimuth, -180, 180);
+  section.Read("sun-strength", sky.SunStrength, 0, 1000);
+  section.Read("visible", sky.Visible);
+  if (const json* boxes = section.Find("boxes"))
+  {
+    section.Require(boxes->is_array(), "boxes", *boxes, "an array, [...]");
+    for (const json& box : *boxes)
+    {
+      sky.Boxes.push_back(
+        ReadBox(box, "box " + std::to_string(sky.Boxes.size() + 1) + " of " + section.GetWhere()));
+    }
+  }
+  section.Finish();
+  return sky;
 }
 
 /// A colour, or an object of two.
@@ -218,8 +273,9 @@ void ReadParameter(Section& section, vtkGITechnique* technique, int index, LookT
   }
   if (type == "bool")
   {
-    section.Require(value->is_boolean(), name, *value, "true or false");
-    settings.Parameters[name] = value->get<bool>() ? 1.0 : 0.0;
+    bool on = false;
+    section.Read(name, on);
+    settings.Parameters[name] = on ? 1.0 : 0.0;
     return;
   }
   section.Require(type != "int" || value->is_number_integer(), name, *value, "a whole number");
@@ -231,10 +287,10 @@ LookTechnique ReadTechnique(const json& value, const std::string& where, vtkGITe
 {
   LookTechnique settings;
   Section section(value, where);
-  if (const json* enabled = section.Find("enabled"))
+  if (section.Find("enabled"))
   {
-    section.Require(enabled->is_boolean(), "enabled", *enabled, "true or false");
-    settings.Enabled = enabled->get<bool>();
+    settings.Enabled.emplace();
+    section.Read("enabled", *settings.Enabled);
   }
   for (int i = 0; i < technique->GetNumberOfParameters(); ++i)
   {
@@ -302,6 +358,10 @@ LookDescription ReadLook(const std::string& text, const std::string& name, vtkGI
   if (const json* lights = section.Find("lights"))
   {
     look.Lights = ReadLights(*lights, section);
+  }
+  if (const json* sky = section.Find("sky"))
+  {
+    look.Sky = ReadSky(*sky, section);
   }
   if (const json* background = section.Find("background"))
   {

@@ -3,9 +3,10 @@
 #include "looks/LookLights.h"
 
 #include "base/Matrices.h"
+#include "looks/Vertical.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCamera.h"
+#include "vtkGILightShape.h"
 #include "vtkLight.h"
 #include "vtkRenderer.h"
 
@@ -13,25 +14,6 @@ namespace penumbra
 {
 namespace
 {
-/// The coordinate axis nearest to a direction.
-glm::dvec3 NearestAxis(const glm::dvec3& direction)
-{
-  glm::dvec3 axis(0.0);
-  int largest = 0;
-  for (int i = 1; i < 3; ++i)
-  {
-    largest = std::abs(direction[i]) > std::abs(direction[largest]) ? i : largest;
-  }
-  axis[largest] = direction[largest] < 0.0 ? -1.0 : 1.0;
-  return axis;
-}
-
-/// The side from which things are seen by default: from +z where y is up, else from -y, as maps are from the south.
-glm::dvec3 FrontOf(const glm::dvec3& up)
-{
-  return up.y != 0.0 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, -1.0, 0.0);
-}
-
 glm::dvec3 Direction(const LookLight& light, const glm::dvec3& up)
 {
   const double elevation = glm::radians(light.Elevation);
@@ -44,14 +26,23 @@ glm::dvec3 Direction(const LookLight& light, const glm::dvec3& up)
 }
 
 LookLights::LookLights(const LookDescription& look, vtkRenderer* renderer)
-  : Look(look)
+  : Described(*look.Lights)
 {
-  for (const LookLight& described : *look.Lights)
+  for (const LookLight& described : this->Described)
   {
     const auto light = vtkSmartPointer<vtkLight>::New();
     light->SetColor(described.Color.data());
     light->SetIntensity(described.Intensity);
-    if (look.FollowsCamera)
+    if (described.Angle > 0.0)
+    {
+      vtkGILightShape::SetAngle(light, described.Angle);
+    }
+    // Light from the camera itself needs no shadow, as the camera sees none of it.
+    if (look.FollowsCamera && described.Elevation == 0.0 && described.Azimuth == 0.0)
+    {
+      light->SetLightTypeToHeadlight();
+    }
+    else if (look.FollowsCamera)
     {
       light->SetLightTypeToCameraLight();
       light->SetDirectionAngle(described.Elevation, described.Azimuth);
@@ -63,15 +54,8 @@ LookLights::LookLights(const LookDescription& look, vtkRenderer* renderer)
   renderer->LightFollowCameraOn();
 }
 
-void LookLights::Place(vtkRenderer* renderer)
+void LookLights::Place(vtkRenderer* renderer, const glm::dvec3& up)
 {
-  if (this->Look.FollowsCamera)
-  {
-    return;
-  }
-  const glm::dvec3 up = this->Look.Up
-    ? ToVec3(this->Look.Up->data())
-    : NearestAxis(ToVec3(renderer->GetActiveCamera()->GetViewUp()));
   double bounds[6];
   renderer->ComputeVisiblePropBounds(bounds);
   const vtkBoundingBox box(bounds);
@@ -83,7 +67,7 @@ void LookLights::Place(vtkRenderer* renderer)
   const double distance = box.IsValid() ? std::max(box.GetDiagonalLength(), 1e-30) : 1.0;
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
-    const glm::dvec3 position = ToVec3(center) + distance * Direction(this->Look.Lights->at(i), up);
+    const glm::dvec3 position = ToVec3(center) + distance * Direction(this->Described[i], up);
     this->Lights[i]->SetFocalPoint(center);
     this->Lights[i]->SetPosition(position.x, position.y, position.z);
   }

@@ -9,6 +9,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <glm/glm.hpp>
+
 class vtkLight;
 class vtkRenderer;
 
@@ -20,13 +22,13 @@ public:
   /// Add a look's lights to a renderer, which must have no other lights that are on.
   LookLights(const LookDescription& look, vtkRenderer* renderer);
 
-  /// Place the lights that are fixed to the world, once the camera tells which way is up.
-  void Place(vtkRenderer* renderer);
+  /// Place lights that are fixed to the world around the visible props.
+  void Place(vtkRenderer* renderer, const glm::dvec3& up);
 
   void RemoveFrom(vtkRenderer* renderer) const;
 
 private:
-  LookDescription Look;
+  std::vector<LookLight> Described;
   std::vector<vtkSmartPointer<vtkLight>> Lights;
 };
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGILook
- * @brief   a named set-up of lights, background and techniques
+ * @brief   a named set-up of lights, sky, background and techniques
  *
  * A look replaces a renderer's light by one that shows data well, without a change to the scene:
  * @code
@@ -15,8 +15,8 @@
  * vtkGILook::RemoveFrom(renderer); // everything is as it was before
  * @endcode
  *
- * A look changes only what its file names: with lights, the renderer's own lights are switched off; a background
- * replaces the renderer's; techniques of the pass are switched and get parameters on top of its preset. The camera and
+ * A look changes only what its file names: with lights, the renderer's own lights are switched off; a sky replaces the
+ * environment, and a background the renderer's; techniques of the pass are switched and get parameters on top of its preset. The camera and
  * the props are never touched. "as-is" is the look that changes nothing.
  *
  * A look is a small JSON file, whose format is described in docs/looks.md. Several come with Penumbra. The environment
