@@ -1,6 +1,6 @@
 #version 430 core
 // Draws the ground into the G-buffer. See SceneCapture::AddSurface() and capture/declarations.glsl. Variants: GI_EXTENDED,
-// and the numbers of requested targets.
+// and the requested targets GI_SURROUNDINGS, GI_DISPLACEMENT and GI_FACET.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -19,14 +19,34 @@ layout(location = 2) out vec4 ambient;
 layout(location = 3) out vec4 surface;
 layout(location = 4) out vec4 emission;
 #endif
+// Requested targets follow, in this order.
+#ifdef GI_EXTENDED
+#define FIRST 5
+#define SECOND 6
+#define THIRD 7
+#else
+#define FIRST 3
+#define SECOND 4
+#define THIRD 5
+#endif
 #ifdef GI_SURROUNDINGS
-layout(location = GI_SURROUNDINGS) out vec4 surroundings;
+layout(location = FIRST) out vec4 surroundings;
 #endif
 #ifdef GI_DISPLACEMENT
-layout(location = GI_DISPLACEMENT) out vec4 displacement;
+#ifdef GI_SURROUNDINGS
+layout(location = SECOND) out vec4 displacement;
+#else
+layout(location = FIRST) out vec4 displacement;
+#endif
 #endif
 #ifdef GI_FACET
-layout(location = GI_FACET) out vec4 facet;
+#if defined(GI_SURROUNDINGS) && defined(GI_DISPLACEMENT)
+layout(location = THIRD) out vec4 facet;
+#elif defined(GI_SURROUNDINGS) || defined(GI_DISPLACEMENT)
+layout(location = SECOND) out vec4 facet;
+#else
+layout(location = FIRST) out vec4 facet;
+#endif
 #endif
 
 void main()

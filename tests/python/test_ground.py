@@ -237,7 +237,7 @@ class Catcher(unittest.TestCase):
         view = View(ball(tuple(np.array(origin) + UP)), origin=origin, background=(0.8, 0.8, 0.8))
         near = View(ball(), background=(0.8, 0.8, 0.8))
         for techniques in (BOTH, ("path-tracing",)):
-            self.assertGreater(within(view.draw(*techniques, "ground", frames=4), near.draw(*techniques, "ground", frames=4), 12), 0.98)
+            self.assertGreater(within(view.draw(*techniques, "ground", frames=4), near.draw(*techniques, "ground", frames=4), 12), 0.995)
 
     def test_it_follows_the_props(self):
         moving = ball()

@@ -48,24 +48,13 @@ Defines CaptureOutputs::SnippetDefines() const
   return defines;
 }
 
-Defines CaptureOutputs::ShaderDefines() const
+void CaptureOutputs::NumberTargets(std::string& snippet) const
 {
-  Defines defines = this->SnippetDefines();
   std::size_t number = this->Extended ? 5 : 3;
   for (const Optional* optional : this->RequestedTargets())
   {
-    defines[optional->Name] = std::to_string(number++);
-  }
-  return defines;
-}
-
-void CaptureOutputs::NumberTargets(std::string& snippet) const
-{
-  const Defines numbers = this->ShaderDefines();
-  for (const Optional* optional : this->RequestedTargets())
-  {
     vtkShaderProgram::Substitute(snippet, std::string("gl_FragData[") + optional->Name + "]",
-      "gl_FragData[" + numbers.at(optional->Name) + "]");
+      "gl_FragData[" + std::to_string(number++) + "]");
   }
 }
 }

@@ -54,9 +54,6 @@ public:
   /// Macros of a snippet for the targets that are written.
   Defines SnippetDefines() const;
 
-  /// Macros of a shader of our own: GI_EXTENDED, and the numbers of the requested targets.
-  Defines ShaderDefines() const;
-
   /// Replace the names of targets in a snippet by numbers, as VTK expects them.
   void NumberTargets(std::string& snippet) const;
 

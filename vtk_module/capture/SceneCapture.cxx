@@ -227,7 +227,7 @@ void SceneCapture::DrawSurfaces(FrameContext& context)
   scope.DepthMask(true);
   for (const Surface& surface : this->Surfaces)
   {
-    context.DrawBound(surface.Shader, this->Outputs.ShaderDefines(),
+    context.DrawBound(surface.Shader, this->Outputs.SnippetDefines(),
       Arguments(surface.Given).Sample("depthTexture", context.Output(resource::DepthCopy)));
     context.CopyDepth(context.Output(resource::Depth), context.Output(resource::DepthCopy));
   }

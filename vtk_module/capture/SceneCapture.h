@@ -65,8 +65,8 @@ public:
   bool CastsPartialShadows() const;
 
   /// Have a surface that is no prop drawn into the G-buffer after the props, at the depth that its fragment shader
-  /// writes. The shader reads the props' depth as depthTexture, and discards what they hide. Its outputs are numbered as
-  /// in capture/declarations.glsl, those on request by macros. VTK's own depth buffer must not be drawn to then.
+  /// writes. The shader reads the props' depth as depthTexture, and discards what they hide. Its outputs are those
+  /// of capture/declarations.glsl, with the same macros. VTK's own depth buffer must not be drawn to then.
   void AddSurface(const std::string& shader, const Arguments& arguments)
   {
     this->Surfaces.push_back({ shader, arguments });
