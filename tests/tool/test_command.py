@@ -281,7 +281,7 @@ class Looks(command.CommandTest):
             self.succeeds("render", self.scene(command.box()), *command.TINY, "--look", look, "-o", f"{look}.png")
         for one, other in itertools.combinations(("as-is", "soft", "studio"), 2):
             self.assertGreater(self.compare(f"{one}.png", f"{other}.png")["relmse"], 0.001)
-        self.succeeds("render", self.scene(command.box()), *command.TINY, "--background", "red", "-o", "red.png")
+        self.succeeds("render", self.scene(command.box()), *command.TINY, "--background", "#ff0000", "-o", "red.png")
         with Image.open(self.folder / "red.png") as picture:
             self.assertEqual(picture.getpixel((0, 0)), (255, 0, 0))
 
