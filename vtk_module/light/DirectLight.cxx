@@ -108,8 +108,7 @@ struct Resolve
       this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1),
       Arguments()
         .Set("ambientLight", glm::vec3(this->Options.SpreadShare * this->Lights->TotalColor()))
-        .Set("interreflection", this->Options.Interreflection)
-        .Add(this->Options.Rules.ShaderArguments()));
+        .Set("interreflection", this->Options.Interreflection));
   }
 };
 
@@ -180,6 +179,7 @@ void ContributeDirectLight(
     .ReadIfPresent(resource::LampLight, "GI_LAMP_LIGHT")
     .Offer(lights.InView(1.0 - options.SpreadShare))
     .Offer(materials.ShaderArguments())
+    .Offer(options.Rules.ShaderArguments())
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
   if (highlights)
