@@ -11,6 +11,7 @@
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #include "rays/toward_light.glsl"
@@ -71,10 +72,9 @@ vec4 caught(ivec2 pixel, vec4 background)
   vec3 arriving = vec3(0.0);
   for (int i = 0; i < lightCount; ++i)
   {
-    GiIncident incident = giIncident(lights[i], at.position);
-    vec3 light = PI * lights[i].Color.rgb * incident.Attenuation * max(dot(at.normal, -incident.Travel), 0.0);
-    bool open = dot(light, vec3(1.0)) > 0.0 &&
-      (lights[i].Kind.z != 0 || rayReaches(rayTowardLight(lights[i], at.position, eye), at, state));
+    RayArrival arrival = rayArrival(lights[i], at.position, eye, state);
+    vec3 light = PI * lights[i].Color.rgb * arrival.share * max(dot(at.normal, arrival.L), 0.0);
+    bool open = dot(light, vec3(1.0)) > 0.0 && (lights[i].Kind.z != 0 || rayReaches(arrival.toward, at, state));
     whole += light;
     arriving += open ? light : vec3(0.0);
   }

@@ -22,7 +22,7 @@ uniform float intensity;
 
 layout(location = 0) out vec4 irradiance;
 
-#if GI_STRIDE > 1
+#if GI_STRIDE != 1
 GiSkySum giUpsampled(ivec2 pixel, vec2 normal)
 {
   GiSurfel here =

@@ -173,14 +173,16 @@ TEST(ShaderLibrary, ReferenceCompilerAcceptsPermutations)
     ++shaders;
     const std::string text = library.Source(shader.first);
     const auto flags = Flags(text);
-    ASSERT_LE(flags.size(), 20u) << shader.first << " has too many flags to try all subsets of them";
+    ASSERT_LE(flags.size(), 20u) << shader.first
+                                 << " has too many flags to try all subsets of them";
     for (unsigned int bits = 0; bits < 1u << flags.size(); ++bits)
     {
       if (!IsTested(bits, flags.size()))
       {
         continue;
       }
-      Defines defines{ { "GI_SAMPLES", "8" } }; // values rather than flags
+      Defines defines{ { "GI_LOOKUPS", "8" }, { "GI_SAMPLES", "8" },
+        { "GI_STRIDE", "2" } }; // values rather than flags
       std::string name = std::regex_replace(shader.first, std::regex("[/.]"), "_");
       for (std::size_t i = 0; i < flags.size(); ++i)
       {

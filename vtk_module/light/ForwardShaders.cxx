@@ -56,7 +56,7 @@ void ForwardShaders::MarkVolume(std::string& text)
 
 std::string ForwardShaders::IndirectSource(bool volume) const
 {
-  std::string text = this->Shaders.Source("forward/needs.glsl");
+  std::string text;
   const std::size_t count = std::min(this->Light.Indirect.size(), MaximumParts);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -77,9 +77,11 @@ std::string ForwardShaders::IndirectSource(bool volume) const
 void ForwardShaders::Declare(std::string& text, bool volume, Defines visibility) const
 {
   std::string declarations;
-  if (this->Light.HasRules())
+  if (this->Light.HasRules() || !this->Light.Indirect.empty())
   {
-    declarations += this->Shaders.Source("forward/rules.glsl");
+    const Defines rules{ { "GI_RULES", "1" } };
+    declarations +=
+      this->Shaders.Source("forward/needs.glsl", this->Light.HasRules() ? rules : Defines());
   }
   if (!this->Light.Display.IsEmpty())
   {

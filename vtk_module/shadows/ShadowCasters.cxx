@@ -11,6 +11,10 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkGlyph3DMapper.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
 #include "vtkProp.h"
 
 #include <algorithm>
@@ -38,6 +42,17 @@ vtkMTimeType CasterTime(vtkProp* prop)
     }
   }
   return time;
+}
+
+// Number of points or cells of a data set, or of all parts of a composite one.
+vtkIdType Elements(vtkDataObject* data, int type)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return type == vtkDataObject::POINT ? composite->GetNumberOfPoints()
+                                        : composite->GetNumberOfCells();
+  }
+  return data ? data->GetNumberOfElements(type) : 0;
 }
 
 void Include(Bounds& sum, const Bounds& other, bool& empty)
@@ -95,6 +110,31 @@ std::vector<double> CasterSignature(const SceneCapture& scene)
     signature.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
   }
   return signature;
+}
+
+double CellsOfCasters(const SceneCapture& scene)
+{
+  double cells = 0.0;
+  for (vtkProp* prop : scene.Casters())
+  {
+    prop->InitPathTraversal();
+    while (vtkAssemblyPath* path = prop->GetNextPath())
+    {
+      auto* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
+      vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+      if (!mapper || mapper->GetNumberOfInputPorts() == 0)
+      {
+        continue;
+      }
+      auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
+      vtkPolyData* glyph = glyphs ? glyphs->GetSource(0) : nullptr;
+      vtkDataObject* data = mapper->GetInputDataObject(0, 0);
+      cells += glyph
+        ? static_cast<double>(Elements(data, vtkDataObject::POINT)) * glyph->GetNumberOfCells()
+        : static_cast<double>(Elements(data, vtkDataObject::CELL));
+    }
+  }
+  return cells;
 }
 
 CasterBounds BoundsOfCasters(const SceneCapture& scene)

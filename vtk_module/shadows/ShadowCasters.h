@@ -21,6 +21,9 @@ class Texture;
 /// Numbers that change with the set of casters and with each caster. Drawing updates pipelines, and thus the numbers.
 std::vector<double> CasterSignature(const SceneCapture& scene);
 
+/// Number of cells that drawing all casters once draws, as far as their mappers tell.
+double CellsOfCasters(const SceneCapture& scene);
+
 struct CasterBounds
 {
   bool Empty = true;

@@ -11,6 +11,7 @@
 #include "vtkTexture.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkGISkyLight);
 
@@ -40,6 +41,20 @@ glm::ivec2 PixelOfPart(int part)
   return { (part & 1) | (part >> 1 & 2), (part >> 1 & 1) | (part >> 2 & 2) };
 }
 
+// Directions are too few below this number: their shadows are seen one by one.
+constexpr int FewestMaps = 64;
+
+int WholeParts(double maps)
+{
+  return static_cast<int>(std::ceil(maps / Parts)) * Parts;
+}
+
+// A share of a number of maps, at least one of them.
+int ShareOf(int maps, double share)
+{
+  return std::min(maps, std::max(1, static_cast<int>(maps * share)));
+}
+
 bool HasEnvironment(vtkRenderer* renderer)
 {
   return renderer->GetUseImageBasedLighting() && renderer->GetEnvironmentTexture();
@@ -53,6 +68,7 @@ struct vtkGISkyLight::ViewLight
   SkyMaps Maps;
   History* Atlas = nullptr; ///< of the current frame
   bool SkyChanged = true;
+  int MapCount = Parts;   ///< number of maps when all are drawn
   int LastAveraged = -2;  ///< number of the last frame whose samples were kept
   int AveragedFrames = 0; ///< number of frames in the kept mean
 };
@@ -174,11 +190,15 @@ void vtkGISkyLight::Contribute(FrameBuilder& frame)
 
 void vtkGISkyLight::AddMaps(FrameBuilder& frame, ViewLight& light)
 {
+  const double affordable = 1e6 * this->CellBudget / std::max(CellsOfCasters(frame.Capture()), 1.0);
+  light.MapCount =
+    WholeParts(std::min<double>(this->Maps, std::max<double>(FewestMaps, std::floor(affordable))));
+  const double share = std::min(1.0, static_cast<double>(light.MapCount) / this->Maps);
   SkyMaps::Settings settings;
-  settings.Maps = (this->Maps + Parts - 1) / Parts * Parts;
+  settings.Maps = light.MapCount;
   settings.MapSize = this->MapSize;
-  settings.FirstMaps = std::min(this->FirstMaps, settings.Maps);
-  settings.MapsPerFrame = std::min(this->MapsPerFrame, settings.Maps);
+  settings.FirstMaps = ShareOf(this->FirstMaps, share);
+  settings.MapsPerFrame = ShareOf(this->MapsPerFrame, share);
   const int width = SkyMaps::AtlasWidth(settings);
   History& atlas = frame.Keep(Atlas, { GL_DEPTH_COMPONENT16, width, width, 0 });
   light.Atlas = &atlas;
@@ -196,7 +216,7 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
   const View& view = frame.GetView();
   const bool still = view.StillFrames > 0;
   const Grid grid(view, this->Resolution == 0 || still ? 1 : 2);
-  const int lookups = (this->Maps + Parts - 1) / Parts;
+  const int lookups = light.MapCount / Parts;
   const bool odd = view.FrameNumber % 2 != 0;
   History* mean = nullptr;
   auto& pass = frame.AddPass("sky-light");
