@@ -170,10 +170,10 @@ def looks(view):
     report("look changes", 1 - scenes.within(before, studio))
     report("look kept", scenes.within(studio, saved(view, "look_again"), 0))
     print("look corner", studio[0, 0].tolist())
-    view.GIShadowMaps = 0  # a value below the look
-    report("setting below the look", 1 - scenes.within(studio, saved(view, "look_unshadowed")))
-    view.GIShadowMaps = 1
-    report("look again", scenes.within(studio, saved(view, "look_shadowed")))
+    view.GISkyLight = 0  # a value below the look
+    report("setting below the look", 1 - scenes.within(studio, saved(view, "look_without_sky")))
+    view.GISkyLight = 1
+    report("look again", scenes.within(studio, saved(view, "look_with_sky")))
     view.GILook = "as-is"
     report("look undone", scenes.within(before, saved(view, "look_after"), 0))
     report("look values", float(kept == (view.Background.GetData(), view.UseLight, view.GIAmbientOcclusionAmbientShare)))

@@ -31,5 +31,5 @@ else:
     view = simple.GetActiveView()
     image = scenes.picture(view)
     print("samples", view.GIAmbientOcclusionSamples, "radius", view.GIAmbientOcclusionRadius,
-          "temporal", view.GITemporalAccumulation, "look", view.GILook)
+          "temporal", view.GITemporalAccumulation, "look", view.GILook.GetData())
 Image.fromarray(image).save(f"{folder}/{action}.png")

@@ -126,7 +126,7 @@ TEST(Leaks, WindowsLeaveNothingBehind)
 
 TEST(Leaks, RenderersLeaveNothingBehind)
 {
-  const int rounds = IsNightly() ? 200 : 24;
+  const int rounds = IsNightly() ? 200 : 48;
   constexpr int cycle = 4;
   Scene scene(false);
   scene.Window->SetSize(48, 32);

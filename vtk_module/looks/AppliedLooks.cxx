@@ -12,6 +12,8 @@
 #include "vtkGIPass.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
@@ -46,13 +48,7 @@ public:
     {
       this->Place();
     }
-    if (look.Background)
-    {
-      renderer->SetBackground(look.Background->Bottom.data());
-      renderer->SetBackground2(look.Background->Top.data());
-      renderer->SetGradientBackground(look.Background->Top != look.Background->Bottom);
-      renderer->TexturedBackgroundOff();
-    }
+    this->ShowBackground();
     this->DeleteTag =
       renderer->AddObserver(vtkCommand::DeleteEvent, this, &AppliedLook::ForgetRenderer);
   }
@@ -80,10 +76,48 @@ public:
     this->Before.Restore(this->Renderer);
   }
 
+  /// Show the look's sky and background again. Those that were set since are restored later.
+  void Restore()
+  {
+    if (this->Sky)
+    {
+      this->Sky->Restore(this->Renderer);
+    }
+    if (this->Look.Background && !this->ShowsBackground())
+    {
+      this->Before.SaveBackground(this->Renderer);
+      this->ShowBackground();
+    }
+  }
+
   const std::string& GetName() const { return this->Name; }
   const std::shared_ptr<LookSettings>& GetSettings() const { return this->Settings; }
 
 private:
+  bool IsGradient() const { return this->Look.Background->Top != this->Look.Background->Bottom; }
+
+  bool ShowsBackground() const
+  {
+    const auto equals = [](const double* color, const auto& other) {
+      return std::equal(other.begin(), other.end(), color);
+    };
+    return equals(this->Renderer->GetBackground(), this->Look.Background->Bottom) &&
+      equals(this->Renderer->GetBackground2(), this->Look.Background->Top) &&
+      this->Renderer->GetGradientBackground() == this->IsGradient() &&
+      !this->Renderer->GetTexturedBackground();
+  }
+
+  void ShowBackground()
+  {
+    if (this->Look.Background)
+    {
+      this->Renderer->SetBackground(this->Look.Background->Bottom.data());
+      this->Renderer->SetBackground2(this->Look.Background->Top.data());
+      this->Renderer->SetGradientBackground(this->IsGradient());
+      this->Renderer->TexturedBackgroundOff();
+    }
+  }
+
   void PlaceInFrame()
   {
     this->Renderer->RemoveObserver(this->StartTag);
@@ -101,6 +135,8 @@ private:
     if (this->Sky)
     {
       this->Sky->Place(this->Look.FollowsCamera, up);
+      // Its own observer may not be called any more in this frame.
+      this->Sky->Restore(this->Renderer);
     }
   }
 
@@ -160,6 +196,15 @@ void ApplyLook(
 void RemoveLook(vtkRenderer* renderer)
 {
   Applied().erase(renderer);
+}
+
+void RestoreLook(vtkRenderer* renderer)
+{
+  const auto found = Applied().find(renderer);
+  if (found != Applied().end())
+  {
+    found->second->Restore();
+  }
 }
 
 const char* AppliedLookName(vtkRenderer* renderer)

@@ -17,6 +17,9 @@ void ApplyLook(
 
 void RemoveLook(vtkRenderer* renderer);
 
+/// Show the sky and the background of a renderer's look again, if there is one.
+void RestoreLook(vtkRenderer* renderer);
+
 /// The name of a renderer's look, or nullptr.
 const char* AppliedLookName(vtkRenderer* renderer);
 }

@@ -90,6 +90,11 @@ void LookSky::Place(bool followsCamera, const glm::dvec3& up)
   this->Sky->SetNorth(north.x, north.y, north.z);
 }
 
+void LookSky::Restore(vtkRenderer* renderer) const
+{
+  this->Sky->ApplyTo(renderer);
+}
+
 void LookSky::RemoveFrom(vtkRenderer* renderer) const
 {
   this->Sky->RemoveFrom(renderer);

@@ -27,6 +27,9 @@ public:
   /// Orient the sky, once there is a camera: let it follow the camera, or stand upright in the world.
   void Place(bool followsCamera, const glm::dvec3& up);
 
+  /// Make the sky the environment again, if another one was set since.
+  void Restore(vtkRenderer* renderer) const;
+
   /// Bring back the renderer's own environment.
   void RemoveFrom(vtkRenderer* renderer) const;
 

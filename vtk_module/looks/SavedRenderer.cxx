@@ -26,6 +26,11 @@ SavedRenderer::SavedRenderer(vtkRenderer* renderer)
     saved.Transform = light->GetTransformMatrix();
     this->Lights.push_back(saved);
   }
+  this->SaveBackground(renderer);
+}
+
+void SavedRenderer::SaveBackground(vtkRenderer* renderer)
+{
   renderer->GetBackground(this->Back.Bottom.data());
   renderer->GetBackground2(this->Back.Top.data());
   this->Back.Alpha = renderer->GetBackgroundAlpha();

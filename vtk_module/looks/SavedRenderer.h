@@ -22,6 +22,9 @@ class SavedRenderer
 public:
   explicit SavedRenderer(vtkRenderer* renderer);
 
+  /// Save the background again.
+  void SaveBackground(vtkRenderer* renderer);
+
   /// Switch the saved lights off. Those of a light kit keep their place in the renderer.
   void SwitchLightsOff() const;
 

@@ -107,6 +107,11 @@ void vtkGILook::RemoveFrom(vtkRenderer* renderer)
   penumbra::RemoveLook(renderer);
 }
 
+void vtkGILook::Restore(vtkRenderer* renderer)
+{
+  penumbra::RestoreLook(renderer);
+}
+
 const char* vtkGILook::GetAppliedName(vtkRenderer* renderer)
 {
   const char* name = penumbra::AppliedLookName(renderer);

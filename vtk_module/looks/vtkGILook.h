@@ -16,8 +16,8 @@
  * @endcode
  *
  * A look changes only what its file names: with lights, the renderer's own lights are switched off; a sky replaces the
- * environment, and a background the renderer's; techniques of the pass are switched and get parameters on top of its preset. The camera and
- * the props are never touched. "as-is" is the look that changes nothing.
+ * environment, and a background the renderer's; techniques of the pass are switched and get parameters on top of its
+ * preset. The camera and the props are never touched. "as-is" is the look that changes nothing.
  *
  * A look is a small JSON file, whose format is described in docs/looks.md. Several come with Penumbra. The environment
  * variable PENUMBRA_LOOK_PATH names a folder with further ones, which come before those of the same name.
@@ -81,6 +81,12 @@ public:
    * before ApplyTo(). Does nothing if there is none. What was changed in the meantime of what the look sets is lost.
    */
   static void RemoveFrom(vtkRenderer* renderer);
+
+  /**
+   * Show the sky and the background of a renderer's look again, after the program set its own. Those return with
+   * RemoveFrom(). Does nothing if there is no look.
+   */
+  static void Restore(vtkRenderer* renderer);
 
   /**
    * The name or path of a renderer's look; "as-is" if it has none.

@@ -33,12 +33,6 @@ SkyInstallation* SkyInstallation::Install(vtkGISkySource* sky, vtkOpenGLRenderer
   installed->Sky = sky;
   installed->Renderer = renderer;
   auto& before = installed->Before;
-  before.Texture = renderer->GetEnvironmentTexture();
-  before.Srgb = renderer->GetEnvMapPrefiltered()->GetConvertToLinear();
-  std::copy_n(renderer->GetEnvironmentUp(), 3, before.Up);
-  std::copy_n(renderer->GetEnvironmentRight(), 3, before.Right);
-  before.ImageBasedLighting = renderer->GetUseImageBasedLighting();
-  before.Harmonics = renderer->GetUseSphericalHarmonics();
   auto* filter = renderer->GetEnvMapPrefiltered();
   auto* table = renderer->GetEnvMapLookupTable();
   before.FilterSamples = filter->GetPrefilterMaxSamples();
@@ -52,14 +46,35 @@ SkyInstallation* SkyInstallation::Install(vtkGISkySource* sky, vtkOpenGLRenderer
   installed->Texture->InterpolateOn();
   installed->Texture->MipmapOn(); // for reflections of rough surfaces
   installed->Texture->SetInputData(sky->GetImage());
-  renderer->SetEnvironmentTexture(installed->Texture, false);
-  renderer->UseImageBasedLightingOn();
-  renderer
-    ->UseSphericalHarmonicsOn(); // VTK's other way filters the image on the GPU, which takes longer
+  installed->TakeEnvironment();
   installed->Observer = renderer->AddObserver(vtkCommand::StartEvent, installed);
   installed->UnRegister(); // the renderer has registered it
   installed->Update();
   return installed;
+}
+
+void SkyInstallation::TakeEnvironment()
+{
+  vtkOpenGLRenderer* renderer = this->Renderer;
+  auto& before = this->Before;
+  if (!this->IsCurrent())
+  {
+    before.Texture = renderer->GetEnvironmentTexture();
+    before.Srgb = renderer->GetEnvMapPrefiltered()->GetConvertToLinear();
+    std::copy_n(renderer->GetEnvironmentUp(), 3, before.Up);
+    std::copy_n(renderer->GetEnvironmentRight(), 3, before.Right);
+    before.Harmonics = renderer->GetUseSphericalHarmonics();
+    renderer->SetEnvironmentTexture(this->Texture, false);
+    // VTK's other way filters the image on the GPU, which takes longer.
+    renderer->UseSphericalHarmonicsOn();
+    before.ImageBasedLighting = renderer->GetUseImageBasedLighting();
+    renderer->UseImageBasedLightingOn();
+  }
+  else if (!renderer->GetUseImageBasedLighting())
+  {
+    before.ImageBasedLighting = false;
+    renderer->UseImageBasedLightingOn();
+  }
 }
 
 SkyInstallation::~SkyInstallation()

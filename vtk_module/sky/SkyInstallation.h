@@ -28,6 +28,8 @@ public:
   static SkyInstallation* Install(vtkGISkySource* sky, vtkOpenGLRenderer* renderer);
 
   vtkOpenGLRenderer* GetRenderer() const;
+  /// Make the sky the environment again if another one was set since, which Remove() then restores.
+  void TakeEnvironment();
   /// Bring the renderer up to date: the image only if it changed, the axes if the camera did.
   void Update();
   /// Restore the renderer. The object may be deleted on return.

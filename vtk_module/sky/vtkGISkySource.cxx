@@ -415,6 +415,7 @@ void vtkGISkySource::ApplyTo(vtkRenderer* renderer)
   }
   else if (SkyInstallation* installed = this->FindInstallation(renderer))
   {
+    installed->TakeEnvironment();
     installed->Update();
   }
   else

@@ -235,7 +235,8 @@ public:
   /**
    * Make the sky the renderer's environment: its texture, axes, image-based lighting with spherical harmonics, sun, and
    * skybox. It stays up to date, also with the camera, until RemoveFrom() restores what was there. The renderer keeps the
-   * sky alive. A renderer has one sky at a time; remove the last one applied first.
+   * sky alive. A renderer has one sky at a time; remove the last one applied first. Applying a sky again makes it the
+   * environment again, if the program set another one in the meantime.
    */
   void ApplyTo(vtkRenderer* renderer);
   void RemoveFrom(vtkRenderer* renderer);

@@ -15,6 +15,7 @@ void ViewLook::Update(vtkRenderer* renderer, vtkGIPass* pass)
 {
   if (this->Applied == this->Chosen)
   {
+    vtkGILook::Restore(renderer); // the view sets its own whenever a property changes
     return;
   }
   this->Remove(renderer);

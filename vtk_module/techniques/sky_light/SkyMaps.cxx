@@ -46,7 +46,7 @@ void SkyMaps::Draw(FrameContext& context, SceneCapture& scene, const History& at
 {
   const View& view = context.GetView();
   const bool restarts = !atlas.Written || this->Maps.empty() || !(this->Current == settings) ||
-    this->Casters != CasterSignature(scene);
+    this->Casters != CasterSignature(scene) || (view.StandsAlone && !this->AreFirst);
   if (restarts)
   {
     this->Restart(scene, settings);
@@ -111,6 +111,7 @@ void SkyMaps::DrawNext(
   }
   else
   {
+    this->AreFirst = false;
     this->Maps[static_cast<std::size_t>(slot)] = map;
   }
   this->Outdated = std::max(0, this->Outdated - 1);
@@ -118,6 +119,7 @@ void SkyMaps::DrawNext(
 
 void SkyMaps::Weigh(const SkyDirections& sky)
 {
+  this->AreFirst = false;
   double sum = 0.0;
   double squares = 0.0;
   for (Map& map : this->Maps)

@@ -78,6 +78,8 @@ private:
   glm::dvec3 Middle{ 0.0 };
   std::vector<Map> Maps;
   unsigned int NextDirection = 0; ///< in the sequence
+  /// Whether the maps are those of the first directions for the current sky, so that they do not depend on earlier frames.
+  bool AreFirst = true;
   int Outdated =
     0; ///< number of maps to replace, because the sky has turned away from their directions
   int DrawnMaps = 0;
