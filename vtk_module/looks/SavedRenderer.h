@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a look changes of a renderer, as it was before.
+ * The state of a renderer that a look changes, saved before.
  */
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What casts shadows, and how it is drawn into a shadow map.
+ * Shadow casters: their changes, their bounds, and how they are drawn into a shadow map.
  */
 #pragma once
 

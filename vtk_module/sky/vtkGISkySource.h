@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * What the sky is, apart from its soft boxes. Default: UNIFORM.
+   * Kind of the sky, apart from its soft boxes. Default: UNIFORM.
    */
   vtkSetClampMacro(Kind, int, UNIFORM, DAYLIGHT);
   vtkGetMacro(Kind, int);
