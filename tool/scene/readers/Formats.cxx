@@ -175,7 +175,9 @@ LoadedData Load(const std::string& path, Reporter& reporter)
   loaded.View = format->View;
   if (auto* polygons = vtkPolyData::SafeDownCast(loaded.Data))
   {
-    const Standing standing = FindStanding(polygons, format->View, format->Extension == ".vtp");
+    DroppedPoints notedWhenBuilt;
+    const auto usable = DropNonFinite(polygons, notedWhenBuilt);
+    const Standing standing = FindStanding(usable, format->View, format->Extension == ".vtp");
     loaded.View = standing.View;
     if (standing.Reason)
     {
