@@ -7,10 +7,13 @@
 // sampler2D named fieldAtlas.
 uniform float fieldHalf; // half the width of a map in texels
 
-// Biases as for shadow maps, in texels.
-const float GiSkyConstantBias = 0.2;
-const float GiSkySlopeBias = 0.1;
-const float GiSkySteepest = 20.0; // tangent of the steepest plane with which depths are compared
+// What a texel shows lies in front of the surface's plane, so the light is occluded; on it; or behind it. The borders are
+// distances from the plane, a constant and a part for each unit of its slope, in texels.
+const vec2 GiSkyOnPlane = vec2(0.1, 0.05); // nearer in front, it is the surface
+const vec2 GiSkyInFront = vec2(0.6, 0.4); // farther in front, it is an occluder; between the two it can be either
+const vec2 GiSkyBehind = vec2(1.0, 1.0);  // farther behind, the texel is beyond the surface's edge
+const float GiSkyDoubt = 0.02;            // weight of a texel that can be either
+const float GiSkySteepest = 20.0;         // tangent of the steepest plane with which depths are compared
 
 struct GiSkyReceiver
 {
@@ -33,11 +36,21 @@ float giSkyOpen(vec4 across, vec4 along, float depth, float facing, float texel,
   vec2 first = floor(place - 0.5);
   vec2 share = place - 0.5 - first;
   vec4 drawn = textureGather(fieldAtlas, (vec2(across.w, along.w) + first + 1.0) / vec2(textureSize(fieldAtlas, 0)));
-  float plane = depth + dot(slope, first + 0.5 - place) - GiSkyConstantBias * texel -
-    GiSkySlopeBias * max(abs(slope.x), abs(slope.y));
-  vec4 open = step(min(plane + vec4(slope.y, slope.x + slope.y, slope.x, 0.0), 1.0), drawn);
-  vec2 columns = mix(open.wx, open.zy, share.x);
-  return mix(columns.x, columns.y, share.y);
+  float plane = depth + dot(slope, first + 0.5 - place);
+  vec4 planes = min(plane + vec4(slope.y, slope.x + slope.y, slope.x, 0.0), 1.0);
+  vec4 inFront = planes - drawn;
+  vec2 unit = vec2(texel, max(abs(slope.x), abs(slope.y)));
+  vec4 occluded = step(dot(GiSkyInFront, unit), inFront);
+  vec4 doubtful = step(dot(GiSkyOnPlane, unit), inFront) - occluded;
+  vec4 beyond = step(dot(GiSkyBehind, unit), -inFront);
+  // Texels beyond the edge tell nothing of the light on the surface. Beside an edge, as where the walls of a room meet,
+  // doubtful ones are taken for occluders; elsewhere for relief finer than a texel.
+  vec4 closed = any(greaterThan(beyond, vec4(0.0))) ? occluded + doubtful : occluded;
+  vec2 rest = 1.0 - share;
+  vec4 weights = (1.0 - beyond) * (1.0 - (1.0 - GiSkyDoubt) * doubtful) *
+    vec4(rest.x * share.y, share.x * share.y, share.x * rest.y, rest.x * rest.y);
+  float sum = dot(weights, vec4(1.0));
+  return sum > 0.0 ? 1.0 - dot(weights, closed) / sum : 1.0;
 }
 
 // rgb: light that arrives; a: luminance of that light if nothing were occluded.

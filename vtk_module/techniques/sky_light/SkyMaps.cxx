@@ -63,17 +63,14 @@ void SkyMaps::Draw(FrameContext& context, SceneCapture& scene, const History& at
   }
   const bool still = view.StillFrames > 0;
   const int missing = settings.Maps - this->Count();
-  int count = settings.MapsPerFrame;
+  int count = restarts || still ? settings.FirstMaps : settings.MapsPerFrame;
   if (missing > 0)
   {
-    count = std::min(missing,
-      view.StandsAlone      ? missing
-        : restarts || still ? settings.FirstMaps
-                            : settings.MapsPerFrame);
+    count = view.StandsAlone ? missing : std::min(missing, count);
   }
-  else if (!still)
+  else
   {
-    count = std::min(count, this->Outdated);
+    count = still ? settings.NewMaps : std::min(count, this->Outdated);
   }
   for (int i = 0; i < count; ++i)
   {

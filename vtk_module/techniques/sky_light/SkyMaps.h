@@ -28,6 +28,7 @@ public:
     int MapSize = 256;
     int FirstMaps = 32;
     int MapsPerFrame = 8;
+    int NewMaps = 32; ///< number of maps replaced in a still frame
 
     bool operator==(const Settings& other) const
     {
