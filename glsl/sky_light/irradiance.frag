@@ -6,6 +6,8 @@
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/alike.glsl"
+#include "lib/luminance.glsl"
+#include "lib/interreflection.glsl"
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
@@ -19,6 +21,7 @@ layout(binding = 4) uniform sampler2D openLight;
 uniform int openTexels;
 uniform mat3 viewToSky;
 uniform float intensity;
+uniform float interreflection; // share of the surfaces' reflectance
 
 layout(location = 0) out vec4 irradiance;
 
@@ -51,7 +54,8 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   irradiance = vec4(0.0);
-  if (texelFetch(albedoTexture, pixel, 0).a == 0.0)
+  vec4 albedo = texelFetch(albedoTexture, pixel, 0);
+  if (albedo.a == 0.0)
   {
     return;
   }
@@ -65,5 +69,7 @@ void main()
   vec4 open = textureLod(openLight, (at * float(openTexels) + 1.0) / float(openTexels + 2), 0.0);
   // Without samples nothing is known to be occluded.
   vec3 light = sum.expected > 0.0 ? sum.arrived * (open.a / sum.expected) : open.rgb;
+  float openness = sum.expected > 0.0 ? min(giLuminance(sum.arrived) / sum.expected, 1.0) : 1.0;
+  light *= giReflectedGain(openness, interreflection * albedo.rgb / albedo.a);
   irradiance = vec4(intensity * light, 1.0);
 }

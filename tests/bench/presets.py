@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Error of each preset against the path tracer, and its cost, on the demo's scenes. Exits with 1 if a preset has a larger
+"""Error of each preset against the path tracer, and its cost, on the demo's scenes and the example's isosurface. Exits with 1 if a preset has a larger
 error than the one before it."""
 import argparse
 import os
@@ -14,6 +14,10 @@ sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
 import penumbra  # noqa: E402
 import scenes  # noqa: E402
 from indirect_light import FINER, kept, smaller, write  # noqa: E402
+from isosurface_ddgi import Room  # noqa: E402
+
+SCENES = {name: function for name, (_, function) in scenes.SCENES.items()}
+SCENES["isosurface"] = lambda: Room().renderer
 
 PRESETS = ("off", "fast", "balanced", "high")
 STILL = 16  # frames of a still picture, unless a technique requires more
@@ -22,7 +26,8 @@ STILL = 16  # frames of a still picture, unless a technique requires more
 def options():
     """Parse the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("scenes", nargs="*", default=list(scenes.SCENES), help="any of " + ", ".join(scenes.SCENES))
+    parser.add_argument("scenes", nargs="*", default=list(SCENES), help="any of " + ", ".join(SCENES))
+    parser.add_argument("--look", default="as-is", help="default %(default)s")
     parser.add_argument("--size", default="320x180", help="size of the pictures")
     parser.add_argument("--spp", type=int, default=256, help="paths per pixel of the reference")
     parser.add_argument("--presets", nargs="+", default=PRESETS, choices=PRESETS)
@@ -36,11 +41,11 @@ def options():
 class FinishedPicture:
     """A scene drawn with one preset until all techniques are finished."""
 
-    def __init__(self, name, size, preset, parameters):
-        self.renderer = scenes.SCENES[name][1]()
+    def __init__(self, name, size, preset, look, parameters):
+        self.renderer = SCENES[name]()
         self.renderer.GradientBackgroundOff()
         self.renderer.SetBackground(0, 0, 0)
-        self.gi = penumbra.enable(self.renderer, preset, **parameters)
+        self.gi = penumbra.enable(self.renderer, preset, look=look, **parameters)
         self.gi.KeepRadianceOn()
         window = penumbra.window(self.renderer, size=size, multisamples=0)
         on = [t for t in map(self.gi.GetTechnique, range(self.gi.GetNumberOfTechniques())) if t.GetEnabled()]
@@ -64,12 +69,12 @@ def main():
     passed = True
     print(f"{'scene':10} {'preset':10} relMSE  signed mean  frames  s of processor time")
     for name in args.scenes:
-        truth = kept(args.keep, f"{name}_{args.size}_{args.spp}", lambda: FinishedPicture(
-            name, size, "reference", {"path-tracing.samples": str(args.spp)}).radiance)
+        truth = kept(args.keep, f"{name}_{args.look}_{args.size}_{args.spp}", lambda: FinishedPicture(
+            name, size, "reference", args.look, {"path-tracing.samples": str(args.spp)}).radiance)
         previous = float("inf")
         for preset in args.presets:
             known = {item: value for item, value in parameters.items() if preset != "off"}
-            finished = FinishedPicture(name, [FINER * side for side in size], preset, known)
+            finished = FinishedPicture(name, [FINER * side for side in size], preset, args.look, known)
             picture = smaller(finished.radiance)
             error, mean = penumbra.relative_error(picture, truth)
             write(args.pictures, f"{name}_{preset}.png", picture, truth)

@@ -190,7 +190,7 @@ TEST_F(SkyLight, BesideAWall)
   Paint(AddFloor(this->Scene, -20.0, 20.0, -20.0, 20.0), 1.0);
   Paint(AddQuad(this->Scene, { { -a, 0.0, 0.0 } }, { { a, 0.0, 0.0 } }, { { -a, 0.0, 1.0 } }), 1.0);
   this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, -1.0, 0.0 } }, 3.0);
-  this->Technique->SetParameter("maps-per-frame", 64);
+  this->Technique->SetParameter("first-maps", 64);
   this->Draw(32);
   for (const double d : { 0.3, 0.5, 1.0, 1.8 })
   {
@@ -219,7 +219,7 @@ TEST_F(SkyLight, DrawsMapsOnlyWhilePropsChange)
     EXPECT_EQ(this->DrawnMaps(), expected);
   }
   this->Draw(1); // a still frame goes on with other directions
-  EXPECT_EQ(this->DrawnMaps(), 8);
+  EXPECT_EQ(this->DrawnMaps(), 48);
   // The sky turns with the camera: the maps stay.
   this->Scene.Renderer->SetEnvironmentRight(0.0, 1.0, 0.0);
   this->Draw(1);

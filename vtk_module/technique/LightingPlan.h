@@ -45,6 +45,8 @@ public:
   {
     return this->SkyAnnounced && !this->ByRays && !this->HasKind(IndirectKind::BakedProbes);
   }
+  /// Whether a technique adds light that surfaces reflect onto each other.
+  bool KnowsReflectedLight() const { return !this->Indirect.empty(); }
   bool HasKind(IndirectKind kind) const
   {
     return std::any_of(this->Indirect.begin(), this->Indirect.end(),

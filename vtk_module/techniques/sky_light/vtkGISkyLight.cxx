@@ -216,7 +216,7 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
 {
   const View& view = frame.GetView();
   const bool still = view.StillFrames > 0;
-  const Grid grid(view, this->Resolution == 0 || still ? 1 : 2);
+  const Grid grid(view, still ? 1 : 1 << this->Resolution);
   const int lookups = light.MapCount / Parts;
   const bool odd = view.FrameNumber % 2 != 0;
   History* mean = nullptr;
@@ -262,10 +262,12 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
     mean ? draw.ReadHistory(*mean, "rawTexture") : draw.Read(Filtered, "rawTexture");
     draw.Offer(this->GetShaderParameters());
   };
-  sky.Draw = [&light, grid](FrameContext& context) {
+  const double reflected = frame.Plan().KnowsReflectedLight() ? 0.0 : this->Interreflection;
+  sky.Draw = [&light, grid, reflected](FrameContext& context) {
     Arguments arguments = grid.Arguments();
     arguments.Sample("openLight", &light.Sky.OpenLight())
       .Set("openTexels", SkyDirections::OpenTexels)
+      .Set("interreflection", reflected)
       .Set("viewToSky", light.Sky.ToSky() * glm::mat3(glm::dmat3(context.GetView().ViewToWorld)));
     context.DrawBound("sky_light/irradiance.frag", grid.Variant(), arguments);
   };
