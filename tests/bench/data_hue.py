@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shift of hue of a colour-mapped isosurface between a red and a green wall: CIEDE2000 and its part of hue against the
 same picture without indirect light, with DDGI and the path tracer, with and without the technique data-colors. Exits with 1 if
-the 99th percentile of the hue part exceeds 2 with it."""
+the 99th percentile of the hue part exceeds 2 with it. Then the same surface alone under each look against its unlit colours,
+which a legend shows."""
 import argparse
 import json
 import pathlib
@@ -97,11 +98,38 @@ def compared(command, folder, pixels, reference):
     return json.loads(subprocess.run([command, "compare", *map(str, paths), "--json"], check=True, capture_output=True, text=True).stdout)
 
 
+def unlit(surface):
+    """Show the surface's own colours, or reflect light again."""
+    surface.GetProperty().SetDiffuse(0 if surface.GetProperty().GetDiffuse() else 1)
+    surface.GetProperty().SetAmbient(1 - surface.GetProperty().GetDiffuse())
+
+
+def print_looks(command, size, preset):
+    """Print the shift of hue under each look."""
+    renderer, surface = vtkRenderer(), isosurface()
+    renderer.AddActor(surface)
+    window = penumbra.window(renderer, size=size, multisamples=0)
+    renderer.SetBackground(0, 0, 0)
+    renderer.ResetCamera()
+    unlit(surface)
+    legend = penumbra.render(window)[..., :3]
+    unlit(surface)
+    where = legend.any(axis=-1)
+    for look in penumbra.looks():
+        penumbra.enable(renderer, preset, look=look.name)
+        picture = penumbra.render(window, frames=16)[..., :3]
+        with tempfile.TemporaryDirectory() as folder:
+            values = compared(command, pathlib.Path(folder), picture[where], legend[where])
+        print(f"{look.name}: ΔH mean {values['delta-h-mean']:.2f}, 99th percentile {values['delta-h-p99']:.2f}; "
+              f"ΔE mean {values['delta-e-mean']:.2f}")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--command", default="penumbra", help="the penumbra command")
     parser.add_argument("--size", default="320x240")
     parser.add_argument("--frames", type=int, default=60, help="frames with DDGI; the path tracer takes four times as many")
+    parser.add_argument("--preset", default="balanced", help="under the looks (default %(default)s)")
     parser.add_argument("--pictures", type=pathlib.Path, help="folder for the pictures")
     options = parser.parse_args()
     size = tuple(int(n) for n in options.size.split("x"))
@@ -129,6 +157,7 @@ def main():
                 print(f"{way}, {name} data-colors: ΔH mean {values['delta-h-mean']:.2f}, 99th percentile {values['delta-h-p99']:.2f}; "
                       f"ΔE mean {values['delta-e-mean']:.2f}")
                 worst = max(worst, values["delta-h-p99"]) if extra else worst
+    print_looks(options.command, size, options.preset)
     return int(worst > LIMIT)
 
 

@@ -57,6 +57,9 @@ public:
   /// Whether the highlight of any prop in view reflects at least this share of the incoming light.
   bool Reflects(double share) const;
 
+  /// Whether some prop in view may have an ambient term.
+  bool MayHaveAmbient() const;
+
   /// If no prop in view has an ambient term, use its target to begin another resource: rgb and a are 0 where something
   /// was captured, and undefined elsewhere. Returns false and changes nothing if some prop may have an ambient term.
   bool StartForAmbient(const char* resource);
@@ -99,7 +102,6 @@ private:
     std::string Shader;
     Arguments Given;
   };
-  bool MayHaveAmbient() const;
   void Draw(FrameContext& context);
   void DrawSurfaces(FrameContext& context);
   /// Draw the props' opaque geometry with the hooks, and optionally the translucent geometry.

@@ -173,7 +173,6 @@ void ContributeDirectLight(
     .ReadIfPresent(resource::Surface)
     .ReadIfPresent(resource::Emission)
     .ReadIfPresent(resource::DirectVisibility, "GI_DIRECT_VISIBILITY")
-    .ReadIfPresent(resource::AmbientVisibility, "GI_AMBIENT_VISIBILITY")
     .ReadIfPresent(resource::Irradiance, "GI_IRRADIANCE")
     .ReadIfPresent(resource::Surroundings)
     .ReadIfPresent(resource::LampLight, "GI_LAMP_LIGHT")
@@ -182,6 +181,10 @@ void ContributeDirectLight(
     .Offer(options.Rules.ShaderArguments())
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
+  if (options.AmbientLight)
+  {
+    pass.ReadIfPresent(resource::AmbientVisibility, "GI_AMBIENT_VISIBILITY");
+  }
   if (highlights)
   {
     pass.ReadHistory(*highlights, "highlightTable");

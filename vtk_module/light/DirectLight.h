@@ -21,6 +21,7 @@ struct DirectLightOptions
   bool Radiance = false;        ///< also write resource::Radiance
   bool LitRadiance = false;     ///< also write resource::LitRadiance
   bool LitParts = false;        ///< also write resource::LitShown and LitEncoded
+  bool AmbientLight = true;     ///< there is light for ambient occlusion to darken
   double SpreadShare = 0.0;     ///< see LightingPlan::SpreadLight()
   double Interreflection = 0.0; ///< see LightingPlan::SetInterreflection()
   SurfaceRules Rules{};

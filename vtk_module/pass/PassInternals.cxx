@@ -312,9 +312,11 @@ bool vtkGIPass::Internals::DrawFrame(
   this->Capture.Contribute(builder);
   ContributeSky(builder, this->Capture.Skies());
   ContributeBackdrop(builder);
+  const bool ambientLight = plan.SpreadShare() > 0.0 || !builder.GetIndirectLights().empty() ||
+    this->Capture.MayHaveAmbient();
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
-      plan.MapsTones(), plan.SpreadShare(), plan.Interreflection(), plan.Rules() });
+      plan.MapsTones(), ambientLight, plan.SpreadShare(), plan.Interreflection(), plan.Rules() });
   record.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {
