@@ -137,6 +137,21 @@ TEST_F(AmbientOcclusion, LeavesDirectLightAndUnlitPropsAlone)
   EXPECT_EQ(Compare(on, off, 0).Within, 1.0) << "no ambient light: nothing to occlude";
 }
 
+TEST_F(AmbientOcclusion, IsNotComputedWithoutAmbientLight)
+{
+  this->AddWall(1.0);
+  this->Pass->CollectStatisticsOn();
+  const auto computed = [this] {
+    Shoot(this->Scene.Window);
+    return std::string(this->Pass->GetStatistics()).find("ambient-occlusion") != std::string::npos;
+  };
+  EXPECT_TRUE(computed());
+  this->Occlusion->SetParameter("ambient-share", 0.0);
+  EXPECT_FALSE(computed());
+  this->Floor->GetProperty()->SetAmbient(0.1);
+  EXPECT_TRUE(computed());
+}
+
 TEST_F(AmbientOcclusion, OccludesTheMaterialsAmbientTerm)
 {
   this->AddWall(1.0);
