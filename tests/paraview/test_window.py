@@ -80,6 +80,7 @@ class Window(Base):
             command = ["paraview", "--disable-registry", f"--script={HERE / 'window.py'}"]
             process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=TIMEOUT)
         self.messages = process.stdout + process.stderr
+        self.assertTrue((self.folder / "result.json").exists(), f"ParaView ended with {process.returncode}: {self.messages}")
         result = json.loads((self.folder / "result.json").read_text())
         self.assertNotIn("failed", result, result.get("failed"))
         self.assertEqual(process.returncode, 0, self.messages)

@@ -246,7 +246,7 @@ class Rendered(command.CommandTest):
         self.render("on.png")
         self.render("off.png", "--preset", "off")
         self.render("again.png", "--preset", "off", "--on", "shadow-maps", "--on", "ambient-occlusion",
-                    "--on", "temporal-accumulation", "--on", "anti-aliasing")
+                    "--on", "temporal-accumulation", "--on", "anti-aliasing", "--set", "ambient-occlusion.ambient-share=0.02")
         self.assertGreater(self.compare("on.png", "off.png")["p99"], 0.1)
         self.assertLess(self.compare("on.png", "again.png")["maximum"], 1.5 / 255)
 

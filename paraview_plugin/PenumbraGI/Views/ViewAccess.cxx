@@ -16,6 +16,8 @@
 #include "vtkSMProxyManager.h"
 #include "vtkViewLayout.h"
 
+#include <cstring>
+
 #if __has_include("vtk_glew.h")
 #define PENUMBRA_VTK_HAS_GLEW
 #endif
@@ -129,8 +131,10 @@ void PrepareRegisteredView(vtkObject*, unsigned long, void*, void* data)
 {
   using Information = vtkSMProxyManager::RegisteredProxyInformation;
   const auto* registered = static_cast<const Information*>(data);
-  const bool proxy = registered->Type == Information::PROXY && registered->Proxy;
-  auto* view = proxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
+  // Prototypes of views, which ParaView registers elsewhere, must not be created.
+  const bool viewProxy = registered->Type == Information::PROXY && registered->Proxy &&
+    registered->GroupName && std::strcmp(registered->GroupName, "views") == 0;
+  auto* view = viewProxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
   if (view)
   {
     PrepareWindow(view->GetRenderWindow());
