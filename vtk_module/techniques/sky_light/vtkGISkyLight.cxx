@@ -199,7 +199,7 @@ void vtkGISkyLight::AddMaps(FrameBuilder& frame, ViewLight& light)
   settings.MapSize = this->MapSize;
   settings.FirstMaps = ShareOf(this->FirstMaps, share);
   settings.MapsPerFrame = ShareOf(this->MapsPerFrame, share);
-  settings.NewMaps = ShareOf(this->FirstMaps, affordable / OwnFrames / this->FirstMaps);
+  settings.NewMaps = ShareOf(this->FirstMaps, 2.0 * affordable / OwnFrames / this->FirstMaps);
   const int width = SkyMaps::AtlasWidth(settings);
   History& atlas = frame.Keep(Atlas, { GL_DEPTH_COMPONENT16, width, width, 0 });
   light.Atlas = &atlas;
