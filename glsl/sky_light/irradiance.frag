@@ -21,7 +21,7 @@ layout(binding = 4) uniform sampler2D openLight;
 uniform int openTexels;
 uniform mat3 viewToSky;
 uniform float intensity;
-uniform float interreflection; // share of the surfaces' reflectance
+uniform float reflectedShare; // interreflection, unless other techniques add reflected light
 
 layout(location = 0) out vec4 irradiance;
 
@@ -70,6 +70,6 @@ void main()
   // Without samples nothing is known to be occluded.
   vec3 light = sum.expected > 0.0 ? sum.arrived * (open.a / sum.expected) : open.rgb;
   float openness = sum.expected > 0.0 ? min(giLuminance(sum.arrived) / sum.expected, 1.0) : 1.0;
-  light *= giReflectedGain(openness, interreflection * albedo.rgb / albedo.a);
+  light *= giReflectedGain(openness, reflectedShare * albedo.rgb / albedo.a);
   irradiance = vec4(intensity * light, 1.0);
 }

@@ -11,9 +11,9 @@ uniform float fieldHalf; // half the width of a map in texels
 // distances from the plane, a constant and a part for each unit of its slope, in texels.
 const vec2 GiSkyOnPlane = vec2(0.1, 0.05); // nearer in front, it is the surface
 const vec2 GiSkyInFront = vec2(0.75, 0.5); // farther in front, it is an occluder; between the two it can be either
-const vec2 GiSkyBehind = vec2(1.0, 1.0);  // farther behind, the texel is beyond the surface's edge
-const float GiSkyDoubt = 0.02;            // weight of a texel that can be either
-const float GiSkySteepest = 20.0;         // tangent of the steepest plane with which depths are compared
+const vec2 GiSkyBehind = vec2(1.0, 1.0);   // farther behind, the texel is beyond the surface's edge
+const float GiSkyDoubt = 0.02;             // weight of a texel that can be either
+const float GiSkySteepest = 20.0;          // tangent of the steepest plane with which depths are compared
 
 struct GiSkyReceiver
 {

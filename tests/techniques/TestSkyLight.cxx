@@ -202,6 +202,46 @@ TEST_F(SkyLight, BesideAWall)
   }
 }
 
+// Sides without thickness, seen from inside: no light comes in where they meet.
+TEST_F(SkyLight, DoesNotLeakIntoAClosedBox)
+{
+  vtkNew<vtkCubeSource> source;
+  vtkActor* box = this->Scene.Add(source);
+  Paint(box, 1.0);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.05, 0.45, 0.08);
+  camera->SetFocalPoint(-0.1, -0.5, -0.1);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(100.0);
+  camera->SetClippingRange(0.01, 3.0);
+  this->Draw(16);
+  std::printf("in the box: %.5f\n", this->Mean());
+  EXPECT_LT(this->Mean(), 0.002);
+}
+
+// With the floor's own reflectance a and the share s of the light that arrives, all reflections give 1 / (1 - a (1 - s)).
+// Live probes know what is reflected.
+TEST_F(SkyLight, EstimatesReflectedLightUnlessItIsKnown)
+{
+  constexpr double a = 0.5;
+  Paint(AddFloor(this->Scene, -20.0, 20.0, -20.0, 20.0), a);
+  Paint(
+    AddQuad(this->Scene, { { -3.0, 0.0, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { -3.0, 0.0, 1.0 } }), a);
+  this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, -1.0, 0.0 } }, 3.0);
+  const auto lightWith = [this](double interreflection) {
+    this->Technique->SetParameter("interreflection", interreflection);
+    this->Pass->Restart();
+    this->Draw(1);
+    return this->At({ { 0.0, -0.3, 0.0 } });
+  };
+  const double straight = lightWith(0.0);
+  ASSERT_LT(straight, 0.9 * a);
+  EXPECT_NEAR(lightWith(1.0), straight / (1.0 - a * (1.0 - straight / a)), 0.01 * straight);
+  this->Pass->GetTechnique("ddgi")->EnabledOn();
+  const double known = lightWith(0.0);
+  EXPECT_NEAR(lightWith(1.0), known, 0.002 * known);
+}
+
 TEST_F(SkyLight, DrawsMapsOnlyWhilePropsChange)
 {
   vtkActor* ball = this->AddBall();

@@ -29,6 +29,9 @@ constexpr int Parts = BlockWidth * BlockWidth;
 // Number of a still frame from which on pixels need no light of their neighbours, as each has looked up every part.
 constexpr int OwnFrames = Parts;
 
+// Number of still frames that draw as many cells into new maps as all maps may have.
+constexpr double RenewingFrames = 8.0;
+
 // Numbers of maps that translucent surfaces and volumes look up at each point, without neighbours to help.
 constexpr int SurfaceLookups = 32;
 constexpr int VolumeLookups = 16;
@@ -199,7 +202,7 @@ void vtkGISkyLight::AddMaps(FrameBuilder& frame, ViewLight& light)
   settings.MapSize = this->MapSize;
   settings.FirstMaps = ShareOf(this->FirstMaps, share);
   settings.MapsPerFrame = ShareOf(this->MapsPerFrame, share);
-  settings.NewMaps = ShareOf(this->FirstMaps, 2.0 * affordable / OwnFrames / this->FirstMaps);
+  settings.NewMaps = ShareOf(this->FirstMaps, affordable / (RenewingFrames * this->FirstMaps));
   const int width = SkyMaps::AtlasWidth(settings);
   History& atlas = frame.Keep(Atlas, { GL_DEPTH_COMPONENT16, width, width, 0 });
   light.Atlas = &atlas;
@@ -267,7 +270,7 @@ void vtkGISkyLight::AddLookups(FrameBuilder& frame, ViewLight& light)
     Arguments arguments = grid.Arguments();
     arguments.Sample("openLight", &light.Sky.OpenLight())
       .Set("openTexels", SkyDirections::OpenTexels)
-      .Set("interreflection", reflected)
+      .Set("reflectedShare", reflected)
       .Set("viewToSky", light.Sky.ToSky() * glm::mat3(glm::dmat3(context.GetView().ViewToWorld)));
     context.DrawBound("sky_light/irradiance.frag", grid.Variant(), arguments);
   };
