@@ -98,10 +98,10 @@ def compared(command, folder, pixels, reference):
     return json.loads(subprocess.run([command, "compare", *map(str, paths), "--json"], check=True, capture_output=True, text=True).stdout)
 
 
-def unlit(surface):
-    """Show the surface's own colours, or reflect light again."""
-    surface.GetProperty().SetDiffuse(0 if surface.GetProperty().GetDiffuse() else 1)
-    surface.GetProperty().SetAmbient(1 - surface.GetProperty().GetDiffuse())
+def light(surface, on):
+    """Light the surface, or show its own colours."""
+    surface.GetProperty().SetDiffuse(1 if on else 0)
+    surface.GetProperty().SetAmbient(0 if on else 1)
 
 
 def print_looks(command, size, preset):
@@ -111,9 +111,9 @@ def print_looks(command, size, preset):
     window = penumbra.window(renderer, size=size, multisamples=0)
     renderer.SetBackground(0, 0, 0)
     renderer.ResetCamera()
-    unlit(surface)
+    light(surface, False)
     legend = penumbra.render(window)[..., :3]
-    unlit(surface)
+    light(surface, True)
     where = legend.any(axis=-1)
     for look in penumbra.looks():
         penumbra.enable(renderer, preset, look=look.name)

@@ -3,21 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Time of a frame of an orbit with a preset and a look, as a multiple of stock VTK's, on the demo's scenes. Both are drawn in
 turn, and ratios are of medians. Exits with 1 if a ratio exceeds --limit."""
-import argparse
-import os
 import statistics
 import sys
 import time
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
+import penumbra
+from bench_scenes import DEMO, SCENES, Parser
 
-import penumbra  # noqa: E402
-import scenes  # noqa: E402
-from isosurface_ddgi import Room  # noqa: E402
-
-SCENES = {name: function for name, (_, function) in scenes.SCENES.items()}
-SCENES["isosurface"] = lambda: Room().renderer
 SETTLING_FRAMES = 20  # still frames before the orbit, in which the sky's maps are drawn
 
 
@@ -39,7 +31,7 @@ class Orbit:
         self.window.WaitForCompletion()
         return time.perf_counter() - started
 
-    def passes(self):
+    def statistics(self):
         """Statistics of one more frame, with the milliseconds of each pass."""
         self.gi.CollectStatisticsOn()
         self.frame()
@@ -48,34 +40,29 @@ class Orbit:
 
 def options():
     """Parse the command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("scenes", nargs="*", default=list(SCENES), help="any of " + ", ".join(SCENES))
-    parser.add_argument("--size", default="1280x720")
-    parser.add_argument("--preset", default="balanced")
-    parser.add_argument("--look", default="studio")
+    parser = Parser(__doc__, "1280x720", DEMO)
+    parser.add_argument("--preset", default="balanced", help="default %(default)s")
+    parser.add_argument("--look", default="studio", help="default %(default)s")
     parser.add_argument("--frames", type=int, default=9, help="number of timed frames (default %(default)s)")
     parser.add_argument("--limit", type=float, default=2.5, help="largest ratio (default %(default)s)")
-    parser.add_argument("--passes", action="store_true", help="print the time of each pass, too")
-    parser.add_argument("--set", action="append", default=[], metavar="TECHNIQUE.PARAMETER=VALUE")
-    return parser.parse_args()
+    parser.add_argument("--statistics", action="store_true", help="print the time of each pass, too, as JSON")
+    return parser.parse()
 
 
 def main():
     """Print a line for each scene."""
     args = options()
-    size = tuple(int(part) for part in args.size.split("x"))
-    settings = dict(item.split("=", 1) for item in args.set)
     passed = True
     print(f"{'scene':11} {'stock':>9} {args.preset + ', ' + args.look:>20} ratio")
     for scene in args.scenes:
-        orbits = (Orbit(scene, size), Orbit(scene, size, args.preset, args.look, **settings))
+        orbits = (Orbit(scene, args.size), Orbit(scene, args.size, args.preset, args.look, **args.set))
         for orbit in orbits:
             orbit.frame()
         times = [[orbit.frame() for orbit in orbits] for _ in range(args.frames)]
         stock, ours = (statistics.median(column) for column in zip(*times))
         print(f"{scene:11} {1000 * stock:6.0f} ms {1000 * ours:17.0f} ms {ours / stock:5.2f}", flush=True)
-        if args.passes:
-            print(orbits[1].passes())
+        if args.statistics:
+            print(orbits[1].statistics())
         passed = passed and ours <= args.limit * stock
     return 0 if passed else 1
 

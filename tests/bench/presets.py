@@ -1,23 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Error of each preset against the path tracer, and its cost, on the demo's scenes and the example's isosurface. Exits with 1 if a preset has a larger
-error than the one before it."""
-import argparse
-import os
+"""Error of each preset against the path tracer, and its cost, on the demo's scenes and the example's isosurface. Exits with 1
+if a preset has a larger error than the one before it."""
 import sys
 import time
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
-
-import penumbra  # noqa: E402
-import scenes  # noqa: E402
-from indirect_light import FINER, kept, smaller, write  # noqa: E402
-from isosurface_ddgi import Room  # noqa: E402
-
-SCENES = {name: function for name, (_, function) in scenes.SCENES.items()}
-SCENES["isosurface"] = lambda: Room().renderer
+import penumbra
+from bench_scenes import SCENES, Parser
+from indirect_light import FINER, kept, smaller, write
 
 PRESETS = ("off", "fast", "balanced", "high")
 STILL = 16  # frames of a still picture, unless a technique requires more
@@ -25,17 +16,13 @@ STILL = 16  # frames of a still picture, unless a technique requires more
 
 def options():
     """Parse the command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("scenes", nargs="*", default=list(SCENES), help="any of " + ", ".join(SCENES))
+    parser = Parser(__doc__, "320x180")
     parser.add_argument("--look", default="as-is", help="default %(default)s")
-    parser.add_argument("--size", default="320x180", help="size of the pictures")
     parser.add_argument("--spp", type=int, default=256, help="paths per pixel of the reference")
     parser.add_argument("--presets", nargs="+", default=PRESETS, choices=PRESETS)
-    parser.add_argument("--set", action="append", default=[], metavar="TECHNIQUE.PARAMETER=VALUE",
-                        help="parameter for all presets")
     parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write the compared pictures there")
-    return parser.parse_args()
+    return parser.parse()
 
 
 class FinishedPicture:
@@ -64,17 +51,15 @@ class FinishedPicture:
 def main():
     """Print a line for each scene and preset."""
     args = options()
-    size = tuple(int(part) for part in args.size.split("x"))
-    parameters = dict(item.split("=", 1) for item in args.set)
     passed = True
     print(f"{'scene':10} {'preset':10} relMSE  signed mean  frames  s of processor time")
     for name in args.scenes:
-        truth = kept(args.keep, f"{name}_{args.look}_{args.size}_{args.spp}", lambda: FinishedPicture(
-            name, size, "reference", args.look, {"path-tracing.samples": str(args.spp)}).radiance)
+        truth = kept(args.keep, f"{name}_{args.look}_{args.size[0]}x{args.size[1]}_{args.spp}", lambda: FinishedPicture(
+            name, args.size, "reference", args.look, {"path-tracing.samples": str(args.spp)}).radiance)
         previous = float("inf")
         for preset in args.presets:
-            known = {item: value for item, value in parameters.items() if preset != "off"}
-            finished = FinishedPicture(name, [FINER * side for side in size], preset, args.look, known)
+            known = args.set if preset != "off" else {}
+            finished = FinishedPicture(name, [FINER * side for side in args.size], preset, args.look, known)
             picture = smaller(finished.radiance)
             error, mean = penumbra.relative_error(picture, truth)
             write(args.pictures, f"{name}_{preset}.png", picture, truth)

@@ -7,25 +7,17 @@ of the last two is above its limit.
 
 The scenes have no lights here and no highlights, and the reference has no bounces, so that pictures show the light that
 arrives straight from the sky."""
-import argparse
-import os
 import sys
 import time
 
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "..", "..", "examples"))
+import numpy as np
+import penumbra
+from bench_scenes import SCENES, Parser
+from indirect_light import FINER, kept, smaller, write
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
 
-import numpy as np  # noqa: E402
-import penumbra  # noqa: E402
-import scenes  # noqa: E402
-from indirect_light import FINER, kept, smaller, write  # noqa: E402
-from isosurface_ddgi import Room  # noqa: E402
-from vtkmodules.util.numpy_support import numpy_to_vtk  # noqa: E402
-from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
-from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture  # noqa: E402
-
-SCENES = {name: function for name, (_, function) in scenes.SCENES.items()}
-SCENES["isosurface"] = lambda: Room().renderer
 FRAMES = 32  # of a still picture
 TURN = 7  # degrees
 # Limits of relMSE, of the signed mean, and of relMSE in the first frame of an orbit.
@@ -144,33 +136,25 @@ def compared(picture, truths):
 
 def options():
     """Parse the command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scenes", nargs="*", default=list(SCENES), help="any of " + ", ".join(SCENES))
+    parser = Parser(__doc__, "160x90", parameter="NAME=VALUE")
     parser.add_argument("--skies", nargs="+", default=list(LIMITS), choices=LIMITS)
-    parser.add_argument("--size", default="160x90", help="size of the pictures")
     parser.add_argument("--spp", type=int, default=512, help="paths per pixel of each of the two references, whose noise cancels")
-    parser.add_argument("--set", action="append", default=[], metavar="NAME=VALUE", help="parameter of sky-light")
     parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write the compared pictures there: cold, orbit, still, path tracer")
-    args = parser.parse_args()
-    for name in args.scenes:
-        if name not in SCENES:
-            parser.error(f"there is no scene '{name}': choose from {', '.join(SCENES)}")
-    return args
+    return parser.parse()
 
 
 def main():
     """Print a line for each sky and scene."""
     args = options()
-    size = tuple(int(part) for part in args.size.split("x"))
-    parameters = {"sky-light." + key: value for key, value in (item.split("=", 1) for item in args.set)}
+    parameters = {"sky-light." + key: value for key, value in args.set.items()}
     passed = True
     print(f"{'sky':9} {'scene':11}" + "".join(f"{title + ': relMSE':>17} {'mean':>9}" for title in ("cold", "orbit", "still")) +
           f"{'s of processor time':>21}")
     for name in args.skies:
         for scene in args.scenes:
-            truths = kept(args.keep, f"{scene}_{name}_{args.size}_2x{args.spp}", lambda: traced(scene, name, size, args.spp))
-            film = Film(scene, name, [FINER * side for side in size], "off", on="sky-light", **parameters)
+            truths = kept(args.keep, f"{scene}_{name}_{args.size[0]}x{args.size[1]}_2x{args.spp}", lambda: traced(scene, name, args.size, args.spp))
+            film = Film(scene, name, [FINER * side for side in args.size], "off", on="sky-light", **parameters)
             started = time.process_time()
             cold = smaller(film.picture(1))
             film.turn(-TURN)

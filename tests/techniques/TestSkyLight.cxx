@@ -216,7 +216,7 @@ TEST_F(SkyLight, DoesNotLeakIntoAClosedBox)
   camera->SetClippingRange(0.01, 3.0);
   this->Draw(16);
   std::printf("in the box: %.5f\n", this->Mean());
-  EXPECT_LT(this->Mean(), 0.002);
+  EXPECT_LT(this->Mean(), 0.001);
 }
 
 // With the floor's own reflectance a and the share s of the light that arrives, all reflections give 1 / (1 - a (1 - s)).
