@@ -10,6 +10,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -266,6 +267,34 @@ TEST(Looks, RemovingALookRestoresEverything)
     }
     EXPECT_STREQ(pass->GetLastError(), "");
   }
+}
+
+TEST(Looks, RestoringALookKeepsWhatTheProgramSetSince)
+{
+  Scene scene;
+  vtkGIPass* pass = scene.SetPass();
+  vtkRenderer* renderer = scene.Renderer;
+  vtkGILook::Restore(renderer); // without a look nothing happens
+  Apply("studio", renderer, pass);
+  Shoot(scene.Window);
+  vtkTexture* sky = renderer->GetEnvironmentTexture();
+  double background[3];
+  renderer->GetBackground(background);
+  vtkNew<vtkTexture> own;
+  renderer->SetEnvironmentTexture(own);
+  renderer->UseImageBasedLightingOff();
+  renderer->SetBackground(0.1, 0.2, 0.3);
+  renderer->GradientBackgroundOff();
+  vtkGILook::Restore(renderer);
+  EXPECT_EQ(renderer->GetEnvironmentTexture(), sky);
+  EXPECT_TRUE(renderer->GetUseImageBasedLighting());
+  EXPECT_TRUE(renderer->GetGradientBackground());
+  EXPECT_TRUE(std::equal(background, background + 3, renderer->GetBackground()));
+  vtkGILook::RemoveFrom(renderer);
+  EXPECT_EQ(renderer->GetEnvironmentTexture(), own);
+  EXPECT_FALSE(renderer->GetUseImageBasedLighting());
+  EXPECT_FALSE(renderer->GetGradientBackground());
+  EXPECT_EQ(renderer->GetBackground()[2], 0.3);
 }
 
 // With an orbit while the look is on, which turns lights that follow the camera.
