@@ -8,7 +8,7 @@
 // (occluders of ambient light reflect it too), GI_CATCHER (some surfaces show the background), GI_COVERAGE (fragments
 // that cover a pixel partly, to be blended), GI_RADIANCE (write linear radiance instead of the colour for display),
 // GI_LIT (write both), GI_LIT_PARTS (also write resource::LitShown and LitEncoded), GI_DATA_COLORS (surfaces coloured by
-// data are lit by lib/data_colors.glsl).
+// data are lit by lib/data_colors.glsl), GI_DISPLAY (the colour is mapped by tone_mapping/forward.glsl).
 #include "shared/view.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -27,6 +27,9 @@
 #ifdef GI_DATA_COLORS
 #include "lib/data_colors.glsl"
 #endif
+#ifdef GI_DISPLAY
+#include "tone_mapping/forward.glsl"
+#endif
 
 layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
@@ -41,6 +44,7 @@ layout(binding = 9) uniform sampler2D surroundingsTexture;
 layout(binding = 10) uniform sampler2D lampLightTexture;
 
 uniform int lightCount;
+uniform int catcher; // material of what shows the background
 uniform float interreflection; // share of the surfaces' reflectance
 uniform vec3 ambientLight; // radiance that a white diffuse surface reflects from uniform surroundings
 
@@ -67,6 +71,16 @@ float visibility(ivec2 pixel, int channel)
   }
 #endif
   return 1.0;
+}
+
+// Radiance as the display shows it.
+vec3 displayed(vec3 radiance, int index, bool encoded)
+{
+#ifdef GI_DISPLAY
+  return index == GI_MATERIAL_AS_DRAWN ? radiance : giDisplayed(radiance, encoded);
+#else
+  return radiance;
+#endif
 }
 
 // Factor of the ambient light.
@@ -99,7 +113,7 @@ void main()
 #endif
   int index = int(packedNormal.z * 65535.0 + 0.5);
 #ifdef GI_CATCHER
-  if (materials[index].Model.x == GI_MATERIAL_CATCHER)
+  if (index == catcher)
   {
     discard;
   }
@@ -252,7 +266,7 @@ void main()
 #ifdef GI_DATA_COLORS
     result = data ? mix(albedo.rgb, result, giDataLit(true)) : result;
 #endif
-    color.rgb = pow(max(result, 0.0), vec3(1.0 / 2.2));
+    color.rgb = pow(max(displayed(result, index, true), 0.0), vec3(1.0 / 2.2));
   }
   else
   {
@@ -261,7 +275,7 @@ void main()
 #ifdef GI_DATA_COLORS
     result = data ? mix(albedo.rgb, result, giDataLit(false)) : result;
 #endif
-    color.rgb = result;
+    color.rgb = displayed(result, index, false);
   }
 #else
   vec3 result = ambientFactor(openness, ownColor) * (ambient + albedo.rgb * (around + indirect.rgb)) +
@@ -272,7 +286,7 @@ void main()
 #ifdef GI_DATA_COLORS
   result = data ? mix(albedo.rgb, result, giDataLit(false)) : result;
 #endif
-  color.rgb = result;
+  color.rgb = displayed(result, index, false);
 #endif
 #ifdef GI_RADIANCE
   color.rgb = result;

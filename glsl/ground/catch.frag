@@ -1,10 +1,9 @@
 #version 430 core
-// Darkens the picture where the ground catches shadows. Variants: GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
+// The factor of the picture where the ground catches shadows, and their opacity. Variants: GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
 // GI_IRRADIANCE (indirect light is known).
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
-#include "shared/material.h"
 #include "lib/lights.glsl"
 #include "lib/luminance.glsl"
 #include "lib/reconstruct.glsl"
@@ -35,10 +34,9 @@ float visibility(ivec2 pixel, int channel)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  color = texelFetch(before, pixel, 0);
   if (!giCatches(pixel))
   {
-    return;
+    discard;
   }
   GiGround ground = giGroundAt(gl_FragCoord.xy);
   vec3 whole = ambientLight;
@@ -57,5 +55,6 @@ void main()
     whole += light;
     arriving += light * visibility(pixel, lights[i].Kind.y);
   }
-  color = giCaught(color, ground, arriving, whole);
+  vec3 kept = giKept(ground, arriving, whole);
+  color = vec4(kept, giShadowAlpha(kept));
 }

@@ -1,5 +1,5 @@
 #version 430 core
-// Draws the ground into the G-buffer. See SceneCapture::AddSurface() and capture/declarations.glsl. Variants: GI_EXTENDED,
+// Draws the ground into the G-buffer, as the square of ground/square.vert. See SceneCapture::AddSurface() and capture/declarations.glsl. Variants: GI_EXTENDED,
 // and the requested targets GI_SURROUNDINGS, GI_DISPLACEMENT and GI_FACET.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
@@ -52,14 +52,10 @@ layout(location = FIRST) out vec4 facet;
 void main()
 {
   GiGround ground = giGroundAt(gl_FragCoord.xy);
-  float drawn = texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r;
-  vec4 clip = view.ViewToClip * vec4(ground.P, 1.0);
-  float depth = clip.z / clip.w * 0.5 + 0.5;
-  if (ground.opacity <= 0.0 || depth <= 0.0 || depth >= 1.0 || (hides ? drawn <= depth : drawn < 1.0))
+  if (ground.opacity <= 0.0 || (!hides && texelFetch(depthTexture, ivec2(gl_FragCoord.xy), 0).r < 1.0))
   {
     discard;
   }
-  gl_FragDepth = depth;
   albedo = vec4(color, 1.0);
   normal = vec4(giEncodeOctahedral(plane.xyz), float(material) / 65535.0, 1.0);
   ambient = vec4(0.0);

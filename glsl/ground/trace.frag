@@ -22,6 +22,7 @@
 #include "ground/catch.glsl"
 
 layout(binding = 0, rgba32f) uniform image2D alphas;
+layout(binding = 2) uniform sampler2D before; // the picture
 
 uniform mat3 viewToScene;
 uniform vec3 eye; // relative to the scene's origin
@@ -84,7 +85,8 @@ vec4 caught(ivec2 pixel, vec4 background)
   whole += light;
   arriving += rayReaches(vec4(direction, RAY_FAR), at, state) ? light : vec3(0.0);
 #endif
-  return giCaught(background, ground, arriving, whole);
+  vec3 kept = giKept(ground, arriving, whole);
+  return vec4(background.rgb * kept, mix(background.a, 1.0, giShadowAlpha(kept)));
 }
 
 void main()

@@ -12,14 +12,15 @@ void MaterialTable::Clear()
   this->Index.clear();
   this->Specular = false;
   this->PartialCoverage = false;
-  this->Catcher = false;
+  this->Catcher = -1;
 }
 
 int MaterialTable::Add(const shared::MaterialData& material)
 {
-  this->Catcher |= material.Model.x == GI_MATERIAL_CATCHER;
   this->Entries.push_back(material);
-  return static_cast<int>(this->Entries.size()) - 1;
+  const int index = static_cast<int>(this->Entries.size()) - 1;
+  this->Catcher = material.Model.x == GI_MATERIAL_CATCHER ? index : this->Catcher;
+  return index;
 }
 
 int MaterialTable::Find(vtkProperty* property, const Owner& owner)

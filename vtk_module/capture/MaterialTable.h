@@ -39,8 +39,8 @@ public:
   /// Index of a new entry for a surface that is no prop.
   int Add(const shared::MaterialData& material);
 
-  /// Whether a surface shows the background, see GI_MATERIAL_CATCHER.
-  bool HasCatcher() const { return this->Catcher; }
+  /// Whether a surface shows the background, see GI_MATERIAL_CATCHER. A frame has at most one.
+  bool HasCatcher() const { return this->Catcher >= 0; }
 
   bool HasSpecular() const { return this->Specular; }
 
@@ -51,8 +51,11 @@ public:
 
   /// Upload the entries, after all of the frame's props are drawn.
   void Upload();
-  /// Arguments of shaders that include shared/material.h.
-  Arguments ShaderArguments() const { return Arguments().Block("MaterialBlock", this->Storage); }
+  /// Arguments of shaders that include shared/material.h. catcher: index of that surface's material, or -1.
+  Arguments ShaderArguments() const
+  {
+    return Arguments().Block("MaterialBlock", this->Storage).Set("catcher", this->Catcher);
+  }
   void ReleaseGraphicsResources() { this->Storage = Buffer(); }
 
 private:
@@ -60,7 +63,7 @@ private:
   std::map<std::array<float, 9>, int> Index;
   bool Specular = false;
   bool PartialCoverage = false;
-  bool Catcher = false;
+  int Catcher = -1;
   Buffer Storage;
 };
 }

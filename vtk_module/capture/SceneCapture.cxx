@@ -223,12 +223,13 @@ void SceneCapture::DrawSurfaces(FrameContext& context)
   context.BindTarget(this->Outputs.Resources(), resource::Depth);
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, true);
-  scope.DepthFunc(GL_ALWAYS);
+  scope.DepthFunc(GL_LESS);
   scope.DepthMask(true);
   for (const Surface& surface : this->Surfaces)
   {
     context.DrawBound(surface.Shader, this->Outputs.SnippetDefines(),
-      Arguments(surface.Given).Sample("depthTexture", context.Output(resource::DepthCopy)));
+      Arguments(surface.Given).Sample("depthTexture", context.Output(resource::DepthCopy)),
+      surface.Outline);
     context.CopyDepth(context.Output(resource::Depth), context.Output(resource::DepthCopy));
   }
 }

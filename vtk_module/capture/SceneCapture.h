@@ -8,6 +8,7 @@
 
 #include "capture/CaptureOutputs.h"
 #include "capture/MaterialTable.h"
+#include "graph/FrameGraph.h"
 
 #include "vtkSmartPointer.h"
 
@@ -67,12 +68,12 @@ public:
   /// Whether any occluder may cover pixels only partly.
   bool CastsPartialShadows() const;
 
-  /// Have a surface that is no prop drawn into the G-buffer after the props, at the depth that its fragment shader
-  /// writes. The shader reads the props' depth as depthTexture, and discards what they hide. Its outputs are those
-  /// of capture/declarations.glsl, with the same macros. VTK's own depth buffer must not be drawn to then.
-  void AddSurface(const std::string& shader, const Arguments& arguments)
+  /// Have a surface that is no prop drawn into the G-buffer after the props, where it is in front of them. Its fragment
+  /// shader can read the depth before it as depthTexture. Its outputs are those of capture/declarations.glsl, with the
+  /// same macros. VTK's own depth buffer must not be drawn to then.
+  void AddSurface(const Shape& shape, const std::string& shader, const Arguments& arguments)
   {
-    this->Surfaces.push_back({ shader, arguments });
+    this->Surfaces.push_back({ shape, shader, arguments });
   }
   bool HasSurfaces() const { return !this->Surfaces.empty(); }
 
@@ -99,6 +100,7 @@ public:
 private:
   struct Surface
   {
+    Shape Outline;
     std::string Shader;
     Arguments Given;
   };

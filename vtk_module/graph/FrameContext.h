@@ -31,11 +31,10 @@ public:
   const Texture* Input(const char* resource) const;
   const Texture* Output(const char* resource) const;
 
-  /// Bind outputs, and depth if named, as the target to draw to. For the final version of the
-  /// picture this binds VTK's own framebuffer.
+  /// Bind outputs, and depth if named, as the target to draw to.
   void BindTarget(const std::vector<const char*>& outputs, const char* depth = nullptr) const;
   void BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const;
-  /// Whether the output is drawn straight into VTK's framebuffer.
+  /// Whether the output is drawn straight into the window, which has a content already.
   bool IsWindow(const char* output) const;
 
   /// Make a program current with these arguments and the pass's declared ones, to draw geometry of the pass's own.
@@ -48,8 +47,9 @@ public:
   /// Draw one triangle over the viewport, at the far plane, with a fragment shader: to the pass's outputs,
   void Draw(const std::string& shader, const Defines& variant, const Arguments& given,
     const Drawing& drawing = {}) const;
-  /// or to the bound target, in the current state.
-  void DrawBound(const std::string& shader, const Defines& variant, const Arguments& given) const;
+  /// or to the bound target, in the current state; or another shape.
+  void DrawBound(const std::string& shader, const Defines& variant, const Arguments& given,
+    const Shape& shape = {}) const;
 
   /// Defines of the pass's shaders: those of the resources that are present, and the added ones.
   Defines Variant(const Defines& added = {}) const;

@@ -60,15 +60,19 @@ void FrameExecutor::UploadView()
 bool FrameExecutor::IsWindow(int version) const
 {
   const auto& entry = this->Graph->Versions()[version];
-  return entry.Resource == resource::Color && entry.IsFinal && this->Window.Direct;
+  return entry.Resource == resource::Color && entry.IsFinal && this->Window.Color;
 }
 
 const Texture* FrameExecutor::Find(int version) const
 {
+  if (this->IsWindow(version))
+  {
+    return this->Window.Color.get();
+  }
   const auto& entry = this->Graph->Versions()[version];
   if (entry.Resource == resource::Depth && this->Window.Depth)
   {
-    return this->Window.Depth;
+    return this->Window.Depth.get();
   }
   return this->Lent[version];
 }
@@ -82,7 +86,7 @@ void FrameExecutor::Prepare(const FrameGraph::Step& step)
     {
       std::swap(this->Lent[output.second], this->Lent[version.Over]);
     }
-    else if (!this->Find(output.second) && !this->IsWindow(output.second))
+    else if (!this->Find(output.second))
     {
       this->Lent[output.second] = this->Pool.Acquire(version.Desc);
     }
@@ -183,11 +187,6 @@ bool FrameContext::IsWindow(const char* output) const
 
 void FrameContext::BindTarget(const std::vector<const char*>& outputs, const char* depth) const
 {
-  if (outputs.size() == 1 && this->IsWindow(outputs[0]))
-  {
-    this->State()->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Executor->Window.Framebuffer);
-    return;
-  }
   std::vector<Attachment> colors;
   for (const char* output : outputs)
   {
@@ -287,12 +286,15 @@ void FrameContext::Dispatch(
     this->Shaders().Compute(shader, this->Variant(variant)), given, work, this->Offered());
 }
 
-void FrameContext::DrawBound(
-  const std::string& shader, const Defines& variant, const Arguments& given) const
+void FrameContext::DrawBound(const std::string& shader, const Defines& variant,
+  const Arguments& given, const Shape& shape) const
 {
-  this->Use(this->Shaders().Fragment(shader, this->Variant(variant)), given);
+  const Defines defines = this->Variant(variant);
+  this->Use(shape.Shader.empty() ? this->Shaders().Fragment(shader, defines)
+                                 : this->Shaders().Raster(shape.Shader, shader, defines),
+    given);
   glBindVertexArray(this->Executor->EmptyVertexArray.Get());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArrays(GL_TRIANGLES, 0, shape.Vertices);
   glBindVertexArray(0);
 }
 

@@ -12,12 +12,13 @@
 
 namespace penumbra
 {
-/// VTK's framebuffer of the window being rendered.
+/// VTK's framebuffer of the window being rendered, and those of its textures that passes may use as their own: the last
+/// version of the picture, and the depth.
 struct WindowTarget
 {
   GLuint Framebuffer = 0;
-  bool Direct = false;      ///< passes may draw straight into it
-  Texture* Depth = nullptr; ///< its depth texture, or nullptr if it cannot be sampled
+  std::unique_ptr<Texture> Color;
+  std::unique_ptr<Texture> Depth;
 };
 
 class FrameExecutor
@@ -45,7 +46,7 @@ private:
   const View& CurrentView;
   vtkOpenGLRenderer* Renderer;
   vtkOpenGLState* State;
-  WindowTarget Window;
+  const WindowTarget& Window;
   const HeldTextures& Held;
   std::string ViewName;
   const FrameGraph* Graph = nullptr;

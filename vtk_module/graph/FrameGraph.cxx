@@ -50,6 +50,12 @@ PassDeclaration& PassDeclaration::DrawOver(const std::string& resource, int orde
   return *this;
 }
 
+PassDeclaration& PassDeclaration::DrawOverIfPresent(const std::string& resource, int order)
+{
+  this->Accesses.push_back({ resource, Kind::DrawOverIfPresent, {}, order, {}, {} });
+  return *this;
+}
+
 PassDeclaration& PassDeclaration::ReadHistory(History& history, const std::string& sampler)
 {
   this->Histories.push_back({ &history, ShaderAccess::Read, sampler });
@@ -187,8 +193,7 @@ FrameGraph::Links FrameGraph::Resolve()
   {
     for (const auto& access : this->Passes[pass]->Accesses)
     {
-      if (access.AccessKind == Kind::Modify || access.AccessKind == Kind::ModifyIfPresent ||
-        access.AccessKind == Kind::DrawOver)
+      if (PassDeclaration::IsModifier(access.AccessKind))
       {
         modifiers.push_back({ access.Order, pass, access.Resource, access.AccessKind });
       }
@@ -217,7 +222,7 @@ FrameGraph::Links FrameGraph::Resolve()
     const auto found = latest.find(modifier.Resource);
     if (found == latest.end())
     {
-      if (modifier.AccessKind == Kind::ModifyIfPresent)
+      if (PassDeclaration::IsOptional(modifier.AccessKind))
       {
         continue;
       }
@@ -227,11 +232,14 @@ FrameGraph::Links FrameGraph::Resolve()
     const int before = found->second;
     const TextureDesc desc = this->Table[before].Desc;
     addVersion(modifier.Resource, desc, modifier.Pass);
-    this->Table.back().Over = modifier.AccessKind == Kind::DrawOver ? before : None;
+    this->Table.back().Over = PassDeclaration::IsOver(modifier.AccessKind) ? before : None;
   }
   for (const auto& last : latest)
   {
-    this->Table[last.second].IsFinal = true;
+    for (int version = last.second; version != None; version = this->Table[version].Over)
+    {
+      this->Table[version].IsFinal = true;
+    }
   }
   for (int pass = 0; pass < count; ++pass)
   {
@@ -363,7 +371,8 @@ FrameGraph::Step FrameGraph::MakeStep(
     {
       step.OutputImages[access.Resource] = access.Argument;
     }
-    const bool read = access.AccessKind != Kind::Write && access.AccessKind != Kind::DrawOver &&
+    const bool read = access.AccessKind != Kind::Write &&
+      !PassDeclaration::IsOver(access.AccessKind) &&
       step.Inputs.count(access.Resource) > 0;
     if (read)
     {

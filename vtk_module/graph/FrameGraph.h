@@ -20,6 +20,13 @@ namespace penumbra
 {
 class FrameContext;
 
+/// Triangles whose corners a vertex shader computes from gl_VertexID.
+struct Shape
+{
+  std::string Shader; ///< "" for one triangle that covers the viewport, at the far plane
+  int Vertices = 3;
+};
+
 /// Options for drawing one triangle over the viewport.
 struct Drawing
 {
@@ -35,9 +42,9 @@ struct Drawing
 /// - Write: creates the resource. Only one pass may write a resource.
 /// - Modify: reads one version and writes the next. Modifiers run in ascending order, all of them
 ///   before any reader. ModifyIfPresent does nothing if the resource has no writer; the
-///   pass is then culled unless it has another use.
+///   pass is then culled unless it has another use. DrawOverIfPresent likewise.
 /// - DrawOver: as Modify, but the new version is drawn over the previous one, in the same texture, which
-///   the pass cannot read. Not for the picture and its depth, whose textures may be VTK's own.
+///   the pass cannot read. Not for the depth, whose texture may be VTK's own.
 /// - Histories, which outlive the frame, are read and written in the order in which
 ///   passes are declared. A pass that writes a history is needed if a later pass that reads it is needed.
 ///
@@ -60,6 +67,7 @@ public:
   PassDeclaration& ModifyIfPresent(
     const std::string& resource, int order, const std::string& sampler = {});
   PassDeclaration& DrawOver(const std::string& resource, int order);
+  PassDeclaration& DrawOverIfPresent(const std::string& resource, int order);
 
   PassDeclaration& ReadHistory(History& history, const std::string& sampler);
   /// The pass overwrites everything in the history that is read later. image: "" if it draws to the history or clears
@@ -91,8 +99,18 @@ private:
     Write,
     Modify,
     ModifyIfPresent,
-    DrawOver
+    DrawOver,
+    DrawOverIfPresent
   };
+  static bool IsModifier(Kind kind) { return kind >= Kind::Modify; }
+  static bool IsOptional(Kind kind)
+  {
+    return kind == Kind::ModifyIfPresent || kind == Kind::DrawOverIfPresent;
+  }
+  static bool IsOver(Kind kind)
+  {
+    return kind == Kind::DrawOver || kind == Kind::DrawOverIfPresent;
+  }
   struct Access
   {
     std::string Resource;
@@ -128,7 +146,7 @@ public:
     TextureDesc Desc;
     int First = None;
     int Last = None;
-    bool IsFinal = false; ///< whether this is the last version of the resource
+    bool IsFinal = false; ///< whether the last version of the resource is this one or drawn over it
     int Over = None;      ///< the version over which, in its texture, this one is drawn
   };
 

@@ -40,6 +40,7 @@ struct Resolve
     flag("GI_LIT", lit && this->Options.LitRadiance);
     flag("GI_LIT_PARTS", lit && this->Options.LitParts);
     flag("GI_DATA_COLORS", this->Options.Rules.ChangesData());
+    flag("GI_DISPLAY", this->Options.Display && !radiance);
     return defines;
   }
 
@@ -49,7 +50,6 @@ struct Resolve
     {
       context.CopyWindow(resource::Color);
     }
-    // Radiance is drawn separately, because the colour may go straight to the window, which has no second target.
     if (this->Options.Radiance)
     {
       this->StartRadiance(context);
@@ -59,7 +59,6 @@ struct Resolve
     {
       context.CopyWindow(resource::LitRadiance);
     }
-    // Techniques that request the others also modify the picture, so all targets are textures then.
     std::vector<const char*> targets = { resource::Color };
     if (this->Options.LitRadiance)
     {
@@ -112,19 +111,21 @@ struct Resolve
   }
 };
 
-// Copy the picture to a multisampled window, which the previous passes cannot draw to. All samples of a pixel get the
-// same values: the colour everywhere, the depth where a surface was captured.
+// Copy to the window what the previous passes could not draw straight into it. All samples of a pixel get the same values:
+// the colour everywhere, the depth where a surface was captured.
 void Present(FrameContext& context)
 {
-  const Texture* color = context.Input(resource::Color);
-  if (!color)
-  {
-    return; // the last version was drawn straight into the window
-  }
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, false);
-  context.DrawBound("direct_light/present_color.frag", {}, {});
+  if (!context.Input(resource::Color)->IsBorrowed())
+  {
+    context.DrawBound("direct_light/present_color.frag", {}, {});
+  }
+  if (context.Input(resource::Depth)->IsBorrowed())
+  {
+    return;
+  }
   scope.Set(GL_DEPTH_TEST, true);
   scope.DepthFunc(GL_ALWAYS);
   scope.DepthMask(true);
@@ -181,6 +182,10 @@ void ContributeDirectLight(
     .Offer(options.Rules.ShaderArguments())
     .Write(resource::Color, frame.WindowTexture(GL_RGBA8))
     .SideEffect();
+  if (options.Display)
+  {
+    pass.Offer(*options.Display);
+  }
   if (options.AmbientLight)
   {
     pass.ReadIfPresent(resource::AmbientVisibility, "GI_AMBIENT_VISIBILITY");
@@ -218,6 +223,7 @@ void ContributePresentation(Frame& frame, MaterialTable& materials)
 {
   frame.AddPass("present")
     .Read(resource::Color)
+    .Read(resource::Depth)
     .Read(resource::DepthCopy)
     .Read(resource::Albedo)
     .Read(resource::Normal)

@@ -10,6 +10,8 @@
 #include "graph/Frame.h"
 #include "rays/SurfaceRules.h"
 
+#include <optional>
+
 namespace penumbra
 {
 class LightTable;
@@ -25,6 +27,7 @@ struct DirectLightOptions
   double SpreadShare = 0.0;     ///< see LightingPlan::SpreadLight()
   double Interreflection = 0.0; ///< see LightingPlan::SetInterreflection()
   SurfaceRules Rules{};
+  std::optional<Arguments> Display{}; ///< see FrameBuilder::DisplayDirectLight()
 };
 
 /// Add the pass that makes the picture from the G-buffer: it writes the colour, and the radiance if it is kept.

@@ -239,21 +239,32 @@ void vtkGIPass::Internals::SkipFrame(vtkRenderer* renderer)
 
 namespace
 {
-// VTK's depth buffer as a texture. nullptr if it cannot be sampled, because it is multisampled or another pass has
-// bound its own framebuffer.
-std::unique_ptr<Texture> WindowDepth(vtkOpenGLRenderWindow* window, GLuint bound)
+// A texture of VTK. nullptr if it cannot be sampled, because it is multisampled.
+std::unique_ptr<Texture> Borrow(vtkTextureObject* texture)
 {
-  vtkOpenGLFramebufferObject* framebuffer = window->GetRenderFramebuffer();
-  vtkTextureObject* depth = framebuffer->GetDepthAttachmentAsTextureObject();
-  if (bound != framebuffer->GetFBOIndex() || !depth || window->GetMultiSamples() > 1 ||
-    depth->GetTarget() != GL_TEXTURE_2D)
+  if (!texture || texture->GetTarget() != GL_TEXTURE_2D)
   {
     return nullptr;
   }
-  const int width = static_cast<int>(depth->GetWidth());
-  const int height = static_cast<int>(depth->GetHeight());
-  return std::make_unique<Texture>(Texture::Borrow(depth->GetHandle(),
-    { TextureFormat(depth->GetTarget(), depth->GetHandle()), width, height, 0 }));
+  const int width = static_cast<int>(texture->GetWidth());
+  const int height = static_cast<int>(texture->GetHeight());
+  return std::make_unique<Texture>(Texture::Borrow(texture->GetHandle(),
+    { TextureFormat(texture->GetTarget(), texture->GetHandle()), width, height, 0 }));
+}
+
+// The bound framebuffer, whose textures are known if it is the window's own. ownDepth: whether passes need depths that VTK
+// must not see.
+WindowTarget BoundWindow(vtkOpenGLRenderWindow* window, bool ownDepth)
+{
+  vtkOpenGLFramebufferObject* framebuffer = window->GetRenderFramebuffer();
+  WindowTarget target;
+  target.Framebuffer = BoundFramebuffer();
+  if (target.Framebuffer == framebuffer->GetFBOIndex() && window->GetMultiSamples() <= 1)
+  {
+    target.Color = Borrow(framebuffer->GetColorAttachmentAsTextureObject(0));
+    target.Depth = ownDepth ? nullptr : Borrow(framebuffer->GetDepthAttachmentAsTextureObject());
+  }
+  return target;
 }
 }
 
@@ -316,7 +327,8 @@ bool vtkGIPass::Internals::DrawFrame(
     this->Capture.MayHaveAmbient();
   ContributeDirectLight(builder, this->Lights, this->Capture.Materials(),
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
-      plan.MapsTones(), ambientLight, plan.SpreadShare(), plan.Interreflection(), plan.Rules() });
+      plan.HasLitParts(), ambientLight, plan.SpreadShare(), plan.Interreflection(), plan.Rules(),
+      builder.GetDirectDisplay() });
   record.Radiance = nullptr;
   if (self->GetKeepRadiance())
   {
@@ -327,13 +339,7 @@ bool vtkGIPass::Internals::DrawFrame(
   graph.Compile();
   this->Lights.Upload();
 
-  WindowTarget target;
-  target.Framebuffer = BoundFramebuffer();
-  // Surfaces that are no props need depths that VTK must not see.
-  const std::unique_ptr<Texture> depth =
-    this->Capture.HasSurfaces() ? nullptr : WindowDepth(window, target.Framebuffer);
-  target.Direct = depth != nullptr;
-  target.Depth = depth.get();
+  const WindowTarget target = BoundWindow(window, this->Capture.HasSurfaces());
   GpuTimer timer;
   FrameExecutor executor(
     this->Pool, this->Shaders, view, renderer, target, this->Held, record.Name, this->ViewBlock);

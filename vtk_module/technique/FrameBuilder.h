@@ -13,6 +13,8 @@
 #include "rays/RayPart.h"
 #include "technique/LightingPlan.h"
 
+#include <optional>
+
 namespace penumbra
 {
 class MotionTable;
@@ -90,6 +92,9 @@ public:
   /// Map the finished colours of what VTK draws itself to the display: function giDisplayed(), see
   /// tone_mapping/forward.glsl.
   void DisplayForward(ForwardPart display) { this->Display = std::move(display); }
+  /// Map direct light by the same function as soon as it is known, with these arguments. See LightingPlan::HasLitParts().
+  void DisplayDirectLight(const Arguments& arguments) { this->DirectDisplay = arguments; }
+  const std::optional<Arguments>& GetDirectDisplay() const { return this->DirectDisplay; }
   /// This visibility with the indirect light, or with the spread share of the lights if there is no indirect light.
   ForwardLight GetForwardLight() const;
 
@@ -113,6 +118,7 @@ private:
   std::vector<std::function<void(FrameBuilder&)>> Last;
   ForwardPart Visibility;
   ForwardPart Display;
+  std::optional<Arguments> DirectDisplay;
   std::vector<IndirectLight> Indirect;
   std::vector<std::string> Notes;
 };

@@ -85,10 +85,13 @@ public:
   void DrawByRays() { this->ByRays = true; }
   bool IsDrawnByRays() const { return this->ByRays; }
 
-  /// Have the linear values of lit surfaces kept apart (resource::LitShown, resource::LitEncoded), because a technique
-  /// maps them to the display.
+  /// Announce that a technique maps the linear values of lit surfaces to the display.
   void MapTones() { this->TonesMapped = true; }
-  bool MapsTones() const { return this->TonesMapped; }
+  /// If they are mapped, have them kept apart until then (resource::LitShown, resource::LitEncoded), because passes after
+  /// the direct light need them.
+  void KeepLitParts() { this->LitPartsKept = true; }
+  /// Whether they are kept apart. If not, direct light maps what it draws.
+  bool HasLitParts() const { return this->TonesMapped && (this->LitPartsKept || this->ByRays); }
 
   /// Rules of reflection that hold for all surfaces of the frame.
   SurfaceRules& Rules() { return this->ReflectionRules; }
@@ -107,6 +110,7 @@ private:
   bool SkyAnnounced = false;
   bool ByRays = false;
   bool TonesMapped = false;
+  bool LitPartsKept = false;
   SurfaceRules ReflectionRules;
 };
 }

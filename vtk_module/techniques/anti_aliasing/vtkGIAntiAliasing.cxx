@@ -62,10 +62,24 @@ void AddAverage(
 }
 }
 
+int vtkGIAntiAliasing::ModeIn(FrameBuilder& frame) const
+{
+  const bool wanted = frame.GetView().WantsAntiAliasing;
+  return this->Mode != Auto ? this->Mode : wanted ? Accumulate : Off;
+}
+
+void vtkGIAntiAliasing::Plan(LightingPlan& plan, FrameBuilder& frame)
+{
+  if (this->ModeIn(frame) == Accumulate)
+  {
+    plan.KeepLitParts();
+  }
+}
+
 void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
 {
   const View& view = frame.GetView();
-  const int mode = this->Mode != Auto ? this->Mode : view.WantsAntiAliasing ? Accumulate : Off;
+  const int mode = this->ModeIn(frame);
   if (mode == Off || frame.Plan().IsDrawnByRays())
   {
     return;
@@ -86,7 +100,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
         frame.AddPass("accumulate-radiance").ModifyIfPresent(resource::Radiance, AccumulateOrder),
         frame, sums, resource::Radiance, maximum);
     }
-    if (frame.Plan().MapsTones())
+    if (frame.Plan().HasLitParts())
     {
       for (const char* part : { resource::LitShown, resource::LitEncoded })
       {

@@ -20,6 +20,7 @@ public:
   static vtkGIAntiAliasing* New();
   vtkTypeMacro(vtkGIAntiAliasing, vtkGIAntiAliasingParameters);
 
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
   bool ChangesLight() override { return false; }
 
@@ -28,6 +29,7 @@ protected:
   ~vtkGIAntiAliasing() override;
 
 private:
+  int ModeIn(penumbra::FrameBuilder& frame) const;
   vtkGIAntiAliasing(const vtkGIAntiAliasing&) = delete;
   void operator=(const vtkGIAntiAliasing&) = delete;
 };

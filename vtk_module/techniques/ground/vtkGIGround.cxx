@@ -5,6 +5,7 @@
 #include "base/Matrices.h"
 #include "capture/MaterialTable.h"
 #include "capture/SceneCapture.h"
+#include "gpu/ScopedState.h"
 #include "rays/RayProps.h"
 #include "technique/FrameBuilder.h"
 #include "techniques/ground/GroundPlane.h"
@@ -53,15 +54,37 @@ glm::dvec3 AxisOf(int up)
   return axis;
 }
 
-// A pass that modifies a picture, where it is present, and knows the ground's pixels.
+const Shape Square = { "ground/square.vert", 6 };
+
+// A pass that knows the ground's pixels.
+PassDeclaration& AddGroundPass(FrameBuilder& frame, const char* picture, int order)
+{
+  return frame.AddPass("ground-" + std::to_string(order) + "-" + picture)
+    .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Offer(frame.Capture().Materials().ShaderArguments());
+}
+
+// Such a pass that modifies a picture where it is present.
 PassDeclaration& AddPassOver(FrameBuilder& frame, const char* picture, int order)
 {
-  auto& pass = frame.AddPass("ground-" + std::to_string(order) + "-" + picture)
-                 .Read(resource::Albedo)
-                 .Read(resource::Normal)
-                 .Offer(frame.Capture().Materials().ShaderArguments());
+  PassDeclaration& pass = AddGroundPass(frame, picture, order);
   return picture == resource::Color ? pass.Modify(picture, order, "before")
                                     : pass.ModifyIfPresent(picture, order, "before");
+}
+
+// Multiply what a picture shows of the ground. Alpha is handled as if black were blended over it.
+void CatchShadows(FrameContext& context, const char* picture, const Arguments& arguments)
+{
+  ScopedState scope(context.State());
+  context.BindTarget({ picture }, resource::Depth);
+  scope.Set(GL_BLEND, true);
+  context.State()->vtkglBlendFuncSeparate(
+    GL_ZERO, GL_SRC_COLOR, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  scope.Set(GL_DEPTH_TEST, true);
+  scope.DepthFunc(GL_EQUAL);
+  scope.DepthMask(false);
+  context.DrawBound("ground/catch.frag", {}, arguments, Square);
 }
 
 // Up of a view if the user leaves it to us.
@@ -110,7 +133,7 @@ void vtkGIGround::Contribute(FrameBuilder& frame)
   const int material = frame.Capture().Materials().Add({ glm::vec4(0.0f, 0.0f, 0.0f, 1.0f),
     glm::ivec4(catches ? GI_MATERIAL_CATCHER : GI_MATERIAL_PHONG, 0, 0, GroundNumber) });
   const Arguments plane = placement.Plane.InView(frame.GetView());
-  frame.Capture().AddSurface("ground/surface.frag",
+  frame.Capture().AddSurface(Square, "ground/surface.frag",
     Arguments(plane)
       .Set("hides", !catches)
       .Set("color", glm::vec3(this->Red, this->Green, this->Blue))
@@ -143,12 +166,16 @@ void vtkGIGround::ContributeCatcher(FrameBuilder& frame)
                                 .Set("openLight", glm::vec3(placement.OpenLight));
   for (const char* picture : { resource::Color, resource::LitRadiance, resource::Radiance })
   {
-    AddPassOver(frame, picture, CatchOrder)
+    AddGroundPass(frame, picture, CatchOrder)
+      .DrawOverIfPresent(picture, CatchOrder)
+      .Read(resource::Depth)
       .ReadIfPresent(resource::DirectVisibility, "GI_DIRECT_VISIBILITY")
       .ReadIfPresent(resource::AmbientVisibility, "GI_AMBIENT_VISIBILITY")
       .ReadIfPresent(resource::Irradiance, "GI_IRRADIANCE")
       .Offer(frame.Lights().InView(1.0 - share))
-      .Draw("ground/catch.frag", {}, arguments);
+      .Execute([picture, arguments](FrameContext& context) {
+        CatchShadows(context, picture, arguments);
+      });
   }
 }
 

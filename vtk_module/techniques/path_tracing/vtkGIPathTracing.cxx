@@ -289,7 +289,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     .Execute([&progress, tracer](FrameContext& context) {
       tracer.Show(context, { { "GI_RADIANCE", "1" } }, progress.Samples);
     });
-  if (frame.Plan().MapsTones())
+  if (frame.Plan().HasLitParts())
   {
     auto& parts = frame.AddPass("path-trace-lit");
     for (std::size_t i = 0; i < tracer.Sums.size(); ++i)

@@ -134,13 +134,26 @@ const char* vtkGIScreenSpaceReflections::GetOfferedResource()
   return resource::Reflection;
 }
 
+bool vtkGIScreenSpaceReflections::Reflects(FrameBuilder& frame) const
+{
+  return frame.GetView().Diagonal > 0.0 && frame.Capture().Reflects(this->MinimumReflectance);
+}
+
+void vtkGIScreenSpaceReflections::Plan(LightingPlan& plan, FrameBuilder& frame)
+{
+  if (this->Reflects(frame))
+  {
+    plan.KeepLitParts();
+  }
+}
+
 void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
 {
-  const View& view = frame.GetView();
-  if (view.Diagonal <= 0.0 || !frame.Capture().Reflects(this->MinimumReflectance))
+  if (!this->Reflects(frame))
   {
     return;
   }
+  const View& view = frame.GetView();
   frame.RequestLitRadiance();
   const double thickness =
     this->Thickness > 0.0 ? this->Thickness : AutomaticThickness * view.Diagonal;

@@ -22,6 +22,7 @@ public:
   vtkTypeMacro(vtkGIScreenSpaceReflections, vtkGIScreenSpaceReflectionsParameters);
 
   const char* GetOfferedResource() override;
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
 
 protected:
@@ -29,6 +30,7 @@ protected:
   ~vtkGIScreenSpaceReflections() override;
 
 private:
+  bool Reflects(penumbra::FrameBuilder& frame) const;
   vtkGIScreenSpaceReflections(const vtkGIScreenSpaceReflections&) = delete;
   void operator=(const vtkGIScreenSpaceReflections&) = delete;
 };

@@ -26,12 +26,18 @@ int vtkGIToneMapping::GetRequiredFrames()
 void vtkGIToneMapping::Plan(LightingPlan& plan, FrameBuilder&)
 {
   plan.MapTones();
+  if (this->AutoExposure)
+  {
+    plan.KeepLitParts(); // they are measured
+  }
 }
 
 void vtkGIToneMapping::Contribute(FrameBuilder& frame)
 {
   Defines variant;
-  Arguments arguments = Arguments().Set("scale", std::exp2(this->Exposure));
+  const Arguments arguments = Arguments()
+                                .Set("scale", std::exp2(this->Exposure))
+                                .Set("curve", this->Curve);
   History* exposure = nullptr;
   if (this->AutoExposure)
   {
@@ -46,22 +52,29 @@ void vtkGIToneMapping::Contribute(FrameBuilder& frame)
       .Compute("tone_mapping/measure.comp", {},
         Arguments().Set("share", adapted ? 1.0 : 1.0 / this->AdaptationFrames), Work::Items(1, 1));
   }
-  auto& map = frame.AddPass("tone-mapping");
-  if (exposure)
+  if (frame.Plan().HasLitParts())
   {
-    map.ReadHistory(*exposure, "exposureTexture");
+    auto& map = frame.AddPass("tone-mapping");
+    if (exposure)
+    {
+      map.ReadHistory(*exposure, "exposureTexture");
+    }
+    map.Read(resource::LitShown)
+      .Read(resource::LitEncoded)
+      .Modify(resource::Color, MapOrder, "before")
+      .Draw("tone_mapping/map.frag", variant, arguments);
   }
-  map.Read(resource::LitShown)
-    .Read(resource::LitEncoded)
-    .Modify(resource::Color, MapOrder, "before")
-    .Draw("tone_mapping/map.frag", variant, arguments);
+  const Arguments forward = Arguments(arguments).Set("giMapsTones", true);
+  if (!frame.Plan().HasLitParts())
+  {
+    frame.DisplayDirectLight(forward);
+  }
   ForwardPart display;
   display.Source = "tone_mapping/forward.glsl";
   display.OnSurfaces = variant;
   display.Textures = exposure ? 1 : 0;
-  arguments.Set("curve", this->Curve).Set("giMapsTones", true);
-  display.Bind = [exposure, arguments](ForwardProgram& program) {
-    program.Set(arguments);
+  display.Bind = [exposure, forward](ForwardProgram& program) {
+    program.Set(forward);
     if (exposure)
     {
       program.SetTexture("exposureTexture", exposure->Storage.Get());
