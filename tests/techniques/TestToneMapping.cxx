@@ -18,9 +18,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string>
 
 using namespace penumbra_test;
 
@@ -103,6 +105,37 @@ protected:
   vtkLight* Light = nullptr;
   Picture Last;
 };
+}
+
+// Direct light maps what it draws, unless a later pass needs linear values.
+TEST_F(ToneMapping, OfDirectLightEqualsThatOfAPass)
+{
+  this->AddSquare(0.8, 0.4, 0.2);
+  this->AddSquare(0.8, 0.4, 0.2, true);
+  this->AddSquare(1.0, 1.0, 1.0)->LightingOff();
+  this->Light->SetIntensity(3.0);
+  this->Pass->CollectStatisticsOn();
+  vtkGITechnique* smooth = this->Pass->GetTechnique("anti-aliasing");
+  ASSERT_TRUE(smooth->SetParameterFromText("mode", "accumulate"));
+  std::array<int, 4> squares[2][4];
+  for (const bool apart : { false, true })
+  {
+    smooth->SetEnabled(apart);
+    this->Draw(true, "filmic", -1.0);
+    const std::string passes = this->Pass->GetStatistics();
+    EXPECT_EQ(passes.find("tone-mapping") != std::string::npos, apart);
+    for (int number = 0; number < 4; ++number)
+    {
+      squares[apart][number] = this->Square(number); // their edges are filtered
+    }
+  }
+  for (int number = 0; number < 4; ++number)
+  {
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      EXPECT_NEAR(squares[0][number][channel], squares[1][number][channel], 1) << number;
+    }
+  }
 }
 
 TEST_F(ToneMapping, FollowsTheCurveAtEachExposure)

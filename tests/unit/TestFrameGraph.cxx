@@ -138,6 +138,29 @@ TEST(FrameGraph, DrawOverKeepsTheTexture)
   FrameGraph nothing;
   nothing.AddPass("map").DrawOver("light", 0).SideEffect();
   EXPECT_EQ(ErrorOf(nothing), "frame graph: the pass 'map' needs 'light', which no pass writes");
+
+  FrameGraph optional;
+  optional.AddPass("map").DrawOverIfPresent("light", 0);
+  optional.Compile();
+  EXPECT_TRUE(optional.Steps().empty());
+}
+
+TEST(FrameGraph, VersionsUnderTheLastAreFinal)
+{
+  FrameGraph graph;
+  graph.AddPass("light").Write("color", Small);
+  graph.AddPass("reflect").Modify("color", 10);
+  graph.AddPass("shade").DrawOverIfPresent("color", 20);
+  graph.AddPass("mark").DrawOver("color", 30);
+  graph.AddPass("present").Read("color").SideEffect();
+  graph.Compile();
+  ASSERT_EQ(Order(graph), (Names{ "light", "reflect", "shade", "mark", "present" }));
+  std::vector<bool> finals;
+  for (int step = 0; step < 4; ++step)
+  {
+    finals.push_back(graph.Versions()[graph.Steps()[step].Outputs.at("color")].IsFinal);
+  }
+  EXPECT_EQ(finals, (std::vector<bool>{ false, true, true, true }));
 }
 
 TEST(FrameGraph, VersionsHaveLifetimes)
