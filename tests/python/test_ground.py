@@ -322,6 +322,17 @@ class Surface(unittest.TestCase):
             print(f"surface, {techniques}: {100 * share:.2f} % within {tolerance}/255")
             self.assertGreater(share, 0.985)
 
+    def test_a_floor_at_its_height_hides_it(self):
+        for camera in ((4, -7, 5), (1, -3, 8), (6, -6, 2)):
+            view = View(ball(), floor(3), camera=camera)
+            own = view.draw()
+            red = {"ground.kind": "surface", "ground.green": 0, "ground.blue": 0}
+            with_ground = view.draw("ground", **red)
+            coloured = with_ground[..., 0] - with_ground[..., 2] > 40
+            on_floor = own.max(axis=2) > 0
+            self.assertGreater((coloured & ~on_floor).sum(), 100, "no ground beside the floor")
+            self.assertGreater(within(own, with_ground, 1, on_floor), 0.995)
+
     def test_light_bounces_off_it(self):
         view = View(ball(color=(1, 1, 1)))
         black = {f"ground.{channel}": 0 for channel in ("red", "green", "blue")}

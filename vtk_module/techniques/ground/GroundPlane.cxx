@@ -11,6 +11,9 @@ namespace penumbra
 {
 namespace
 {
+// Depth of the ground below the bounds, in half diagonals, so that a floor of the scene at its height hides it.
+constexpr double Gap = 1e-4;
+
 // Triangles of the disc for rays.
 constexpr int Sectors = 64;
 
@@ -63,7 +66,8 @@ GroundPlane GroundPlane::Below(
   const glm::dvec3 half = 0.5 * (glm::dvec3(bounds[1], bounds[3], bounds[5]) - low);
   GroundPlane ground;
   ground.Up = up;
-  ground.Middle = low + half + up * (offset - glm::dot(half, glm::abs(up)));
+  ground.Middle =
+    low + half + up * (offset - glm::dot(half, glm::abs(up)) - Gap * glm::length(half));
   ground.Radius = size * glm::length(half);
   return ground;
 }
