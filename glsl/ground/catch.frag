@@ -1,6 +1,6 @@
 #version 430 core
-// The factor of the picture where the ground catches shadows, and their opacity. Variants: GI_DIRECT_VISIBILITY, GI_AMBIENT_VISIBILITY,
-// GI_IRRADIANCE (indirect light is known).
+// The factor of the picture where the ground catches shadows, and their opacity. Variants: GI_DIRECT_VISIBILITY,
+// GI_AMBIENT_VISIBILITY, GI_IRRADIANCE (indirect light is known).
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"

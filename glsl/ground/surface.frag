@@ -1,6 +1,7 @@
 #version 430 core
-// Draws the ground into the G-buffer, as the square of ground/square.vert. See SceneCapture::AddSurface() and capture/declarations.glsl. Variants: GI_EXTENDED,
-// and the requested targets GI_SURROUNDINGS, GI_DISPLACEMENT and GI_FACET.
+// Draws the ground into the G-buffer, as the square of ground/square.vert. See SceneCapture::AddSurface() and
+// capture/declarations.glsl. Variants: GI_EXTENDED, and the requested targets GI_SURROUNDINGS, GI_DISPLACEMENT and
+// GI_FACET.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"

@@ -34,8 +34,6 @@ public:
   /// Bind outputs, and depth if named, as the target to draw to.
   void BindTarget(const std::vector<const char*>& outputs, const char* depth = nullptr) const;
   void BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const;
-  /// Whether the output is drawn straight into the window, which has a content already.
-  bool IsWindow(const char* output) const;
 
   /// Make a program current with these arguments and the pass's declared ones, to draw geometry of the pass's own.
   void Use(const Program& program, const Arguments& given) const;

@@ -179,12 +179,6 @@ const Texture* FrameContext::Output(const char* resource) const
   return this->Executor->Find(found->second);
 }
 
-bool FrameContext::IsWindow(const char* output) const
-{
-  const auto found = this->Step->Outputs.find(output);
-  return found != this->Step->Outputs.end() && this->Executor->IsWindow(found->second);
-}
-
 void FrameContext::BindTarget(const std::vector<const char*>& outputs, const char* depth) const
 {
   std::vector<Attachment> colors;

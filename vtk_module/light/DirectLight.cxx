@@ -46,7 +46,8 @@ struct Resolve
 
   void operator()(FrameContext& context) const
   {
-    if (!context.IsWindow(resource::Color))
+    // The window's own texture has the background already.
+    if (!context.Output(resource::Color)->IsBorrowed())
     {
       context.CopyWindow(resource::Color);
     }
