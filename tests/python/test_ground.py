@@ -105,6 +105,11 @@ def within(one, other, tolerance, where=None):
     return same.mean() if where is None else same[where].mean()
 
 
+def beside_the_ball(**where):
+    """The pixels that a ball leaves to the background."""
+    return (View(ball(), background=(0, 0, 1), **where).draw() == (0, 0, 255)).all(axis=2)
+
+
 SHADOWS = ("shadow-maps",)
 BOTH = ("shadow-maps", "ambient-occlusion")
 LARGE = {"ground.size": 30}  # beyond the picture's borders, so that nothing fades
@@ -122,12 +127,12 @@ class Catcher(unittest.TestCase):
         bare.renderer.SetBackgroundTexture(texture(whole.astype(np.uint8)))
         bare.renderer.GetActiveCamera().SetClippingRange(modelled.renderer.GetActiveCamera().GetClippingRange())
         caught = bare.draw(*techniques, "ground", **LARGE, **parameters)
-        bare.renderer.TexturedBackgroundOff()
-        ground = bare.draw()[..., 0] == 0
+        ground = beside_the_ball(**above)
         share = within(caught, truth, 2, ground)
         dark = (whole - truth).max(axis=2)[ground] > 20
         print(f"{name}: {100 * share:.2f} % of the ground's pixels within 2/255, {100 * dark.mean():.1f} % in shadow")
         self.assertGreater(dark.mean(), 0.02)
+        self.assertLess(dark.mean(), 0.5)
         self.assertGreaterEqual(share, 0.995)
 
     def test_shadow_of_a_light_equals_a_modelled_ground(self):
@@ -158,7 +163,8 @@ class Catcher(unittest.TestCase):
                 over = clear[..., :3] + (255 - clear[..., 3:]) * np.array(color)
                 share = within(np.rint(over).astype(int), drawn, 1)
                 print(f"{techniques}: {100 * share:.2f} % of the pixels over {color} within 1/255")
-                self.assertGreater((np.abs(drawn - np.rint(np.array(color) * 255)) > 20).any(axis=2).mean(), 0.1)
+                changed = (np.abs(drawn - np.rint(np.array(color) * 255)) > 20).any(axis=2)
+                self.assertGreater(changed[beside_the_ball()].mean(), 0.02, "a shadow")
                 self.assertEqual(share, 1)
 
     def test_png_files_hold_straight_alpha(self):
