@@ -54,10 +54,11 @@ def load(remote_plugin=None):
 
 
 def _forget_class(connection):
-    """Let ParaView create the Python class of render views again, with the new properties."""
+    """Let ParaView create the Python classes of render views and lights again, with the new properties."""
     kinds = getattr(connection, "ProxiesNS", None)
     for namespace in kinds.getNamespaces().values() if kinds is not None else ():
-        vars(namespace).pop("RenderView", None)
+        for name in ("RenderView", "Light"):
+            vars(namespace).pop(name, None)
 
 
 def _render_view(view):
@@ -153,8 +154,8 @@ def shape_light(light, angle=None, radius=None, disc=None, rectangle=None, turn=
 
     angle: angular diameter of a directional light in degrees. radius, disc: radius of a positional light that is a
     sphere or a disc, in world units. rectangle: its width and height. turn: rotation of the rectangle in degrees.
-    Without any of them the light has no shape of its own again. Returns the proxy that holds the shape: its properties
-    are Shape, Angle, Radius, Size and Turn.
+    Without any of them the light has no shape of its own again. Returns the proxy that holds the shape in the
+    properties GIShape, GIAngle, GIRadius, GISize and GITurn: the light, or a separate proxy if it is older than the plugin.
 
         lamp = AddLight(view=view)
         shape_light(lamp, rectangle=(2, 1))
@@ -172,6 +173,21 @@ def shape_light(light, angle=None, radius=None, disc=None, rectangle=None, turn=
         raise ValueError("a rectangle has a width and a height, and other shapes have one number")
     if not all(0.0 <= value < 1e15 for value in values) or not abs(turn) < float("inf") or (angle or 0) > 90:
         raise ValueError("the size of a light must be positive and finite, and an angle at most 90 degrees")
+    proxy = _shape_proxy(light)
+    shape = {"angle": 2, "radius": 3, "disc": 4, "rectangle": 5}[given[0][0]] if given else 0
+    target = {"angle": "GIAngle", "rectangle": "GISize"}.get(given[0][0], "GIRadius") if given else None
+    for index, value in enumerate(values):
+        proxy.SMProxy.GetProperty(target).SetElement(index, value)
+    _set(proxy, "GITurn", float(turn))
+    _set(proxy, "GIShape", shape)
+    proxy.SMProxy.UpdateVTKObjects()
+    return proxy
+
+
+def _shape_proxy(light):
+    """The proxy that holds a light's shape: the light itself, or a separate one if it is older than the plugin."""
+    if light.SMProxy.GetProperty("GIShape"):
+        return light
     if not _is_loaded():
         load()
     manager = servermanager.ProxyManager().SMProxyManager
@@ -182,15 +198,7 @@ def shape_light(light, angle=None, radius=None, disc=None, rectangle=None, turn=
         found = manager.NewProxy(_GROUP, "LightShape")
         found.GetProperty("Light").AddProxy(light.SMProxy)
         manager.RegisterProxy(_GROUP, f"LightShape{light.GetGlobalID()}", found)
-    proxy = servermanager._getPyProxy(found)
-    shape = {"angle": 2, "radius": 3, "disc": 4, "rectangle": 5}[given[0][0]] if given else 0
-    target = {"angle": "Angle", "rectangle": "Size"}.get(given[0][0], "Radius") if given else None
-    for index, value in enumerate(values):
-        found.GetProperty(target).SetElement(index, value)
-    _set(proxy, "Turn", float(turn))
-    _set(proxy, "Shape", shape)
-    found.UpdateVTKObjects()
-    return proxy
+    return servermanager._getPyProxy(found)
 
 
 def _set(proxy, name, value):

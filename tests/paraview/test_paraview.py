@@ -216,12 +216,19 @@ class States(Base):
 
 class Lights(Base):
     def test_lights_have_shapes_also_in_states(self):
-        text = self.run_script("pvpython", "lights.py", "save", self.folder)
-        self.assertNotIn("accepted", text)
-        self.assertEqual(self.number("removed", text), 1)
-        self.assertGreater(self.number("shape changes", text), 0.02)
-        self.run_script("pvpython", "lights.py", "load", self.folder)
-        self.assertEqual(within(picture(self.folder / "lights-save.png"), picture(self.folder / "lights-load.png"), 0), 1.0)
+        saved, loaded = self.folder / "saved.png", self.folder / "loaded.png"
+        for action, kinds in (("save", ("pvsm", "py")), ("save-older", ("pvsm",))):
+            for kind in kinds:
+                text = self.run_script("pvpython", "lights.py", action, self.folder / f"lights.{kind}", saved)
+                self.assertNotIn("accepted", text)
+                self.assertEqual(self.number("removed", text), 1)
+                self.assertGreater(self.number("shape changes", text), 0.02)
+                self.assertIn(f"the light has properties: {action == 'save'}", text)
+                if action == "save":
+                    self.assertGreater(self.number("size changes", text), 0.02)
+                    self.assertEqual(self.number("size is restored", text), 1)
+                self.run_script("pvpython", "lights.py", "load", self.folder / f"lights.{kind}", loaded)
+                self.assertEqual(within(picture(saved), picture(loaded), 0), 1.0)
 
 
 class Server(Base):

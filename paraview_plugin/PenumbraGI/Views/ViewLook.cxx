@@ -36,7 +36,10 @@ void ViewLook::Update(vtkRenderer* renderer, vtkGIPass* pass)
 
 void ViewLook::Remove(vtkRenderer* renderer)
 {
-  this->Applied.clear();
-  vtkGILook::RemoveFrom(renderer);
+  if (!this->Applied.empty()) // or it is another's, as a view may have settings of its own and separate ones
+  {
+    this->Applied.clear();
+    vtkGILook::RemoveFrom(renderer);
+  }
 }
 }

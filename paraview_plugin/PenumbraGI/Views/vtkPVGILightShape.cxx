@@ -12,23 +12,28 @@ vtkPVGILightShape::vtkPVGILightShape() = default;
 
 vtkPVGILightShape::~vtkPVGILightShape()
 {
-  vtkGILightShape::Remove(this->Light);
+  this->Clear();
 }
 
 void vtkPVGILightShape::SetLight(vtkLight* light)
 {
   if (light != this->Light)
   {
-    vtkGILightShape::Remove(this->Light);
+    this->Clear();
     this->Light = light;
     this->Apply();
   }
 }
 
+// While it has no shape, it leaves the light alone: another object may shape it.
 void vtkPVGILightShape::SetShape(int shape)
 {
-  this->Shape = shape;
-  this->Apply();
+  if (shape != this->Shape)
+  {
+    this->Clear();
+    this->Shape = shape;
+    this->Apply();
+  }
 }
 
 void vtkPVGILightShape::SetAngle(double degrees)
@@ -76,6 +81,14 @@ void vtkPVGILightShape::Apply()
       vtkGILightShape::SetRectangle(this->Light, this->Size[0], this->Size[1], this->Turn);
       break;
     default:
-      vtkGILightShape::Remove(this->Light);
+      break;
+  }
+}
+
+void vtkPVGILightShape::Clear()
+{
+  if (this->Shape != vtkGILightShape::NONE)
+  {
+    vtkGILightShape::Remove(this->Light);
   }
 }

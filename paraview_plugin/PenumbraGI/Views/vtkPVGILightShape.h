@@ -5,9 +5,9 @@
  * @brief   the shape of one of ParaView's lights, as an object of its own
  *
  * ParaView's proxy of a light can only call methods of its class, which has none for shapes. This object belongs to a
- * proxy beside it, so that shapes reach servers and state files. When it is deleted, the light has no shape again.
+ * part of that proxy, or to a proxy beside it. When it is deleted, the light has no shape again.
  *
- * @sa vtkGILightShape
+ * @sa vtkGILightShape, vtkSMGILightShapeProxy
  */
 #ifndef vtkPVGILightShape_h
 #define vtkPVGILightShape_h
@@ -54,6 +54,7 @@ private:
   void operator=(const vtkPVGILightShape&) = delete;
 
   void Apply();
+  void Clear();
 
   vtkSmartPointer<vtkLight> Light;
   int Shape = 0;
