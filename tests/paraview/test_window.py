@@ -108,6 +108,8 @@ class Window(Base):
         self.assertGreaterEqual(found["as enable() draws high"], 0.999)
         self.assertIn("GIShadowMapsSlopeBias", found["advanced rows"])
         self.assertNotIn("GIPathTracingSamples", found["advanced rows"])  # its technique is off
+        self.assertEqual(found["light's rows"], ["GIShape"])
+        self.assertEqual(found["rectangle's rows"], ["GIShape", "GISize", "GITurn"])
         self.assertIn("Unit: texels", found["tooltip"])
         self.assertEqual(found["off again"], 1)
         self.assertEqual(max(found["horizontal overflow"]), 0)

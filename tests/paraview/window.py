@@ -44,10 +44,10 @@ def wait(event, condition):
 
 
 class Panel:
-    """The properties panel of the active view, as a user operates it."""
+    """A panel of properties, as a user operates it."""
 
-    def __init__(self, window):
-        self.panel = window.findChild(QWidget, "propertiesPanel")
+    def __init__(self, window, name="propertiesPanel"):
+        self.panel = window.findChild(QWidget, name)
         self.area = self.panel.findChild(QScrollArea, "scrollArea")
 
     def widget(self, name, kind):
@@ -228,8 +228,29 @@ def steps():
     disable(view)
     simple.Render(view)
     RESULT["off again"] = scenes.within(scenes.capture(view), plain, 0)
+    yield from light_steps(window, view)
     output = window.findChild(QWidget, "outputWidgetDock")
     RESULT["messages"] = "".join(text.toPlainText() for kind in (QPlainTextEdit, QTextEdit) for text in output.findChildren(kind))
+
+
+def light_steps(window, view):
+    """The rows of the scene's light in the Light Inspector follow its shape, which is chosen there."""
+    lamp = view.AdditionalLights[0]
+    dock = window.findChild(QDockWidget, "lightInspectorDock")
+    dock.show()
+    dock.raise_()
+    yield 1
+    names = ("GIShape", "GIAngle", "GIRadius", "GISize", "GITurn")
+    panel = Panel(window, "lightInspectorPanel")
+
+    def rows():
+        return [name for name in names if not panel.widget(name, QWidget).isHidden()]
+
+    RESULT["light's rows"] = rows()
+    yield from panel.choose("GIShape", "rectangle")
+    yield from wait("the shape is set", lambda: lamp.GIShape == "rectangle")
+    RESULT["rectangle's rows"] = rows()
+    yield from photograph(window, "light")
 
 
 def run(remaining):

@@ -58,9 +58,9 @@ private:
 
   vtkSmartPointer<vtkLight> Light;
   int Shape = 0;
-  double Angle = 0.0;
-  double Radius = 0.0;
-  double Size[2] = { 0.0, 0.0 };
+  double Angle = 5.0;
+  double Radius = 1.0;
+  double Size[2] = { 1.0, 1.0 };
   double Turn = 0.0;
 };
 
