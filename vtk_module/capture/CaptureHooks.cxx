@@ -44,7 +44,9 @@ penumbra::Defines penumbra::SurroundingVariant(const std::string& fragment)
 {
   const bool known = Contains(fragment, "iblSpecular = prefilteredSpecularColor * specularBrdf;") &&
     Contains(fragment, "vec2 brdf = texture(");
-  return known ? Defines{ { "GI_LOBE_KNOWN", "1" } } : Defines();
+  return known                     ? Defines{ { "GI_LOBE_KNOWN", "1" } }
+    : Contains(fragment, "FmsEms") ? Defines{ { "GI_SCATTERS", "1" } }
+                                   : Defines();
 }
 
 penumbra::Defines penumbra::PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders)

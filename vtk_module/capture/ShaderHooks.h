@@ -30,7 +30,8 @@ struct ShaderTexts
 Defines PassShape(const ShaderTexts& texts, const ShaderLibrary& shaders);
 
 /// Variant of glsl/capture/surrounding.glsl and glsl/forward/pbr.glsl for a shader of VTK's: GI_LOBE_KNOWN if it
-/// reflects the environment by the lobe's reflectance alone. Since VTK 9.6.1 it adds multiple scattering itself.
+/// reflects the environment by the lobe's reflectance alone, GI_SCATTERS if it adds multiple scattering, as VTK does since
+/// 9.6.1.
 Defines SurroundingVariant(const std::string& fragment);
 }
 

@@ -37,6 +37,13 @@ bool CanBind(GLenum target, GLuint name)
   {
     return true;
   }
+  // Textures of buffers have no parameters but this one.
+  GLint buffer = 0;
+  glGetTextureLevelParameteriv(name, 0, GL_TEXTURE_BUFFER_DATA_STORE_BINDING, &buffer);
+  if (buffer != 0 || target == GL_TEXTURE_BUFFER)
+  {
+    return buffer != 0 && target == GL_TEXTURE_BUFFER;
+  }
   GLint actual = 0;
   glGetTextureParameteriv(name, GL_TEXTURE_TARGET, &actual);
   return static_cast<GLenum>(actual) == target;

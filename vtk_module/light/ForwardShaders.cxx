@@ -52,6 +52,8 @@ void ForwardShaders::MarkVolume(std::string& text)
 {
   const std::string tag = "//VTK::ComputeLighting::Dec";
   Substitute(text, tag, std::string(DeclarationTag) + "\n" + tag);
+  // VTK's functions use the variable above the lines that set it, and Mesa warns of that.
+  Substitute(text, "vec3 g_dataPos;", "vec3 g_dataPos = vec3(0.0);");
 }
 
 std::string ForwardShaders::IndirectSource(bool volume) const
@@ -113,7 +115,7 @@ void ForwardShaders::AddIndirect(std::string& text) const
 {
   const std::string pbr = "  vec3 color = iblDiffuse + iblSpecular;";
   const std::string phong = "gl_FragData[0] = vec4(ambientColor + diffuse + specular, opacity);";
-  Defines variant;
+  Defines variant = SurroundingVariant(text);
   if (Contains(text, "prefilterTex"))
   {
     variant["GI_ENVIRONMENT"] = "1";
