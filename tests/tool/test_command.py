@@ -400,6 +400,9 @@ class Compared(command.CommandTest):
     def test_different(self):
         measured = json.loads(self.succeeds("compare", "spot.png", "ramp.png", "--json").stdout)
         self.assertAlmostEqual(measured["maximum"], 50 / 255, 4)
+        self.assertTrue(0 < measured["flip-mean"] < measured["flip-p95"] < 1)
+        from_afar = json.loads(self.succeeds("compare", "spot.png", "ramp.png", "--json", "--pixels-per-degree", 300).stdout)
+        self.assertNotAlmostEqual(from_afar["flip-mean"], measured["flip-mean"], 4)
         self.assertAlmostEqual(measured["fraction-over"], 0.01, 6)
         self.assertAlmostEqual(measured["signed-mean"], 0.01 * 0.2126 * 50 / 255, 6)
         self.assertLess(measured["ssim"], 1)
@@ -408,7 +411,7 @@ class Compared(command.CommandTest):
         pair = ("compare", "spot.png", "ramp.png")
         self.succeeds(*pair, "--fail-over", 0.011, "--max-relmse", 1, "--min-ssim", 0.5)
         self.succeeds(*pair, "--fail-over", 0, "--tolerance", 50.5)
-        for limit in (("--fail-over", 0.009), ("--max-relmse", 1e-9), ("--min-ssim", 0.9999999)):
+        for limit in (("--fail-over", 0.009), ("--max-relmse", 1e-9), ("--min-ssim", 0.9999999), ("--max-flip", 0.0001)):
             with self.subTest(limit):
                 self.refused(*pair, *limit, says="'spot.png' is too far from 'ramp.png'", status=1)
 
@@ -417,6 +420,14 @@ class Compared(command.CommandTest):
         with Image.open(self.folder / "diff.png") as picture:
             self.assertEqual(picture.convert("RGB").getpixel((21, 11)), (100, 0, 0))
             self.assertEqual(picture.convert("RGB").getpixel((0, 0)), (0, 0, 0))
+
+    def test_flip_picture(self):
+        self.succeeds("compare", "spot.png", "ramp.png", "--flip", "flip.png")
+        with Image.open(self.folder / "flip.png") as picture:
+            seen = picture.convert("RGB")
+            self.assertGreater(seen.getpixel((21, 11))[0], 50)
+            self.assertEqual(seen.getpixel((0, 29)), (0, 0, 0))
+        self.refused("compare", "spot.png", "ramp.png", "--flip", "flip.xyz", says="flip.xyz", status=2)
 
 
 if __name__ == "__main__":

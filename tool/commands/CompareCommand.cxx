@@ -36,13 +36,20 @@ public:
       ->capture_default_str();
     command->add_option("--mask-above", this->Options.MaskAbove,
       "leave out pixels with a channel above this value in either picture, and their neighbours: "
-      "visible lights (SSIM includes them)");
+      "visible lights (SSIM, and FLIP near them, still see them)");
+    command
+      ->add_option("--pixels-per-degree", this->Options.PixelsPerDegree,
+        "of FLIP: pixels in a degree of the viewer's sight")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+    command->add_option("--flip", this->FlipFile, "write a picture of FLIP");
     command->add_option("--diff", this->Difference, "write a picture of the absolute difference");
     command->add_option("--diff-gain", this->Gain, "factor of the difference")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
     command->add_option("--max-relmse", this->MaximumRelativeMse, "fail above this value");
     command->add_option("--min-ssim", this->MinimumSsim, "fail below this value");
+    command->add_option("--max-flip", this->MaximumFlip, "fail if the mean of FLIP is above this value");
     command->add_option("--fail-over", this->MaximumFraction,
       "fail if a greater fraction of pixels exceeds the tolerance");
     command->add_flag("--json", this->Json, "print JSON");
@@ -57,9 +64,12 @@ public:
 
   int Run(Console& console)
   {
-    if (!this->Difference.empty())
+    for (const std::string& file : { this->Difference, this->FlipFile })
     {
-      RequireWritablePicture(this->Difference);
+      if (!file.empty())
+      {
+        RequireWritablePicture(file);
+      }
     }
     tool::Picture a, b;
     {
@@ -78,6 +88,10 @@ public:
     {
       WritePicture(this->Difference, DifferencePicture(a, b, this->Gain));
     }
+    if (!this->FlipFile.empty())
+    {
+      WritePicture(this->FlipFile, FlipPicture(a, b, this->Options.PixelsPerDegree));
+    }
     this->Print(metrics);
     return this->Judge(metrics, console);
   }
@@ -90,6 +104,7 @@ private:
       { "maximum", metrics.Maximum }, { "ssim", metrics.Ssim },
       { "delta-e-mean", metrics.DeltaEMean }, { "delta-e-p99", metrics.DeltaE99 },
       { "delta-h-mean", metrics.DeltaHMean }, { "delta-h-p99", metrics.DeltaH99 },
+      { "flip-mean", metrics.FlipMean }, { "flip-p95", metrics.Flip95 },
       { "fraction-over", metrics.FractionOver }, { "tolerance", this->Options.Tolerance },
       { "epsilon", this->Options.Epsilon }, { "non-finite-pixels", metrics.NonFinite } };
     const bool masks = std::isfinite(this->Options.MaskAbove);
@@ -109,11 +124,13 @@ private:
                "SSIM              {:.6f}\n"
                "ΔE (CIEDE2000)    {:.4g} mean, {:.4g} 99th percentile\n"
                "ΔH (its hue part) {:.4g} mean, {:.4g} 99th percentile\n"
+               "FLIP              {:.4g} mean, {:.4g} 95th percentile   ({:g} pixels per degree)\n"
                "over {:g}/255        {:.6g} of the pixels\n"
                "not finite        {} pixels\n",
       metrics.RelativeMse, this->Options.Epsilon, metrics.SignedMean, metrics.Percentile99,
       metrics.Maximum, metrics.Ssim, metrics.DeltaEMean, metrics.DeltaE99, metrics.DeltaHMean,
-      metrics.DeltaH99, this->Options.Tolerance, metrics.FractionOver, metrics.NonFinite);
+      metrics.DeltaH99, metrics.FlipMean, metrics.Flip95, this->Options.PixelsPerDegree,
+      this->Options.Tolerance, metrics.FractionOver, metrics.NonFinite);
     if (masks)
     {
       fmt::print("masked            {} pixels\n", metrics.Masked);
@@ -137,7 +154,13 @@ private:
       reasons.push_back(fmt::format("{:.6g} of the pixels are over {:g}/255, more than {:g}",
         metrics.FractionOver, this->Options.Tolerance, *this->MaximumFraction));
     }
-    const bool limited = this->MaximumRelativeMse || this->MinimumSsim || this->MaximumFraction;
+    if (this->MaximumFlip && metrics.FlipMean > *this->MaximumFlip)
+    {
+      reasons.push_back(
+        fmt::format("the mean of FLIP, {:.6g}, is above {:g}", metrics.FlipMean, *this->MaximumFlip));
+    }
+    const bool limited = this->MaximumRelativeMse || this->MinimumSsim || this->MaximumFlip ||
+      this->MaximumFraction;
     if (limited && metrics.NonFinite > 0)
     {
       reasons.push_back(fmt::format("{} pixels are not finite", metrics.NonFinite));
@@ -155,9 +178,11 @@ private:
   std::string Reference;
   MetricOptions Options;
   std::string Difference;
+  std::string FlipFile;
   double Gain = 8;
   std::optional<double> MaximumRelativeMse;
   std::optional<double> MinimumSsim;
+  std::optional<double> MaximumFlip;
   std::optional<double> MaximumFraction;
   bool Json = false;
 };

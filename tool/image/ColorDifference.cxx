@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/ColorDifference.h"
 
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +14,16 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Radians = Pi / 180;
+
+// Of D65.
+const glm::dvec3 White(0.95047, 1.0, 1.08883);
+
+// Columns are the XYZ of sRGB's red, green and blue.
+glm::dmat3 FromLinear()
+{
+  return { { 0.4124564, 0.2126729, 0.0193339 }, { 0.3575761, 0.7151522, 0.1191920 },
+    { 0.1804375, 0.0721750, 0.9503041 } };
+}
 
 double Linear(double value)
 {
@@ -43,13 +56,31 @@ double Square(double value)
 }
 }
 
+glm::dvec3 LinearOfDisplay(const glm::dvec3& display)
+{
+  return { Linear(display.r), Linear(display.g), Linear(display.b) };
+}
+
+glm::dvec3 RelativeXyz(const glm::dvec3& linear)
+{
+  return FromLinear() * linear / White;
+}
+
+glm::dvec3 LinearOfRelativeXyz(const glm::dvec3& xyz)
+{
+  static const glm::dmat3 toLinear = glm::inverse(FromLinear());
+  return toLinear * (xyz * White);
+}
+
+Lab LabOfRelativeXyz(const glm::dvec3& xyz)
+{
+  const double x = CubeRoot(xyz.x), y = CubeRoot(xyz.y), z = CubeRoot(xyz.z);
+  return { 116 * y - 16, 500 * (x - y), 200 * (y - z) };
+}
+
 Lab LabOfDisplay(double red, double green, double blue)
 {
-  const double r = Linear(red), g = Linear(green), b = Linear(blue);
-  const double x = CubeRoot((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
-  const double y = CubeRoot(0.2126729 * r + 0.7151522 * g + 0.0721750 * b);
-  const double z = CubeRoot((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883);
-  return { 116 * y - 16, 500 * (x - y), 200 * (y - z) };
+  return LabOfRelativeXyz(RelativeXyz(LinearOfDisplay({ red, green, blue })));
 }
 
 ColorDifference Ciede2000(const Lab& one, const Lab& other)

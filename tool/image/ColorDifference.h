@@ -3,6 +3,8 @@
 /// Differences between colours as people see them.
 #pragma once
 
+#include <glm/vec3.hpp>
+
 namespace penumbra::tool
 {
 /// CIE 1976 L*a*b*.
@@ -13,7 +15,16 @@ struct Lab
   double B = 0;
 };
 
-/// The colour of an sRGB display (IEC 61966-2-1, white D65). Values outside 0..1 are clamped.
+/// Linear values of an sRGB display (IEC 61966-2-1). Values outside 0..1 are clamped.
+glm::dvec3 LinearOfDisplay(const glm::dvec3& display);
+
+/// XYZ of linear sRGB, relative to its white, D65.
+glm::dvec3 RelativeXyz(const glm::dvec3& linear);
+glm::dvec3 LinearOfRelativeXyz(const glm::dvec3& xyz);
+
+Lab LabOfRelativeXyz(const glm::dvec3& xyz);
+
+/// The colour of an sRGB display. Values outside 0..1 are clamped.
 Lab LabOfDisplay(double red, double green, double blue);
 
 struct ColorDifference

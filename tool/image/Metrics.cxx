@@ -45,11 +45,11 @@ double Mean(const std::vector<double>& values)
   return sum / static_cast<double>(values.size());
 }
 
-/// The 99th percentile. Reorders the values.
-double Percentile99(std::vector<double>& values)
+/// The value that a share of them do not exceed. Reorders the values.
+double Quantile(std::vector<double>& values, double share)
 {
   const auto rank =
-    values.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(values.size() - 1));
+    values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), rank, values.end());
   return *rank;
 }
@@ -63,8 +63,9 @@ Lab LabOf(const Picture& picture, std::size_t pixel)
 Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options)
 {
   Metrics metrics;
-  std::vector<double> worst, total, hue;
+  std::vector<double> worst, total, hue, flip;
   worst.reserve(a.PixelCount());
+  const Plane flips = Flip(a, b, options.PixelsPerDegree);
   double squares = 0, bias = 0;
   std::size_t over = 0;
   const std::vector<char> masked = TooBright(a, b, options.MaskAbove);
@@ -96,6 +97,7 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
     const ColorDifference seen = Ciede2000(LabOf(a, i), LabOf(b, i));
     total.push_back(seen.Total);
     hue.push_back(seen.Hue);
+    flip.push_back(flips[i]);
   }
   if (worst.empty())
   {
@@ -106,13 +108,26 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
   metrics.SignedMean = bias / count;
   metrics.FractionOver = over / count;
   metrics.Maximum = *std::max_element(worst.begin(), worst.end());
-  metrics.Percentile99 = Percentile99(worst);
+  metrics.Percentile99 = Quantile(worst, 0.99);
   metrics.DeltaEMean = Mean(total);
-  metrics.DeltaE99 = Percentile99(total);
+  metrics.DeltaE99 = Quantile(total, 0.99);
   metrics.DeltaHMean = Mean(hue);
-  metrics.DeltaH99 = Percentile99(hue);
+  metrics.DeltaH99 = Quantile(hue, 0.99);
+  metrics.FlipMean = Mean(flip);
+  metrics.Flip95 = Quantile(flip, 0.95);
   metrics.Ssim = StructuralSimilarity(a, b);
   return metrics;
+}
+
+Picture FlipPicture(const Picture& a, const Picture& b, double pixelsPerDegree)
+{
+  const Plane flips = Flip(a, b, pixelsPerDegree);
+  Picture picture(a.Width, a.Height, 3);
+  for (std::size_t i = 0; i < flips.size(); ++i)
+  {
+    std::fill_n(picture.Pixel(i), 3, static_cast<float>(flips[i]));
+  }
+  return picture;
 }
 
 Picture DifferencePicture(const Picture& a, const Picture& b, double gain)

@@ -3,6 +3,7 @@
 /// Differences between a picture and a reference.
 #pragma once
 
+#include "image/Flip.h"
 #include "image/Picture.h"
 
 #include <limits>
@@ -16,6 +17,7 @@ struct MetricOptions
   /// Pixels where a channel of either picture is brighter are left out with their neighbours. Visible lights would outweigh
   /// everything else.
   double MaskAbove = std::numeric_limits<double>::infinity();
+  double PixelsPerDegree = DefaultPixelsPerDegree; ///< of FLIP
 };
 
 struct Metrics
@@ -28,6 +30,7 @@ struct Metrics
   double DeltaEMean = 0, DeltaE99 = 0; ///< CIEDE2000: mean and 99th percentile
   double DeltaHMean = 0, DeltaH99 = 0; ///< its part of hue
   double Ssim = 1;                     ///< mean structural similarity of the luminance
+  double FlipMean = 0, Flip95 = 0;     ///< FLIP: mean and 95th percentile (image/Flip.h)
   double FractionOver = 0;             ///< fraction of pixels that exceed the tolerance
   std::size_t NonFinite = 0;           ///< pixels with NaN or infinity in either picture, left out
   std::size_t Masked = 0;              ///< pixels left out as too bright
@@ -38,6 +41,9 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
 
 /// The absolute difference times a gain, in colour.
 Picture DifferencePicture(const Picture& a, const Picture& b, double gain);
+
+/// FLIP of each pixel, as grey.
+Picture FlipPicture(const Picture& a, const Picture& b, double pixelsPerDegree);
 
 /// Mean SSIM of the luminance, taken as display values with a range of 1. Wang, Bovik, Sheikh and Simoncelli 2004, Image
 /// Quality Assessment: From Error Visibility to Structural Similarity.

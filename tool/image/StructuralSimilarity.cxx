@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "image/Convolution.h"
 #include "image/Metrics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -10,39 +10,7 @@ namespace penumbra::tool
 {
 namespace
 {
-using Plane = std::vector<double>;
-
-/// The paper's window: 11 by 11 Gaussian weights with a standard deviation of 1.5. Edge pixels are repeated.
-constexpr int Reach = 5;
-constexpr double Deviation = 1.5;
-
-void BlurAlong(Plane& plane, int count, int lines, int step, int lineStep)
-{
-  double weights[2 * Reach + 1], sum = 0;
-  for (int i = -Reach; i <= Reach; ++i)
-  {
-    sum += weights[i + Reach] = std::exp(-0.5 * i * i / (Deviation * Deviation));
-  }
-  Plane line(count);
-  for (int l = 0; l < lines; ++l)
-  {
-    double* start = &plane[std::size_t(l) * lineStep];
-    for (int i = 0; i < count; ++i)
-    {
-      double value = 0;
-      for (int k = -Reach; k <= Reach; ++k)
-      {
-        value += weights[k + Reach] * start[std::size_t(std::clamp(i + k, 0, count - 1)) * step];
-      }
-      line[i] = value / sum;
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      start[std::size_t(i) * step] = line[i];
-    }
-  }
-}
-
+// The paper's window: 11 by 11 Gaussian weights with a standard deviation of 1.5.
 Plane Blurred(const Picture& size, const std::function<double(std::size_t)>& value)
 {
   Plane plane(size.PixelCount());
@@ -51,9 +19,8 @@ Plane Blurred(const Picture& size, const std::function<double(std::size_t)>& val
     const double v = value(i);
     plane[i] = std::isfinite(v) ? v : 0;
   }
-  BlurAlong(plane, size.Width, size.Height, 1, size.Width);
-  BlurAlong(plane, size.Height, size.Width, size.Width, 1);
-  return plane;
+  const Weights weights = GaussianWeights(1.5, 5);
+  return Convolved(plane, size.Width, weights, weights);
 }
 }
 
