@@ -61,7 +61,8 @@ double Noise(int x, int y)
 TEST(Flip, OfPlainColors)
 {
   const Picture black = Plain({ 0, 0, 0 }), white = Plain({ 1, 1, 1 });
-  EXPECT_NEAR(MeanFlip(black, white), 0.95 + (25.1189 - 0.4 * 41.276) / (0.6 * 41.276) * 0.05, 1e-4);
+  EXPECT_NEAR(
+    MeanFlip(black, white), 0.95 + (25.1189 - 0.4 * 41.276) / (0.6 * 41.276) * 0.05, 1e-4);
   EXPECT_NEAR(MeanFlip(Plain({ 0, 1, 0 }), Plain({ 0, 0, 1 })), 1.0, 1e-9);
   EXPECT_EQ(MeanFlip(white, white), 0.0);
   const double small = MeanFlip(Plain({ 0.5f, 0.5f, 0.5f }), Plain({ 0.51f, 0.5f, 0.5f }));
@@ -73,7 +74,9 @@ TEST(Flip, OfPlainColors)
 TEST(Flip, EqualsTheAuthorsImplementation)
 {
   const Picture black = Plain({ 0, 0, 0 });
-  const Picture halves = Paint([](int x, int) { return x < Side / 2 ? Color{ 0, 0, 0 } : Color{ 1, 1, 1 }; });
+  const Picture halves = Paint([](int x, int) {
+    return x < Side / 2 ? Color{ 0, 0, 0 } : Color{ 1, 1, 1 };
+  });
   const Picture noise = Paint([](int x, int y) {
     const auto grey = static_cast<float>(std::floor(255 * Noise(x, y)) / 255);
     return Color{ grey, grey, 1 - grey };
@@ -85,7 +88,9 @@ TEST(Flip, EqualsTheAuthorsImplementation)
 
 TEST(Flip, IsSymmetric)
 {
-  const Picture line = Paint([](int x, int y) { return x == y ? Color{ 1, 0.2f, 0 } : Color{ 0.3f, 0.4f, 0.5f }; });
+  const Picture line = Paint([](int x, int y) {
+    return x == y ? Color{ 1, 0.2f, 0 } : Color{ 0.3f, 0.4f, 0.5f };
+  });
   const Picture plain = Plain({ 0.3f, 0.4f, 0.5f });
   const Plane one = Flip(line, plain), other = Flip(plain, line);
   for (std::size_t i = 0; i < one.size(); ++i)
@@ -110,7 +115,9 @@ TEST(Flip, FallsWithDistance)
 TEST(Flip, BearsAnyValue)
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  const Picture odd = Paint([&](int x, int) { return Color{ x == 3 ? nan : 1e30f, -1e30f, x == 4 ? INFINITY : 0.f }; });
+  const Picture odd = Paint([&](int x, int) {
+    return Color{ x == 3 ? nan : 1e30f, -1e30f, x == 4 ? INFINITY : 0.f };
+  });
   for (const double value : Flip(odd, Plain({ 0, 0, 0 })))
   {
     ASSERT_GE(value, 0.0);

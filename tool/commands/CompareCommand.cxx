@@ -49,7 +49,8 @@ public:
       ->capture_default_str();
     command->add_option("--max-relmse", this->MaximumRelativeMse, "fail above this value");
     command->add_option("--min-ssim", this->MinimumSsim, "fail below this value");
-    command->add_option("--max-flip", this->MaximumFlip, "fail if the mean of FLIP is above this value");
+    command->add_option(
+      "--max-flip", this->MaximumFlip, "fail if the mean of FLIP is above this value");
     command->add_option("--fail-over", this->MaximumFraction,
       "fail if a greater fraction of pixels exceeds the tolerance");
     command->add_flag("--json", this->Json, "print JSON");
@@ -90,7 +91,7 @@ public:
     }
     if (!this->FlipFile.empty())
     {
-      WritePicture(this->FlipFile, FlipPicture(a, b, this->Options.PixelsPerDegree));
+      WritePicture(this->FlipFile, GreyPicture(metrics.Flip, a.Width));
     }
     this->Print(metrics);
     return this->Judge(metrics, console);
@@ -156,11 +157,11 @@ private:
     }
     if (this->MaximumFlip && metrics.FlipMean > *this->MaximumFlip)
     {
-      reasons.push_back(
-        fmt::format("the mean of FLIP, {:.6g}, is above {:g}", metrics.FlipMean, *this->MaximumFlip));
+      reasons.push_back(fmt::format(
+        "the mean of FLIP, {:.6g}, is above {:g}", metrics.FlipMean, *this->MaximumFlip));
     }
-    const bool limited = this->MaximumRelativeMse || this->MinimumSsim || this->MaximumFlip ||
-      this->MaximumFraction;
+    const bool limited =
+      this->MaximumRelativeMse || this->MinimumSsim || this->MaximumFlip || this->MaximumFraction;
     if (limited && metrics.NonFinite > 0)
     {
       reasons.push_back(fmt::format("{} pixels are not finite", metrics.NonFinite));

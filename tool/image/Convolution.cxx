@@ -4,6 +4,7 @@
 
 #include "common/ForEach.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

@@ -7,6 +7,7 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -133,8 +134,7 @@ double Redistributed(double distance)
                          : target + (distance - bend) / (greatest - bend) * (1 - target);
 }
 
-Plane ColorDifferences(
-  const Opponents& a, const Opponents& b, int width, double pixelsPerDegree)
+Plane ColorDifferences(const Opponents& a, const Opponents& b, int width, double pixelsPerDegree)
 {
   std::array<Opponents, 2> seen;
   for (int channel = 0; channel < 3; ++channel)
@@ -216,8 +216,8 @@ Plane Flip(const Picture& a, const Picture& b, double pixelsPerDegree)
   const Features other = FeaturesOf(second[0], a.Width, pixelsPerDegree);
   for (std::size_t i = 0; i < result.size(); ++i)
   {
-    const double difference = std::max(
-      std::abs(one.Edges[i] - other.Edges[i]), std::abs(one.Points[i] - other.Points[i]));
+    const double difference =
+      std::max(std::abs(one.Edges[i] - other.Edges[i]), std::abs(one.Points[i] - other.Points[i]));
     const double feature = std::pow(difference / std::sqrt(2.0), FeatureExponent);
     result[i] = std::pow(result[i], 1 - feature);
   }

@@ -65,7 +65,7 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
   Metrics metrics;
   std::vector<double> worst, total, hue, flip;
   worst.reserve(a.PixelCount());
-  const Plane flips = Flip(a, b, options.PixelsPerDegree);
+  metrics.Flip = Flip(a, b, options.PixelsPerDegree);
   double squares = 0, bias = 0;
   std::size_t over = 0;
   const std::vector<char> masked = TooBright(a, b, options.MaskAbove);
@@ -97,7 +97,7 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
     const ColorDifference seen = Ciede2000(LabOf(a, i), LabOf(b, i));
     total.push_back(seen.Total);
     hue.push_back(seen.Hue);
-    flip.push_back(flips[i]);
+    flip.push_back(metrics.Flip[i]);
   }
   if (worst.empty())
   {
@@ -119,13 +119,12 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
   return metrics;
 }
 
-Picture FlipPicture(const Picture& a, const Picture& b, double pixelsPerDegree)
+Picture GreyPicture(const Plane& plane, int width)
 {
-  const Plane flips = Flip(a, b, pixelsPerDegree);
-  Picture picture(a.Width, a.Height, 3);
-  for (std::size_t i = 0; i < flips.size(); ++i)
+  Picture picture(width, static_cast<int>(plane.size()) / width, 3);
+  for (std::size_t i = 0; i < plane.size(); ++i)
   {
-    std::fill_n(picture.Pixel(i), 3, static_cast<float>(flips[i]));
+    std::fill_n(picture.Pixel(i), 3, static_cast<float>(plane[i]));
   }
   return picture;
 }

@@ -31,6 +31,7 @@ struct Metrics
   double DeltaHMean = 0, DeltaH99 = 0; ///< its part of hue
   double Ssim = 1;                     ///< mean structural similarity of the luminance
   double FlipMean = 0, Flip95 = 0;     ///< FLIP: mean and 95th percentile (image/Flip.h)
+  Plane Flip;                          ///< of all pixels
   double FractionOver = 0;             ///< fraction of pixels that exceed the tolerance
   std::size_t NonFinite = 0;           ///< pixels with NaN or infinity in either picture, left out
   std::size_t Masked = 0;              ///< pixels left out as too bright
@@ -42,8 +43,8 @@ Metrics Measure(const Picture& a, const Picture& b, const MetricOptions& options
 /// The absolute difference times a gain, in colour.
 Picture DifferencePicture(const Picture& a, const Picture& b, double gain);
 
-/// FLIP of each pixel, as grey.
-Picture FlipPicture(const Picture& a, const Picture& b, double pixelsPerDegree);
+/// A plane as a picture in grey.
+Picture GreyPicture(const Plane& plane, int width);
 
 /// Mean SSIM of the luminance, taken as display values with a range of 1. Wang, Bovik, Sheikh and Simoncelli 2004, Image
 /// Quality Assessment: From Error Visibility to Structural Similarity.
