@@ -2,8 +2,7 @@
 //   0 albedo:   rgb diffuse reflectance, a coverage
 //   1 normal:   xy octahedral normal in view coordinates, z material / 65535
 //   2 ambient:  rgb radiance reflected from ambient light or from the environment; the colour of a
-//               surface that is shown as drawn. a: 0 where nothing is blended, as this target becomes
-//               resource::Irradiance in frames in which no surface has an ambient term
+//               surface that is shown as drawn. Not kept in frames in which no surface has either
 // If the scene has textures or PBR (GI_EXTENDED):
 //   3 surface:  Phong: rgb the texture's factor on specular light; PBR: r metallic, g occlusion,
 //               b roughness
@@ -26,7 +25,6 @@ const vec3 giDisplacement = vec3(0.0);
 #endif
 uniform int giMaterial;
 uniform int giBackMaterial;
-uniform float giAmbientAlpha;
 uniform int giMendsNormals;
 uniform vec2 giDepthWindow; // depths of the camera's clipping planes, if the projection reaches beyond them
 uniform float giReflectance; // factor of all diffuse reflectances and base colours

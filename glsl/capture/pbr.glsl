@@ -11,7 +11,7 @@
     float giOcclusion = mix(1.0, ao, aoStrengthUniform);
     gl_FragData[0] = vec4(albedo, 1.0);
     gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput), float(giMaterial) / 65535.0, 1.0);
-    gl_FragData[2] = vec4(giSurrounding * giOcclusion, giAmbientAlpha);
+    gl_FragData[2] = vec4(giSurrounding * giOcclusion, 1.0);
 #ifdef GI_EXTENDED
     gl_FragData[3] = vec4(metallic, giOcclusion, roughness, 1.0);
     gl_FragData[4] = vec4(emissiveColor, 1.0);

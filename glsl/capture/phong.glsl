@@ -13,7 +13,7 @@
     gl_FragData[0] = vec4(diffuseColor * giTexture * length(normalVCVSOutput), 1.0);
     gl_FragData[1] = vec4(giEncodeOctahedral(normalVCVSOutput),
       float(gl_FrontFacing ? giMaterial : giBackMaterial) / 65535.0, 1.0);
-    gl_FragData[2] = vec4(ambientColor * giTexture, giAmbientAlpha);
+    gl_FragData[2] = vec4(ambientColor * giTexture, 1.0);
 #ifdef GI_EXTENDED
     gl_FragData[3] = vec4(giTexture, 1.0);
     gl_FragData[4] = vec4(0.0, 0.0, 0.0, 1.0);

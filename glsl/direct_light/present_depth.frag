@@ -5,7 +5,8 @@ layout(binding = 0) uniform sampler2D depthTexture;
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D normalTexture;
 
-uniform vec2 depthWindow; // depths of the camera's clipping planes
+#include "direct_light/window_depth.glsl"
+
 uniform int catcher;      // material of what shows the background
 
 void main()
@@ -16,6 +17,5 @@ void main()
   {
     discard;
   }
-  float depth = texelFetch(depthTexture, pixel, 0).r;
-  gl_FragDepth = clamp((depth - depthWindow.x) / (depthWindow.y - depthWindow.x), 0.0, 1.0);
+  gl_FragDepth = giWindowDepth(texelFetch(depthTexture, pixel, 0).r);
 }

@@ -8,7 +8,8 @@
 // (occluders of ambient light reflect it too), GI_CATCHER (some surfaces show the background), GI_COVERAGE (fragments
 // that cover a pixel partly, to be blended), GI_RADIANCE (write linear radiance instead of the colour for display),
 // GI_LIT (write both), GI_LIT_PARTS (also write resource::LitShown and LitEncoded), GI_DATA_COLORS (surfaces coloured by
-// data are lit by lib/data_colors.glsl), GI_DISPLAY (the colour is mapped by tone_mapping/forward.glsl).
+// data are lit by lib/data_colors.glsl), GI_DISPLAY (the colour is mapped by tone_mapping/forward.glsl), GI_PRESENT_DEPTH
+// (also write the depth as the window's).
 #include "shared/view.h"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -42,6 +43,10 @@ layout(binding = 7) uniform sampler2D ambientVisibility;
 layout(binding = 8) uniform sampler2D irradianceTexture;
 layout(binding = 9) uniform sampler2D surroundingsTexture;
 layout(binding = 10) uniform sampler2D lampLightTexture;
+
+#ifdef GI_PRESENT_DEPTH
+#include "direct_light/window_depth.glsl"
+#endif
 
 uniform int lightCount;
 uniform int catcher; // material of what shows the background
@@ -117,6 +122,9 @@ void main()
   {
     discard;
   }
+#endif
+#ifdef GI_PRESENT_DEPTH
+  gl_FragDepth = giWindowDepth(texelFetch(depthTexture, pixel, 0).r);
 #endif
   float openness = 1.0;
 #ifdef GI_AMBIENT_VISIBILITY

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 
 using namespace penumbra_test;
 
@@ -199,6 +200,40 @@ TEST_F(SkyLight, BesideAWall)
     const double light = this->At({ { 0.0, -d, 0.0 } });
     std::printf("wall at %g: %.4f, expected %.4f\n", d, light, 1.0 - hidden);
     EXPECT_NEAR(light, 1.0 - hidden, 0.01) << d;
+  }
+}
+
+// Pixels of a block look up different maps. Their shares are joined so that the blocks do not show while the camera moves:
+// the light between two neighbours lies between theirs.
+TEST_F(SkyLight, IsSmoothWhileTheCameraMoves)
+{
+  Paint(AddFloor(this->Scene, -20.0, 20.0, -20.0, 20.0), 1.0);
+  Paint(AddQuad(this->Scene, { { -3.0, 0.0, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { -3.0, 0.0, 1.0 } }),
+    1.0);
+  this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, -1.5, 0.0 } }, 1.5); // only the floor
+  const std::map<const char*, double> limits = { { "full", 0.005 }, { "half", 0.0024 },
+    { "quarter", 0.0012 } };
+  for (const auto& [resolution, limit] : limits)
+  {
+    this->Technique->SetParameterFromText("resolution", resolution);
+    this->Draw(1);
+    this->Scene.Renderer->GetActiveCamera()->Azimuth(2.0);
+    this->Draw(1);
+    double rough = 0.0;
+    for (int y = 1; y + 1 < Side; ++y)
+    {
+      for (int x = 1; x + 1 < Side; ++x)
+      {
+        const auto light = [&](int i, int j) {
+          return this->Radiance->GetScalarComponentAsDouble(i, j, 0, 1);
+        };
+        rough += std::abs(light(x - 1, y) + light(x + 1, y) - 2.0 * light(x, y)) +
+          std::abs(light(x, y - 1) + light(x, y + 1) - 2.0 * light(x, y));
+      }
+    }
+    rough /= (Side - 2) * (Side - 2) * this->Mean();
+    std::printf("roughness at %s resolution: %.5f\n", resolution, rough);
+    EXPECT_LT(rough, limit) << resolution;
   }
 }
 

@@ -249,10 +249,6 @@ void vtkGICaptureHooks::SetUniforms(vtkShaderProgram* program, vtkAbstractMapper
     program->SetUniform2i("giAnchor", &this->Anchor[0]);
     program->SetUniformi("giLayer", this->Layer);
   }
-  if (program->IsUniformUsed("giAmbientAlpha"))
-  {
-    program->SetUniformf("giAmbientAlpha", this->Materials->HasPartialCoverage() ? 1.0f : 0.0f);
-  }
   if (program->IsUniformUsed("giReflectance"))
   {
     program->SetUniformf("giReflectance", static_cast<float>(this->Rules.Reflectance));

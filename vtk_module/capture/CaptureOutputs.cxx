@@ -21,7 +21,8 @@ std::vector<const CaptureOutputs::Optional*> CaptureOutputs::RequestedTargets() 
 
 std::vector<const char*> CaptureOutputs::Resources() const
 {
-  std::vector<const char*> resources = { resource::Albedo, resource::Normal, this->AmbientTarget };
+  std::vector<const char*> resources = { resource::Albedo, resource::Normal,
+    this->Ambient ? resource::Ambient : nullptr };
   if (this->Extended)
   {
     resources.push_back(resource::Surface);

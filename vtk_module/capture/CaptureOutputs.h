@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Targets that the capture writes in a frame: three always, two more if the scene has textures
- * or PBR, and those that techniques request.
+ * Targets that the capture writes in a frame: two always, one more if a surface may have an ambient term, two more if
+ * the scene has textures or PBR, and those that techniques request.
  */
 #pragma once
 
@@ -11,7 +11,6 @@
 #include "graph/Resources.h"
 
 #include <array>
-#include <cstring>
 #include <set>
 
 namespace penumbra
@@ -33,9 +32,8 @@ public:
   } };
 
   bool Extended = false; ///< whether there are textures or PBR
-  /// Resource of the third target. Shaders write the same values in any case.
-  const char* AmbientTarget = resource::Ambient;
-  bool HasAmbient() const { return std::strcmp(this->AmbientTarget, resource::Ambient) == 0; }
+  /// Whether the third target is kept. Shaders write the same values in any case.
+  bool Ambient = true;
 
   void Request(const char* resource) { this->Requested.insert(resource); }
   bool Has(const char* resource) const { return this->Requested.count(resource) > 0; }
@@ -48,7 +46,7 @@ public:
   /// The requested optional targets, in order.
   std::vector<const Optional*> RequestedTargets() const;
 
-  /// The resources of all targets, in order.
+  /// The resources of all targets, in order; nullptr for one that is not kept.
   std::vector<const char*> Resources() const;
 
   /// Macros of a snippet for the targets that are written.

@@ -91,14 +91,6 @@ bool SceneCapture::MayHaveAmbient() const
     [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->HasEnvironment); });
 }
 
-bool SceneCapture::StartForAmbient(const char* resource)
-{
-  // Blending would use the target's alpha as coverage.
-  const bool available = !this->Table.HasPartialCoverage() && !this->MayHaveAmbient();
-  this->Outputs.AmbientTarget = available ? resource : resource::Ambient;
-  return available;
-}
-
 bool SceneCapture::CastsPartialShadows() const
 {
   const auto translucent = [](vtkTexture* texture) { return texture && texture->IsTranslucent(); };
@@ -129,8 +121,10 @@ void SceneCapture::SetMotion(MotionTable* motion)
   this->Hooks->SetMotion(motion);
 }
 
-void SceneCapture::Contribute(Frame& frame)
+void SceneCapture::Contribute(Frame& frame, bool lit)
 {
+  // Without lights VTK shows unlit colours, and fragments that cover a pixel partly keep theirs.
+  this->Outputs.Ambient = !lit || this->Table.HasPartialCoverage() || this->MayHaveAmbient();
   if (this->Motion && this->Motion->Deform(this->CasterProps))
   {
     this->Outputs.Request(resource::Displacement);
@@ -141,14 +135,17 @@ void SceneCapture::Contribute(Frame& frame)
   auto& pass = frame.AddPass("capture");
   const GLenum reflectance = this->Outputs.Extended ? GL_RGBA16 : GL_RGBA8;
   // Blended fragments are rounded to the window's eight bits, as in VTK.
-  const bool wide = this->Outputs.Extended || !this->Outputs.HasAmbient() ||
-    (frame.GetView().KeepsRadiance && !this->Table.HasPartialCoverage());
+  const bool wide =
+    this->Outputs.Extended || (frame.GetView().KeepsRadiance && !this->Table.HasPartialCoverage());
   const GLenum depth = frame.GetView().DepthFormat;
   pass.Write(resource::Depth, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F))
     .Write(resource::Albedo, frame.WindowTexture(reflectance))
     .Write(resource::Normal, frame.WindowTexture(GL_RGBA16))
-    .Write(this->Outputs.AmbientTarget, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8))
     .Write(resource::DepthCopy, frame.WindowTexture(depth ? depth : GL_DEPTH_COMPONENT32F));
+  if (this->Outputs.Ambient)
+  {
+    pass.Write(resource::Ambient, frame.WindowTexture(wide ? GL_RGBA16F : GL_RGBA8));
+  }
   if (this->Outputs.Extended)
   {
     pass.Write(resource::Surface, frame.WindowTexture(GL_RGBA16))

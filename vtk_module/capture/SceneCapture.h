@@ -61,10 +61,6 @@ public:
   /// Whether some prop in view may have an ambient term.
   bool MayHaveAmbient() const;
 
-  /// If no prop in view has an ambient term, use its target to begin another resource: rgb and a are 0 where something
-  /// was captured, and undefined elsewhere. Returns false and changes nothing if some prop may have an ambient term.
-  bool StartForAmbient(const char* resource);
-
   /// Whether any occluder may cover pixels only partly.
   bool CastsPartialShadows() const;
 
@@ -78,7 +74,7 @@ public:
   bool HasSurfaces() const { return !this->Surfaces.empty(); }
 
   /// Add the pass that writes the G-buffer.
-  void Contribute(Frame& frame);
+  void Contribute(Frame& frame, bool lit);
 
   /// Draw the depth of all occluders, as seen with these matrices, into the bound framebuffer. Occluders with partial
   /// coverage are drawn in a corresponding share of the texels, by a pattern that starts at anchor.

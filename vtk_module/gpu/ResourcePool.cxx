@@ -73,7 +73,7 @@ GLuint ResourcePool::Framebuffer(const std::vector<Attachment>& colors, const At
   std::vector<GLuint> key;
   for (const auto& color : colors)
   {
-    key.push_back(color.Target->Get());
+    key.push_back(color.Target ? color.Target->Get() : 0);
     key.push_back(static_cast<GLuint>(color.Layer));
   }
   key.push_back(depth.Target ? depth.Target->Get() : 0);
@@ -81,7 +81,7 @@ GLuint ResourcePool::Framebuffer(const std::vector<Attachment>& colors, const At
   bool borrowed = depth.Target && depth.Target->IsBorrowed();
   for (const auto& color : colors)
   {
-    borrowed |= color.Target->IsBorrowed();
+    borrowed |= color.Target && color.Target->IsBorrowed();
   }
   auto& cache = borrowed ? this->FrameFramebuffers : this->Framebuffers;
   auto found = cache.find(key);
@@ -110,8 +110,12 @@ GLuint ResourcePool::Framebuffer(const std::vector<Attachment>& colors, const At
   std::vector<GLenum> buffers;
   for (const auto& color : colors)
   {
-    buffers.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size()));
-    attach(buffers.back(), color);
+    const auto point = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+    buffers.push_back(color.Target ? point : GL_NONE);
+    if (color.Target)
+    {
+      attach(point, color);
+    }
   }
   if (depth.Target)
   {

@@ -31,9 +31,13 @@ public:
   const Texture* Input(const char* resource) const;
   const Texture* Output(const char* resource) const;
 
-  /// Bind outputs, and depth if named, as the target to draw to.
+  /// The window's depth texture, if the frame has depths of its own and direct light can present them there.
+  const Texture* PresentedDepth() const;
+
+  /// Bind outputs, and depth if named, as the target to draw to. Nothing is kept of an output that is nullptr.
   void BindTarget(const std::vector<const char*>& outputs, const char* depth = nullptr) const;
   void BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const;
+  std::vector<Attachment> Attachments(const std::vector<const char*>& outputs) const;
 
   /// Make a program current with these arguments and the pass's declared ones, to draw geometry of the pass's own.
   void Use(const Program& program, const Arguments& given) const;

@@ -70,7 +70,7 @@ const Texture* FrameExecutor::Find(int version) const
     return this->Window.Color.get();
   }
   const auto& entry = this->Graph->Versions()[version];
-  if (entry.Resource == resource::Depth && this->Window.Depth)
+  if (entry.Resource == resource::Depth && this->Window.Depth && !this->Window.OwnDepth)
   {
     return this->Window.Depth.get();
   }
@@ -162,6 +162,12 @@ vtkOpenGLRenderer* FrameContext::Renderer() const
   return this->Executor->Renderer;
 }
 
+const Texture* FrameContext::PresentedDepth() const
+{
+  const WindowTarget& window = this->Executor->Window;
+  return window.OwnDepth ? window.Depth.get() : nullptr;
+}
+
 const Texture* FrameContext::Input(const char* resource) const
 {
   const auto found = this->Step->Inputs.find(resource);
@@ -179,20 +185,25 @@ const Texture* FrameContext::Output(const char* resource) const
   return this->Executor->Find(found->second);
 }
 
-void FrameContext::BindTarget(const std::vector<const char*>& outputs, const char* depth) const
+std::vector<Attachment> FrameContext::Attachments(const std::vector<const char*>& outputs) const
 {
-  std::vector<Attachment> colors;
+  std::vector<Attachment> attachments;
   for (const char* output : outputs)
   {
-    colors.push_back({ this->Output(output), -1 });
+    attachments.push_back({ output ? this->Output(output) : nullptr, -1 });
   }
-  Attachment depthAttachment;
+  return attachments;
+}
+
+void FrameContext::BindTarget(const std::vector<const char*>& outputs, const char* depth) const
+{
+  Attachment attachment;
   if (depth)
   {
     const Texture* input = this->Input(depth);
-    depthAttachment.Target = input ? input : this->Output(depth);
+    attachment.Target = input ? input : this->Output(depth);
   }
-  this->BindTarget(colors, depthAttachment);
+  this->BindTarget(this->Attachments(outputs), attachment);
 }
 
 void FrameContext::BindTarget(const std::vector<Attachment>& colors, const Attachment& depth) const
@@ -200,7 +211,10 @@ void FrameContext::BindTarget(const std::vector<Attachment>& colors, const Attac
   Commands& commands = this->GetCommands();
   for (const Attachment& color : colors)
   {
-    commands.BeforeUse(*color.Target, GL_FRAMEBUFFER_BARRIER_BIT);
+    if (color.Target)
+    {
+      commands.BeforeUse(*color.Target, GL_FRAMEBUFFER_BARRIER_BIT);
+    }
   }
   this->State()->vtkglBindFramebuffer(
     GL_FRAMEBUFFER, this->Executor->Pool.Framebuffer(colors, depth));

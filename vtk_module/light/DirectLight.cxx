@@ -99,16 +99,27 @@ struct Resolve
     scope.Set(GL_BLEND, this->Materials->HasPartialCoverage());
     context.State()->vtkglBlendFuncSeparate(
       GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    context.BindTarget(targets, resource::Depth);
-    // The triangle lies at the far plane, so only pixels with nearer surfaces are resolved.
+    const bool radiance = targets.front() == resource::Radiance;
+    Defines variant = this->Variant(context, radiance, targets.size() > 1);
+    Arguments arguments;
+    arguments.Set("ambientLight", glm::vec3(this->Options.SpreadShare * this->Lights->TotalColor()))
+      .Set("interreflection", this->Options.Interreflection);
+    const Texture* presented = radiance ? nullptr : context.PresentedDepth();
+    if (presented)
+    {
+      context.BindTarget(context.Attachments(targets), { presented, -1 });
+      variant["GI_PRESENT_DEPTH"] = "1";
+      arguments.Set("depthWindow", glm::vec2(context.GetView().DepthWindow));
+    }
+    else
+    {
+      context.BindTarget(targets, resource::Depth);
+    }
+    // The triangle lies at the far plane, so only pixels with nearer surfaces are resolved; or all that were captured.
     scope.Set(GL_DEPTH_TEST, true);
-    scope.DepthFunc(GL_GREATER);
-    scope.DepthMask(false);
-    context.DrawBound("direct_light/resolve.frag",
-      this->Variant(context, targets.front() == resource::Radiance, targets.size() > 1),
-      Arguments()
-        .Set("ambientLight", glm::vec3(this->Options.SpreadShare * this->Lights->TotalColor()))
-        .Set("interreflection", this->Options.Interreflection));
+    scope.DepthFunc(presented ? GL_ALWAYS : GL_GREATER);
+    scope.DepthMask(presented != nullptr);
+    context.DrawBound("direct_light/resolve.frag", variant, arguments);
   }
 };
 
@@ -123,7 +134,7 @@ void Present(FrameContext& context)
   {
     context.DrawBound("direct_light/present_color.frag", {}, {});
   }
-  if (context.Input(resource::Depth)->IsBorrowed())
+  if (context.Input(resource::Depth)->IsBorrowed() || context.PresentedDepth())
   {
     return;
   }
@@ -164,8 +175,7 @@ History& HighlightTable(Frame& frame)
 void ContributeDirectLight(
   Frame& frame, LightTable& lights, MaterialTable& materials, const DirectLightOptions& options)
 {
-  History* highlights =
-    options.Extended && lights.HasAreas() ? &HighlightTable(frame) : nullptr;
+  History* highlights = options.Extended && lights.HasAreas() ? &HighlightTable(frame) : nullptr;
   auto& pass = frame.AddPass("direct-light");
   pass.Read(resource::Depth)
     .Read(resource::DepthCopy)

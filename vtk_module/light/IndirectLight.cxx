@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "light/IndirectLight.h"
 
-#include "capture/SceneCapture.h"
 #include "gpu/ScopedState.h"
 #include "graph/Frame.h"
-#include "light/LightTable.h"
 
 #include <algorithm>
 
@@ -22,8 +20,7 @@ Defines OpenDirection(const FrameContext& context, Arguments& arguments)
   return { { "GI_BENT", "1" } };
 }
 
-void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCapture& capture,
-  std::vector<IndirectLight> lights)
+void ContributeIndirectLight(Frame& frame, std::vector<IndirectLight> lights)
 {
   if (lights.empty())
   {
@@ -31,10 +28,6 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
   }
   const bool hasDirectLight = std::any_of(lights.begin(), lights.end(),
     [](const IndirectLight& light) { return light.IncludesDirectLight; });
-  // If the capture starts the irradiance, no separate target has to be cleared and read. Without lights VTK shows
-  // unlit colours.
-  const bool captureStarts =
-    !lightTable.Lights().empty() && capture.StartForAmbient(resource::Irradiance);
   for (std::size_t number = 0; number < lights.size(); ++number)
   {
     const IndirectLight& light = lights[number];
@@ -45,7 +38,7 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
     const auto target = [&](const char* name, bool exists) {
       exists ? pass.DrawOver(name, order) : pass.Write(name, frame.WindowTexture(GL_RGBA16F));
     };
-    target(resource::Irradiance, captureStarts || !first);
+    target(resource::Irradiance, !first);
     if (hasDirectLight && (first || light.IncludesDirectLight))
     {
       target(resource::LampLight, !first);
@@ -53,7 +46,7 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
     light.Declare(pass);
     pass.Read(resource::Depth)
       .ReadIfPresent(resource::AmbientVisibility)
-      .Execute([light, hasDirectLight, captureStarts, first, part](FrameContext& context) {
+      .Execute([light, hasDirectLight, first, part](FrameContext& context) {
         const std::vector<const char*> irradiance = { resource::Irradiance };
         const std::vector<const char*> both = { resource::Irradiance, resource::LampLight };
         ScopedState scope(context.State());
@@ -61,7 +54,7 @@ void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCa
         {
           context.BindTarget(hasDirectLight ? both : irradiance, resource::Depth);
           constexpr GLfloat nothing[] = { 0.0f, 0.0f, 0.0f, 0.0f };
-          for (GLint target = captureStarts ? 1 : 0; target < (hasDirectLight ? 2 : 1); ++target)
+          for (GLint target = 0; target < (hasDirectLight ? 2 : 1); ++target)
           {
             glClearBufferfv(GL_COLOR, target, nothing);
           }

@@ -17,8 +17,6 @@ namespace penumbra
 class Frame;
 class FrameContext;
 class PassDeclaration;
-class LightTable;
-class SceneCapture;
 
 /// Kinds of indirect light, in order of preference.
 enum class IndirectKind
@@ -58,6 +56,5 @@ Defines OpenDirection(const FrameContext& context, Arguments& arguments);
 
 /// Add the passes that draw resource::Irradiance, and resource::LampLight if any technique supplies it. lights: in
 /// order of preference.
-void ContributeIndirectLight(Frame& frame, const LightTable& lightTable, SceneCapture& capture,
-  std::vector<IndirectLight> lights);
+void ContributeIndirectLight(Frame& frame, std::vector<IndirectLight> lights);
 }

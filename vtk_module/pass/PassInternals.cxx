@@ -262,7 +262,8 @@ WindowTarget BoundWindow(vtkOpenGLRenderWindow* window, bool ownDepth)
   if (target.Framebuffer == framebuffer->GetFBOIndex() && window->GetMultiSamples() <= 1)
   {
     target.Color = Borrow(framebuffer->GetColorAttachmentAsTextureObject(0));
-    target.Depth = ownDepth ? nullptr : Borrow(framebuffer->GetDepthAttachmentAsTextureObject());
+    target.Depth = Borrow(framebuffer->GetDepthAttachmentAsTextureObject());
+    target.OwnDepth = ownDepth;
   }
   return target;
 }
@@ -315,12 +316,12 @@ bool vtkGIPass::Internals::DrawFrame(
   {
     this->Notes += (this->Notes.empty() ? "" : "\n") + note;
   }
-  ContributeIndirectLight(builder, this->Lights, this->Capture, builder.GetIndirectLights());
+  ContributeIndirectLight(builder, builder.GetIndirectLights());
   if (!builder.GetIndirectLights().empty())
   {
     this->Placeholder.Add(renderer);
   }
-  this->Capture.Contribute(builder);
+  this->Capture.Contribute(builder, !this->Lights.Lights().empty());
   ContributeSky(builder, this->Capture.Skies());
   ContributeBackdrop(builder);
   const bool ambientLight = plan.SpreadShare() > 0.0 || !builder.GetIndirectLights().empty() ||
