@@ -5,6 +5,7 @@
 #include "lib/sampling.glsl"
 #include "ddgi/field.glsl"
 #include "ddgi/directions.glsl"
+#include "ddgi/packed_direction.glsl"
 #include "ddgi/states.glsl"
 
 #ifdef GI_BLEND_DISTANCE
@@ -16,11 +17,12 @@ layout(rgba32f, binding = 1) uniform image2D map;
 #endif
 layout(local_size_x = TEXELS) in;
 
-layout(binding = 0) uniform sampler2D foundTexture; // radiance, distance; one row per probe
+layout(binding = 0) uniform sampler2D foundTexture; // see trace.comp
 
 uniform int firstProbe;
 uniform int stride; // one in `stride` probes with settled distances is updated; 0: none
 uniform int rays;
+uniform int emitterRays;
 uniform int update;
 uniform float least;   // minimum weight of an update
 uniform float most;    // maximum number of earlier updates that count
@@ -109,12 +111,28 @@ void main()
       sums[x] += weight * found;
     }
   }
+  vec3 sampled[TEXELS]; // light of the rays to emitters
+  for (int x = 0; x < TEXELS; ++x)
+  {
+    sampled[x] = vec3(0.0);
+  }
+#ifndef GI_BLEND_DISTANCE
+  for (int i = rays; i < rays + emitterRays; ++i)
+  {
+    vec4 found = texelFetch(foundTexture, ivec2(i, probe), 0);
+    vec3 toward = fieldUnpackDirection(found.a) * turn;
+    for (int x = 0; x < TEXELS; ++x)
+    {
+      sampled[x] += max(dot(directions[x], toward), 0.0) * found.rgb;
+    }
+  }
+#endif
   ivec2 corner = fieldTile(probe) * (TEXELS + 2);
   for (int x = 0; x < TEXELS; ++x)
   {
     ivec2 texel = ivec2(x, row);
     vec4 previous = imageLoad(map, corner + 1 + texel);
-    vec4 updated = sums[x].w > 1e-6 ? sums[x] / sums[x].w : previous;
+    vec4 updated = sums[x].w > 1e-6 ? sums[x] / sums[x].w + vec4(sampled[x], 0.0) : previous;
     store(corner, texel, updateWeight < 1.0 ? mix(previous, updated, updateWeight) : updated);
   }
   barrier(); // all rows have read the state

@@ -1,6 +1,6 @@
 #version 430 core
 // Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
-// distance. Variants: GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives
+// distance. Further rays go from the probe to points of the emitters, as chance rarely finds small ones. Variants: GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives
 // straight from the environment), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
@@ -12,20 +12,25 @@
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
 #include "rays/toward_light.glsl"
+#include "rays/emitters.glsl"
 #ifdef GI_RAY_SKY
 #define GI_RAY_SKY_CELLS 1
 #include "rays/sky.glsl"
 #endif
 #include "ddgi/field.glsl"
 #include "ddgi/directions.glsl"
+#include "ddgi/packed_direction.glsl"
 #include "ddgi/states.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(rgba32f, binding = 0) uniform writeonly image2D found; // radiance, distance; one row per probe
+// One row per probe. Rays in all directions: radiance, distance. Then rays to emitters: what they add to the irradiance,
+// divided by pi, of a surface that faces them, and their direction by fieldPackDirection().
+layout(rgba32f, binding = 0) uniform writeonly image2D found;
 
 uniform vec3 eye; // relative to the scene's origin, for headlights
 uniform int rays;
+uniform int emitterRays; // in addition
 uniform int update;
 uniform int lightCount;
 uniform int firstProbe;
@@ -76,11 +81,36 @@ vec3 skyLight(RaySurfacePoint at, inout uint state)
 }
 #endif
 
+void store(ivec2 texel, vec4 result)
+{
+  bool broken = any(isnan(result)) || any(isinf(result));
+  imageStore(found, texel, broken ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
+}
+
+// Whether rays to emitters find an emitting point rather than rays in all directions: whichever would sample it more
+// densely if it faced the probe, so that light from all around stays free of noise (a partition of the points between two
+// ways to sample them, as in the maximum heuristic: Veach 1997, Robust Monte Carlo Methods for Light Transport Simulation).
+// perArea: density of the choice of points on emitters.
+bool emitterIsSought(float perArea, vec3 path)
+{
+  return float(emitterRays) * perArea * dot(path, path) > float(rays) / (4.0 * PI);
+}
+
+vec4 emitterLight(vec3 origin, int probe, int number, inout uint state)
+{
+  uint index = uint(update * emitterRays + number);
+  EmitterPoint point = emitterPoint(giSample2D(index, giHash(uint(probe))), origin);
+  vec3 light = point.emission / (PI * float(emitterRays) * max(point.density, 1e-30));
+  bool arrives = emitterIsSought(point.perArea, point.path) && dot(light, vec3(1.0)) > 0.0 &&
+    !blocked(Ray(origin, 0.0, point.path, 1.0 - 1e-4), state);
+  return vec4(arrives ? light : vec3(0.0), fieldPackDirection(normalize(point.path)));
+}
+
 void main()
 {
   int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x) +
-    firstProbe * rays;
-  int probe = index / rays;
+    firstProbe * (rays + emitterRays);
+  int probe = index / (rays + emitterRays);
   if (probe >= lastProbe)
   {
     return;
@@ -89,11 +119,16 @@ void main()
   {
     return;
   }
-  int number = index - probe * rays;
-  vec3 direction = fieldTurn(probe, update) * fieldDirection(number);
+  int number = index - probe * (rays + emitterRays);
   uint state = giHash(uint(index) ^ giHash(uint(update) * 0x9e3779b9u));
-  Ray ray = Ray(fieldPosition(fieldGridWith(probe), probe), 0.0, direction, RAY_FAR);
-  vec3 start = ray.origin;
+  vec3 start = fieldPosition(fieldGridWith(probe), probe);
+  if (number >= rays)
+  {
+    store(ivec2(number, probe), emitterLight(start, probe, number - rays, state));
+    return;
+  }
+  vec3 direction = fieldTurn(probe, update) * fieldDirection(number);
+  Ray ray = Ray(start, 0.0, direction, RAY_FAR);
   RaySurfacePoint at;
   float first;
   RayHit hit = traceThrough(ray, at, first, state);
@@ -101,7 +136,8 @@ void main()
   if (hit.instance >= 0)
   {
     int model = raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL;
-    result.rgb = at.emission;
+    bool sought = emitterIsSought(raySurfaces[at.surface].Emission.w, at.position - start);
+    result.rgb = sought ? vec3(0.0) : at.emission;
     result.a = length(at.position - start);
     if (model != GI_SURFACE_UNLIT)
     {
@@ -127,6 +163,5 @@ void main()
     result.rgb = raySkyMean(direction);
   }
 #endif
-  bool broken = any(isnan(result)) || any(isinf(result));
-  imageStore(found, ivec2(number, probe), broken ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
+  store(ivec2(number, probe), result);
 }

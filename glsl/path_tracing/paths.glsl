@@ -9,11 +9,11 @@
 #include "rays/sky.glsl"
 #endif
 #include "path_tracing/reflection.glsl"
+#include "rays/emitters.glsl"
 
 uniform vec3 eye;          // relative to the scene's origin
 uniform int bounces;
 uniform int lightCount;
-uniform int emitterCount;
 uniform int strategy;      // 0 both, 1 light sampling, 2 BSDF sampling
 
 uint seed;        // of the sample sequences
@@ -45,58 +45,6 @@ vec3 lightReflected(LightData light, GiReflector r, vec3 position, bool seen)
 float powerHeuristic(float a, float b)
 {
   return a * a / max(a * a + b * b, 1e-30);
-}
-
-// Converts the density of light sampling from per area to per solid angle. from: where the solid angle is measured;
-// to, normal: the sampled point.
-float emitterDensity(float perArea, vec3 from, vec3 to, vec3 normal)
-{
-  vec3 path = to - from;
-  float square = dot(path, path);
-  return perArea * square * sqrt(square) / max(abs(dot(normal, path)), 1e-20);
-}
-
-int pickEmitter(float u)
-{
-  int low = 0;
-  int high = emitterCount - 1;
-  while (low < high)
-  {
-    int middle = (low + high) / 2;
-    bool before = u < rayEmitters[middle].A.w;
-    high = before ? middle : high;
-    low = before ? low : middle + 1;
-  }
-  return low;
-}
-
-// A sampled point of an emitter.
-struct EmitterPoint
-{
-  vec3 path;      // from the receiver to the point
-  vec3 emission;
-  float density;  // per solid angle at the receiver
-};
-
-EmitterPoint emitterPoint(vec2 u, vec3 from)
-{
-  int index = pickEmitter(u.x);
-  float before = index > 0 ? rayEmitters[index - 1].A.w : 0.0;
-  RayEmitter emitter = rayEmitters[index];
-  float within = clamp((u.x - before) / max(emitter.A.w - before, 1e-20), 0.0, 1.0);
-  vec2 weights = giSampleTriangle(vec2(within, u.y));
-  vec3 edge1 = emitter.B.xyz - emitter.A.xyz;
-  vec3 edge2 = emitter.C.xyz - emitter.A.xyz;
-  vec3 across = cross(edge1, edge2);
-  vec3 target = emitter.A.xyz + weights.x * edge1 + weights.y * edge2;
-  EmitterPoint point;
-  point.path = target - from;
-  RaySurface surface = raySurfaces[floatBitsToInt(emitter.B.w)];
-  float occlusion;
-  point.emission = rayMaterial(surface, floatBitsToInt(emitter.C.w), weights,
-    dot(across, point.path) < 0.0, occlusion).Emission.rgb;
-  point.density = emitterDensity(surface.Emission.w, from, target, normalize(across));
-  return point;
 }
 
 // A sample of direct light and its shadow ray.

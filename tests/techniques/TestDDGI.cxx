@@ -60,6 +60,39 @@ TEST_F(DDGI, ClosedEnclosureKeepsItsEnergy)
   }
 }
 
+// A panel of side w and radiance L at height h gives a floor, at distance r from the point below it, the irradiance
+// L w^2 h^2 / (h^2 + r^2)^2. A ray of a probe rarely meets it, so it must be sought.
+TEST_F(DDGI, ASmallPanelLightsSmoothly)
+{
+  constexpr double reflectance = 0.8;
+  constexpr double side = 0.05;
+  constexpr double radiance = 1.0;
+  constexpr double height = 1.5;
+  Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), reflectance);
+  vtkActor* panel =
+    Paint(AddFloor(this->Scene, -side / 2, side / 2, -side / 2, side / 2, height), 0.0);
+  panel->GetProperty()->SetAmbient(radiance);
+  this->Probes->SetProbes(1000);
+  vtkCamera* camera = this->Scene.Renderer->GetActiveCamera(); // below the panel
+  camera->SetPosition(0.0, 0.0, 0.5);
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetViewAngle(90.0);
+  camera->SetClippingRange(0.01, 20.0);
+  const Values values = this->After(8);
+  double largest = 0.0;
+  for (int i = 0; i < 96 * 72; ++i)
+  {
+    const double x = (i % 96 + 0.5 - 48.0) / 72.0;
+    const double y = (i / 96 + 0.5 - 36.0) / 72.0;
+    const double square = height * height + x * x + y * y;
+    const double expected =
+      reflectance * radiance * std::pow(side * height / square, 2.0) / vtkMath::Pi();
+    largest = std::max(largest, std::abs(values[i] / expected - 1.0));
+  }
+  std::printf("light of a small panel: largest error %.2f %%\n", 100.0 * largest);
+  EXPECT_LT(largest, 0.25);
+}
+
 TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
 {
   this->Probes->SetProbes(216);

@@ -45,6 +45,7 @@ public:
   std::size_t WithoutNormals() const { return this->LackNormals; }
   std::size_t Bytes() const { return this->Scene.Bytes(); }
   std::size_t Triangles() const { return this->Primitives; }
+  bool HasEmitters() const { return this->Emitters > 0; }
 
   void ReleaseGraphicsResources();
 

@@ -39,11 +39,22 @@ void Fill(const Texture& texture, const std::vector<glm::vec4>& texels)
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
+// Number of a probe's rays to emitters, where there are any.
+int EmitterRaysOf(int rays)
+{
+  return std::max(1, rays / 8);
+}
+
 void FillAll(const Texture& texture, const glm::vec4& value)
 {
   const std::size_t count = static_cast<std::size_t>(texture.Desc().Width) * texture.Desc().Height;
   Fill(texture, std::vector<glm::vec4>(count, value));
 }
+}
+
+int LiveProbeUpdate::EmitterRays() const
+{
+  return this->Rays->HasEmitters() ? EmitterRaysOf(this->RayCount) : 0;
 }
 
 LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
@@ -54,7 +65,7 @@ LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
     return &frame.Keep(name, { format, columns * side, rowCount * side, 0 });
   };
   LiveProbeMaps maps;
-  maps.RayResults = &frame.Keep("ddgi.rays", { GL_RGBA32F, rays, probes, 0 });
+  maps.RayResults = &frame.Keep("ddgi.rays", { GL_RGBA32F, rays + EmitterRaysOf(rays), probes, 0 });
   maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 1, 0 });
   maps.Light = keep("ddgi.light", GL_RGBA32F, LightTexels + 2, rows);
   // A second map per probe, for the grid point that a relocated probe left.
@@ -147,11 +158,13 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
     .Compute("ddgi/trace.comp", variant,
       Arguments()
         .Set("rays", this->RayCount)
+        .Set("emitterRays", this->EmitterRays())
         .Set("update", this->UpdateNumber)
         .Set("firstProbe", this->First)
         .Set("lastProbe", this->Last)
         .Set("lit", this->UpdateNumber > 0),
-      Work::ItemsInRows(std::size_t(this->RayCount) * std::size_t(this->Last - this->First)));
+      Work::ItemsInRows(
+        std::size_t(this->RayCount + this->EmitterRays()) * std::size_t(this->Last - this->First)));
 }
 
 void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geometryMoves) const
@@ -205,9 +218,14 @@ void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distan
   double leastShare, int mostUpdates, int stride) const
 {
   Defines variant;
+  Arguments arguments;
   if (distances)
   {
     variant["GI_BLEND_DISTANCE"] = "1";
+  }
+  else
+  {
+    arguments.Set("emitterRays", this->EmitterRays());
   }
   this->AddPass(frame, distances ? "ddgi-blend-distances" : "ddgi-blend")
     .ReadHistory(*maps.RayResults, "foundTexture")
@@ -215,8 +233,7 @@ void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distan
     .UpdateHistory(distances ? *maps.Distance : *maps.Light, "map")
     .UpdateHistory(*maps.States, "states")
     .Compute("ddgi/blend.comp", variant,
-      Arguments()
-        .Set("rays", this->RayCount)
+      arguments.Set("rays", this->RayCount)
         .Set("update", this->UpdateNumber)
         .Set("least", leastShare)
         .Set("most", static_cast<double>(mostUpdates))

@@ -49,6 +49,9 @@ struct LiveProbeUpdate
   int First = 0;        ///< first probe that this frame updates
   int Last = 0;         ///< one past the last
 
+  /// Number of rays of a probe that go to points of emitters, in addition to RayCount.
+  int EmitterRays() const;
+
   void Trace(Frame& frame, const LiveProbeMaps& maps) const;
 
   /// Clear the probes that a grid gained when it moved. number: of the grid. moved: in cells.
