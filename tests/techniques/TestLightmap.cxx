@@ -352,8 +352,8 @@ protected:
     this->Pass->CollectStatisticsOn();
   }
 
-  // Expect that the map adds one pass, which shades each pixel of its surfaces once, and at most one target of four
-  // bytes per pixel.
+  // Expect that the map adds one pass, which shades each pixel of its surfaces once, and one target of eight bytes
+  // per pixel, the irradiance.
   void ExpectCost(double pixels)
   {
     const FrameCounts with = CountFrame(this->Scene, this->Pass);
@@ -365,7 +365,7 @@ protected:
       with.Bytes - without.Bytes, samples, pixels);
     without.Passes.insert("indirect-light");
     EXPECT_EQ(with.Passes, without.Passes);
-    EXPECT_LE(with.Bytes, without.Bytes + 4L * Side * Side);
+    EXPECT_LE(with.Bytes, without.Bytes + 8L * Side * Side);
     EXPECT_NEAR(samples, pixels, 0.02 * pixels);
   }
 
