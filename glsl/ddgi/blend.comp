@@ -22,7 +22,9 @@ layout(binding = 0) uniform sampler2D foundTexture; // see trace.comp
 uniform int firstProbe;
 uniform int stride; // one in `stride` probes with settled distances is updated; 0: none
 uniform int rays;
+#ifndef GI_BLEND_DISTANCE
 uniform int emitterRays;
+#endif
 uniform int update;
 uniform float least;   // minimum weight of an update
 uniform float most;    // maximum number of earlier updates that count
@@ -111,10 +113,9 @@ void main()
       sums[x] += weight * found;
     }
   }
-  vec3 sampled[TEXELS]; // light of the rays to emitters
   for (int x = 0; x < TEXELS; ++x)
   {
-    sampled[x] = vec3(0.0);
+    sums[x] /= max(sums[x].w, 1e-6);
   }
 #ifndef GI_BLEND_DISTANCE
   for (int i = rays; i < rays + emitterRays; ++i)
@@ -123,7 +124,7 @@ void main()
     vec3 toward = fieldUnpackDirection(found.a) * turn;
     for (int x = 0; x < TEXELS; ++x)
     {
-      sampled[x] += max(dot(directions[x], toward), 0.0) * found.rgb;
+      sums[x].rgb += max(dot(directions[x], toward), 0.0) * found.rgb;
     }
   }
 #endif
@@ -132,7 +133,7 @@ void main()
   {
     ivec2 texel = ivec2(x, row);
     vec4 previous = imageLoad(map, corner + 1 + texel);
-    vec4 updated = sums[x].w > 1e-6 ? sums[x] / sums[x].w + vec4(sampled[x], 0.0) : previous;
+    vec4 updated = sums[x].w > 0.5 ? sums[x] : previous;
     store(corner, texel, updateWeight < 1.0 ? mix(previous, updated, updateWeight) : updated);
   }
   barrier(); // all rows have read the state

@@ -1,7 +1,8 @@
 #version 430 core
 // Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
-// distance. Further rays go from the probe to points of the emitters, as chance rarely finds small ones. Variants: GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives
-// straight from the environment), and those of rays/passage.glsl.
+// distance. Further rays go from the probe to points of the emitters, as chance rarely finds small ones. Variants:
+// GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives straight from the
+// environment), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
 #include "rays/trace.glsl"
@@ -81,16 +82,15 @@ vec3 skyLight(RaySurfacePoint at, inout uint state)
 }
 #endif
 
-void store(ivec2 texel, vec4 result)
+bool isBroken(vec4 result)
 {
-  bool broken = any(isnan(result)) || any(isinf(result));
-  imageStore(found, texel, broken ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
+  return any(isnan(result)) || any(isinf(result));
 }
 
 // Whether rays to emitters find an emitting point rather than rays in all directions: whichever would sample it more
-// densely if it faced the probe, so that light from all around stays free of noise (a partition of the points between two
-// ways to sample them, as in the maximum heuristic: Veach 1997, Robust Monte Carlo Methods for Light Transport Simulation).
-// perArea: density of the choice of points on emitters.
+// densely if it faced the probe, so that light from all around stays free of noise (a partition of the points between
+// two ways to sample them, as in the maximum heuristic: Veach 1997, Robust Monte Carlo Methods for Light Transport
+// Simulation). perArea: density of the choice of points on emitters.
 bool emitterIsSought(float perArea, vec3 path)
 {
   return float(emitterRays) * perArea * dot(path, path) > float(rays) / (4.0 * PI);
@@ -124,7 +124,8 @@ void main()
   vec3 start = fieldPosition(fieldGridWith(probe), probe);
   if (number >= rays)
   {
-    store(ivec2(number, probe), emitterLight(start, probe, number - rays, state));
+    vec4 light = emitterLight(start, probe, number - rays, state);
+    imageStore(found, ivec2(number, probe), isBroken(light) ? vec4(0.0) : light);
     return;
   }
   vec3 direction = fieldTurn(probe, update) * fieldDirection(number);
@@ -163,5 +164,5 @@ void main()
     result.rgb = raySkyMean(direction);
   }
 #endif
-  store(ivec2(number, probe), result);
+  imageStore(found, ivec2(number, probe), isBroken(result) ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
 }

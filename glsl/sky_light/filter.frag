@@ -6,12 +6,12 @@
 #include "lib/alike.glsl"
 layout(binding = 0) uniform usampler2D rawTexture;
 #include "sky_light/raw.glsl"
-#include "sky_light/block.glsl"
+#include "sky_light/window.glsl"
 
 layout(location = 0) out uvec4 result;
 
 void main()
 {
-  GiSkySum sum = giSkyBlock(ivec2(gl_FragCoord.xy));
+  GiSkySum sum = giSkyWindow(ivec2(gl_FragCoord.xy));
   result = giPackSky(sum);
 }

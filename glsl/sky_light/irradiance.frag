@@ -1,7 +1,7 @@
 #version 430 core
 // Irradiance of the sky at each pixel's surface, divided by pi: the unoccluded light, which is known exactly, times the
-// share of the sampled light that arrives. Variant: GI_STRIDE (1: joins the samples of a block; 2: upsamples from half
-// resolution: Kopf, Cohen, Lischinski and Uyttendaele 2007, Joint Bilateral Upsampling).
+// share of the sampled light that arrives. Variant: GI_STRIDE (1: joins the samples around the pixel; 2, 4: upsamples from
+// half or quarter resolution: Kopf, Cohen, Lischinski and Uyttendaele 2007, Joint Bilateral Upsampling).
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -15,7 +15,7 @@ layout(binding = 3) uniform usampler2D rawTexture;
 layout(binding = 4) uniform sampler2D openLight;
 #include "sky_light/raw.glsl"
 #if GI_STRIDE == 1
-#include "sky_light/block.glsl"
+#include "sky_light/window.glsl"
 #endif
 
 uniform int openTexels;
@@ -34,15 +34,18 @@ GiSkySum giUpsampled(ivec2 pixel, vec2 normal)
   ivec2 corner = place / GI_STRIDE;
   vec2 fraction = vec2(place - corner * GI_STRIDE) / float(GI_STRIDE);
   GiSkySum sum = GiSkySum(vec3(0.0), 0.0, 0.0, vec2(0.0), 0.0);
-  for (int i = 0; i < 4; ++i)
+  // Linear on the triangle of samples around the pixel, as each one takes time.
+  bool above = fraction.x + fraction.y > 1.0;
+  vec2 sides = above ? 1.0 - fraction.yx : fraction;
+  for (int i = 0; i < 3; ++i)
   {
-    ivec2 offset = ivec2(i & 1, i >> 1);
+    ivec2 offset = i == 0 ? ivec2(above) : ivec2(i & 1, i >> 1);
     ivec2 at = min(corner + offset, gridSize - 1);
     GiSkySum other = giUnpackSky(texelFetch(rawTexture, at, 0));
-    vec2 bilinear = mix(1.0 - fraction, fraction, vec2(offset));
+    float linear = i == 0 ? 1.0 - sides.x - sides.y : sides[i - 1];
     // If none is on the surface, all of them count a little.
     float similarity = giSimilarity(here, vec2(giPixelOf(at) - pixel), other.depth, other.normal);
-    float weight = other.frames > 0.0 ? (bilinear.x * bilinear.y + 1e-3) * (similarity + 1e-3) : 0.0;
+    float weight = other.frames > 0.0 ? (linear + 1e-3) * (similarity + 1e-3) : 0.0;
     sum.arrived += weight * other.arrived;
     sum.expected += weight * other.expected;
   }
@@ -61,7 +64,7 @@ void main()
   }
   vec2 normal = texelFetch(normalTexture, pixel, 0).xy;
 #if GI_STRIDE == 1
-  GiSkySum sum = giSkyBlock(pixel - ivec2(view.Viewport.xy));
+  GiSkySum sum = giSkyWindow(pixel - ivec2(view.Viewport.xy));
 #else
   GiSkySum sum = giUpsampled(pixel, normal);
 #endif

@@ -7,7 +7,8 @@ import unittest
 import numpy as np
 import penumbra
 from PIL import Image
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
@@ -203,6 +204,21 @@ class Catcher(unittest.TestCase):
         penumbra.disable(view.renderer)
         view.renderer.ResetCamera()
         self.assertAlmostEqual(view.renderer.GetActiveCamera().GetDistance(), distance)
+
+    def test_depth_does_not_move_while_still_frames_shift_the_picture(self):
+        for kind in ("catcher", "surface"):
+            view = View(ball(), background=(0.8, 0.8, 0.8))
+            gi = penumbra.enable(view.renderer, "off", on=(*SHADOWS, "ground"),
+                                 **{"ground.kind": kind, "anti-aliasing.mode": "accumulate"})
+            depths = []
+            for frames in (1, 4):
+                penumbra.render(view.window, frames)
+                values = vtkFloatArray()
+                view.window.GetZbufferData(0, 0, WIDTH - 1, HEIGHT - 1, values)
+                depths.append(vtk_to_numpy(values).copy())
+            self.assertEqual(gi.GetLastError(), "")
+            self.assertGreater((depths[0] < 1).mean(), 0.1)
+            self.assertTrue(np.array_equal(depths[0], depths[1]), kind)
 
     def test_it_is_not_seen_from_below(self):
         for parallel in (False, True):

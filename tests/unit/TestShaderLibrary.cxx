@@ -174,7 +174,7 @@ TEST(ShaderLibrary, ReferenceCompilerAcceptsPermutations)
     const std::string text = library.Source(shader.first);
     const auto flags = Flags(text);
     ASSERT_LE(flags.size(), 24u) << shader.first
-                                 << " has too many flags to try all subsets of them";
+                                 << " has too many flags to enumerate their subsets";
     for (unsigned int bits = 0; bits < 1u << flags.size(); ++bits)
     {
       if (!IsTested(bits, flags.size()))

@@ -75,6 +75,8 @@ void SceneCapture::Collect(const vtkRenderState* state)
   }
   this->Table.SetPartialCoverage(part);
   this->HasEnvironment = state->GetRenderer()->GetUseImageBasedLighting();
+  this->HasAmbient = std::any_of(this->Captured.begin(), this->Captured.end(),
+    [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->HasEnvironment); });
   this->Outputs = CaptureOutputs();
   this->Outputs.Extended = extended;
 }
@@ -83,12 +85,6 @@ bool SceneCapture::Reflects(double share) const
 {
   return std::any_of(this->Captured.begin(), this->Captured.end(),
     [share](vtkProp* prop) { return ReflectsShare(prop, share); });
-}
-
-bool SceneCapture::MayHaveAmbient() const
-{
-  return std::any_of(this->Captured.begin(), this->Captured.end(),
-    [this](vtkProp* prop) { return penumbra::MayHaveAmbient(prop, this->HasEnvironment); });
 }
 
 bool SceneCapture::CastsPartialShadows() const
@@ -121,10 +117,10 @@ void SceneCapture::SetMotion(MotionTable* motion)
   this->Hooks->SetMotion(motion);
 }
 
-void SceneCapture::Contribute(Frame& frame, bool lit)
+void SceneCapture::Contribute(Frame& frame, bool hasLights)
 {
   // Without lights VTK shows unlit colours, and fragments that cover a pixel partly keep theirs.
-  this->Outputs.Ambient = !lit || this->Table.HasPartialCoverage() || this->MayHaveAmbient();
+  this->Outputs.Ambient = !hasLights || this->Table.HasPartialCoverage() || this->HasAmbient;
   if (this->Motion && this->Motion->Deform(this->CasterProps))
   {
     this->Outputs.Request(resource::Displacement);

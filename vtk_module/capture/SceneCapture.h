@@ -59,7 +59,7 @@ public:
   bool Reflects(double share) const;
 
   /// Whether some prop in view may have an ambient term.
-  bool MayHaveAmbient() const;
+  bool MayHaveAmbient() const { return this->HasAmbient; }
 
   /// Whether any occluder may cover pixels only partly.
   bool CastsPartialShadows() const;
@@ -73,8 +73,8 @@ public:
   }
   bool HasSurfaces() const { return !this->Surfaces.empty(); }
 
-  /// Add the pass that writes the G-buffer.
-  void Contribute(Frame& frame, bool lit);
+  /// Add the pass that writes the G-buffer. hasLights: whether any light is on.
+  void Contribute(Frame& frame, bool hasLights);
 
   /// Draw the depth of all occluders, as seen with these matrices, into the bound framebuffer. Occluders with partial
   /// coverage are drawn in a corresponding share of the texels, by a pattern that starts at anchor.
@@ -115,6 +115,7 @@ private:
   CaptureOutputs Outputs;
   MotionTable* Motion = nullptr; ///< of this frame's view, if motion is requested
   bool HasEnvironment = false;   ///< whether images light PBR materials
+  bool HasAmbient = false;
   int CapturedPropCount = 0;
 };
 }

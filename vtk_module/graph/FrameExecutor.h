@@ -19,7 +19,7 @@ struct WindowTarget
   GLuint Framebuffer = 0;
   std::unique_ptr<Texture> Color;
   std::unique_ptr<Texture> Depth;
-  bool OwnDepth = false; ///< whether the frame needs depths of its own, so that Depth is only presented to
+  bool OwnDepth = false; ///< the frame needs depths of its own; Depth is only written for VTK
 };
 
 class FrameExecutor

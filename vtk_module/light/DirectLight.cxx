@@ -115,7 +115,8 @@ struct Resolve
     {
       context.BindTarget(targets, resource::Depth);
     }
-    // The triangle lies at the far plane, so only pixels with nearer surfaces are resolved; or all that were captured.
+    // The triangle lies at the far plane, so only pixels with nearer surfaces are resolved. The window's depth has none yet:
+    // there the shader discards pixels without a surface.
     scope.Set(GL_DEPTH_TEST, true);
     scope.DepthFunc(presented ? GL_ALWAYS : GL_GREATER);
     scope.DepthMask(presented != nullptr);

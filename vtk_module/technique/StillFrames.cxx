@@ -19,12 +19,19 @@ double Halton(int index, int base)
   return result;
 }
 
-// Restore the depth of the first, unshifted frame, because what VTK draws next is not shifted either. It goes to the
-// depth buffer if the window is drawn to directly, otherwise to the texture that is presented later.
-void RestoreDepth(FrameContext& context, const History& kept)
+// Where the depth is that VTK's next draws meet: in the window's buffer if passes write to it, otherwise in the texture
+// that is presented later.
+const Texture* ShownDepth(FrameContext& context)
 {
   const Texture* buffer = context.Input(resource::Depth);
-  const Texture* depth = buffer->IsBorrowed() ? buffer : context.Input(resource::DepthCopy);
+  const Texture* window = buffer->IsBorrowed() ? buffer : context.PresentedDepth();
+  return window ? window : context.Input(resource::DepthCopy);
+}
+
+// Restore the depth of the first, unshifted frame, because what VTK draws next is not shifted either.
+void RestoreDepth(FrameContext& context, const History& kept)
+{
+  const Texture* depth = ShownDepth(context);
   const bool keep = !kept.Written || context.GetView().StillFrames == 0;
   context.CopyDepth(keep ? depth : &kept.Storage, keep ? &kept.Storage : depth);
 }

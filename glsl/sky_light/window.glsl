@@ -3,7 +3,7 @@
 // lib/alike.glsl and a usampler2D named rawTexture.
 const float GI_ALL_PARTS = 16.0; // frames after which a pixel has looked up all maps itself
 
-GiSkySum giSkyBlock(ivec2 place)
+GiSkySum giSkyWindow(ivec2 place)
 {
   GiSkySum sum = giUnpackSky(texelFetch(rawTexture, giTexelOf(place), 0));
   float share = 1.0 - sum.frames / GI_ALL_PARTS; // of the neighbours
