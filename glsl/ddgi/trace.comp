@@ -18,6 +18,7 @@
 #define GI_RAY_SKY_CELLS 1
 #include "rays/sky.glsl"
 #endif
+#include "rays/hit_light.glsl"
 #include "ddgi/field.glsl"
 #include "ddgi/directions.glsl"
 #include "ddgi/packed_direction.glsl"
@@ -29,58 +30,14 @@ layout(local_size_x = 64) in;
 // divided by pi, of a surface that faces them, and their direction by fieldPackDirection().
 layout(rgba32f, binding = 0) uniform writeonly image2D found;
 
-uniform vec3 eye; // relative to the scene's origin, for headlights
 uniform int rays;
 uniform int emitterRays; // in addition
 uniform int update;
-uniform int lightCount;
 uniform int firstProbe;
 uniform int lastProbe; // one past it
 uniform bool lit;  // whether the probes hold light yet
 
 const float PI = 3.14159265;
-const int MAX_LIGHTS = 4; // with more lights, a random one is sampled
-
-// Irradiance from a light, divided by pi. A VTK light stands for an irradiance of pi times its colour on Phong
-// materials, and of its colour on PBR materials.
-vec3 irradianceFrom(LightData light, RaySurfacePoint at, bool pbr, inout uint state)
-{
-  RayArrival arrival = rayArrival(light, at.position, eye, state);
-  float facing = dot(at.normal, arrival.L);
-  if (facing <= 0.0 || arrival.share <= 0.0)
-  {
-    return vec3(0.0);
-  }
-  if (!rayReaches(arrival.toward, at, state))
-  {
-    return vec3(0.0);
-  }
-  return light.Color.rgb * (arrival.share * facing * (pbr ? 1.0 / PI : 1.0));
-}
-
-vec3 directLight(RaySurfacePoint at, bool pbr, inout uint state)
-{
-  vec3 sum = vec3(0.0);
-  bool all = lightCount <= MAX_LIGHTS;
-  for (int i = 0; i < (all ? lightCount : 1); ++i)
-  {
-    int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
-    sum += (all ? 1.0 : float(lightCount)) * irradianceFrom(lights[chosen], at, pbr, state);
-  }
-  return sum;
-}
-
-#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
-// Irradiance from one direction of the sky, divided by pi.
-vec3 skyLight(RaySurfacePoint at, inout uint state)
-{
-  float density;
-  vec3 L = raySkySample(vec2(giRandom(state), giRandom(state)), density);
-  float facing = dot(at.normal, L);
-  bool arrives = facing > 0.0 && density > 0.0 && rayReaches(vec4(L, RAY_FAR), at, state);
-  return arrives ? raySkyRadiance(L) * (facing / (PI * density)) : vec3(0.0);
-}
-#endif
 
 bool isBroken(vec4 result)
 {
@@ -136,27 +93,10 @@ void main()
   vec4 result = vec4(0.0, 0.0, 0.0, RAY_FAR);
   if (hit.instance >= 0)
   {
-    int model = raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL;
     bool sought = emitterIsSought(raySurfaces[at.surface].Emission.w, at.position - start);
-    result.rgb = sought ? vec3(0.0) : at.emission;
     result.a = length(at.position - start);
-    if (model != GI_SURFACE_UNLIT)
-    {
-      bool pbr = model == GI_SURFACE_PBR;
-      // All reflection is diffuse here.
-      vec3 albedo = pbr
-        ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
-        : at.color.rgb;
-      vec3 light = directLight(at, pbr, state);
-#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
-      light += skyLight(at, state);
-#endif
-      if (lit)
-      {
-        light += fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a);
-      }
-      result.rgb += min(albedo, vec3(1.0)) * light;
-    }
+    vec3 indirect = lit ? fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a) : vec3(0.0);
+    result.rgb = (sought ? vec3(0.0) : at.emission) + hitReflected(at, indirect, state);
   }
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
   else

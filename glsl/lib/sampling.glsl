@@ -17,6 +17,13 @@ mat3 giBasis(vec3 n)
   return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
+// Weight of a sample with density a that another strategy takes with density b (Veach 1997, Robust Monte Carlo Methods for
+// Light Transport Simulation, 9.2.4).
+float giPowerHeuristic(float a, float b)
+{
+  return a * a / max(a * a + b * b, 1e-30);
+}
+
 // A point with uniform density over the unit disc.
 vec2 giSampleDisc(vec2 u)
 {

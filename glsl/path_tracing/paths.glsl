@@ -42,11 +42,6 @@ vec3 lightReflected(LightData light, GiReflector r, vec3 position, bool seen)
   return reaching * giReflectPointLight(r, -incident.Travel);
 }
 
-float powerHeuristic(float a, float b)
-{
-  return a * a / max(a * a + b * b, 1e-30);
-}
-
 // A sample of direct light and its shadow ray.
 struct Arrival
 {
@@ -72,7 +67,7 @@ Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
 {
   EmitterPoint point = emitterPoint(u, at.position);
   vec3 L = normalize(point.path);
-  float weight = strategy == 1 ? 1.0 : powerHeuristic(point.density, giReflectionDensity(r, L));
+  float weight = strategy == 1 ? 1.0 : giPowerHeuristic(point.density, giReflectionDensity(r, L));
   vec3 reflected = giReflect(r, L) * giArriving(r, point.emission) * weight;
   return Arrival(point.density > 0.0 ? reflected / point.density : vec3(0.0),
     vec4(point.path, 1.0 - 1e-4), false);
@@ -92,7 +87,7 @@ Arrival fromSky(vec2 u, GiReflector r)
 {
   float density;
   vec3 L = raySkySample(u, density);
-  float weight = strategy == 1 ? 1.0 : powerHeuristic(density, giReflectionDensity(r, L));
+  float weight = strategy == 1 ? 1.0 : giPowerHeuristic(density, giReflectionDensity(r, L));
   return Arrival(density > 0.0 ? skyReflected(r, L) * weight / density : vec3(0.0),
     vec4(L, RAY_FAR), false);
 }
@@ -166,7 +161,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     if ((bounce > 0 || !fromEye) && surface.Emission.w > 0.0)
     {
       float other = emitterDensity(surface.Emission.w, from, at.position, at.geometric);
-      weight = strategy == 0 ? powerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
+      weight = strategy == 0 ? giPowerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
     }
     radiance += throughput * at.emission * weight;
     if (bounce > bounces || (surface.Where.z & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT)
@@ -211,7 +206,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     {
 #ifdef GI_RAY_SKY
       float other = raySkyDensity(L);
-      float share = strategy == 0 ? powerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
+      float share = strategy == 0 ? giPowerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
       vec3 shining = arriving / survive * skyReflected(r, L) * share;
       before += r.data ? shining : vec3(0.0);
       radiance += r.data ? vec3(0.0) : shining;

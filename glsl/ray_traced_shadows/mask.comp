@@ -22,50 +22,15 @@ layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 
-uniform mat3 viewToScene;
-uniform vec3 eye;      // relative to the scene's origin
+uniform vec3 eye; // relative to the scene's origin
 uniform int lightCount;
 uniform int layerCount;
 uniform int samples;
 uniform vec2 size;     // of lights without a shape: tangent of half the angle, or radius of positional ones
 
+#include "rays/pixel_surface.glsl"
+
 const int CELLS = 16; // parts of a light of which each ray chooses one
-
-const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
-const float REACH = 1e-3;         // half length of the ray that looks for the surface, as a share of the distance
-
-// The surface that the rasterizer drew at a pixel. A ray that starts just in front of it finds it exactly.
-RaySurfacePoint surfaceAt(ivec2 window)
-{
-  vec2 center = vec2(window) + 0.5;
-  float depth = texelFetch(depthTexture, window, 0).r;
-  vec3 surfacePosition = giViewPosition(center, depth);
-  vec3 nearPosition = giViewPosition(center, 0.0);
-  float distance = length(surfacePosition - nearPosition);
-  float reach = REACH * distance +
-    length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - surfacePosition);
-  vec3 direction = viewToScene * normalize(surfacePosition - nearPosition);
-  vec3 position = eye + viewToScene * surfacePosition;
-  vec3 N = viewToScene * giDecodeOctahedral(texelFetch(normalTexture, window, 0).xy);
-  Ray ray = Ray(position - reach * direction, 0.0, direction, 2.0 * reach);
-  RayHit hit = traceClosest(ray);
-  RaySurfacePoint at;
-  if (hit.instance >= 0)
-  {
-    at = raySurfaceAt(ray, hit);
-  }
-  else
-  {
-    // Props that rays do not see still receive shadows.
-    at.position = position;
-    at.error = reach;
-    at.geometric = N;
-    at.bulge = vec3(0.0);
-    at.bend = 0.0;
-  }
-  at.normal = N;
-  return at;
-}
 
 // A point of a light, in one of its cells along a Z-order curve, and how much it contributes to the irradiance.
 vec4 cellPoint(LightData light, RaySurfacePoint at, int cell, vec2 within)
@@ -134,7 +99,7 @@ void main()
   {
     return;
   }
-  RaySurfacePoint at = surfaceAt(window);
+  RaySurfacePoint at = rayPixelSurface(window);
   uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
   uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
   for (int layer = 0; layer < layerCount; ++layer)

@@ -20,6 +20,9 @@ layout(binding = 2) uniform GI_TEXTURE history;
 
 uniform vec4 most;        // maximum number of frames in each channel's mean, including this one
 uniform float clampWidth; // in standard deviations
+// Frame n of a mean has a weight proportional to the power `recency` of n: 0 for a plain mean; 1 lets the first frames fade
+// quickly, at 4 / 3 of its variance.
+uniform float recency;
 
 layout(location = 0) out vec4 mean;  // the next frame's history
 layout(location = 1) out vec4 shown;
@@ -78,7 +81,8 @@ void main()
     vec4 width = clampWidth * sqrt(max(moment2 / count - moment1 * moment1, 0.0));
     previousValue = clamp(previousValue, moment1 - width, moment1 + width);
 #endif
-    mean = mix(previousValue, currentValue, 1.0 / max(min(vec4(moved.z), most), 1.0));
+    vec4 frames = max(min(vec4(moved.z), most), 1.0);
+    mean = mix(previousValue, currentValue, (1.0 + recency) / (frames + recency));
   }
   shown = mean;
 }

@@ -391,13 +391,30 @@ TEST_F(SkyLight, AndLiveProbesAddUpToPaths)
   probes->SetParameter("probes", 512);
   this->Draw(60);
   const double drawn = this->Mean();
+  vtkGITechnique* rays = this->Pass->GetTechnique("ray-traced-light");
+  rays->EnabledOn();
+  this->Draw(60);
+  const double gathered = this->Mean();
   probes->EnabledOff();
+  rays->EnabledOff();
   this->Technique->EnabledOff();
   this->Pass->SetPreset("reference");
   this->Draw(64);
   const double traced = this->Mean();
-  std::printf("drawn %.4f, traced %.4f\n", drawn, traced);
+  std::printf("drawn %.4f, with rays %.4f, traced %.4f\n", drawn, gathered, traced);
   EXPECT_NEAR(drawn, traced, 0.03 * traced);
+  EXPECT_NEAR(gathered, traced, 0.01 * traced);
+}
+
+TEST_F(SkyLight, IsFoundByRaysWhileItRests)
+{
+  this->AddBall();
+  this->Look({ { 0.0, -9.0, 3.0 } }, { { 0.0, 0.0, 0.0 } }, 1.2);
+  this->Technique->EnabledOff();
+  this->Pass->GetTechnique("ray-traced-light")->EnabledOn();
+  this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
+  this->Draw(32);
+  EXPECT_NEAR(this->Mean(), 0.4, 0.003); // less the rays below the facets of the ball
 }
 
 // The picture is the same after all resources were released, and in a second renderer.

@@ -28,6 +28,7 @@ constexpr const char* Surroundings =
 constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
+constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays of this frame add to it; a: 1
 constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 /// A skybox behind everything, if there is one. rgb: output of its shader, unclamped; a: 1 if rgb is encoded for
 /// display.
@@ -54,7 +55,7 @@ inline std::string SamplerOf(const std::string& resource)
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
-    { Irradiance, "irradianceTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
+    { Irradiance, "irradianceTexture" }, { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
     { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
     { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" }, { Color, "colorTexture" },
     { Radiance, "colorTexture" } };
@@ -69,10 +70,12 @@ struct NoisyResource
   const char* Name;
   bool PerLight;   ///< has a channel for each shadowed light
   bool Appearance; ///< depends on the appearance of surfaces, not only on their geometry
+  bool Settles;    ///< its first frames after a change are wrong, as they rely on what takes some frames itself
 };
 namespace resource
 {
-constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false },
-  { DirectVisibility, true, false }, { Reflection, false, true } };
+constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false },
+  { DirectVisibility, true, false, false }, { Reflection, false, true, false },
+  { TracedIrradiance, false, true, true } };
 }
 }

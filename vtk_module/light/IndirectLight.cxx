@@ -22,6 +22,9 @@ Defines OpenDirection(const FrameContext& context, Arguments& arguments)
 
 void ContributeIndirectLight(Frame& frame, std::vector<IndirectLight> lights)
 {
+  const auto everywhere = std::find_if(lights.begin(), lights.end(),
+    [](const IndirectLight& light) { return IsEverywhere(light.Kind); });
+  lights.erase(everywhere == lights.end() ? everywhere : everywhere + 1, lights.end());
   if (lights.empty())
   {
     return;

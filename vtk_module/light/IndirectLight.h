@@ -23,6 +23,7 @@ enum class IndirectKind
 {
   BakedOnSurfaces, ///< baked at the very point
   Sky,             ///< light that arrives straight from the environment; the kinds below leave it out
+  Rays,            ///< traced from the point, all around
   LiveProbes,      ///< around the point, for the current scene
   BakedProbes      ///< around the point, for the baked scene
 };
@@ -32,6 +33,20 @@ inline bool IsPartOfLight(IndirectKind kind)
 {
   return kind == IndirectKind::Sky;
 }
+
+/// Whether light of a kind is known at every pixel, so that the kinds after it add nothing there.
+inline bool IsEverywhere(IndirectKind kind)
+{
+  return kind == IndirectKind::Rays;
+}
+
+/// Light in space for shaders that trace rays, as a function fieldIrradiance(), see ddgi/field.glsl.
+struct LightField
+{
+  Defines Variant; ///< tells the shaders which field to include
+  /// Declares what their pass reads.
+  std::function<void(PassDeclaration&)> Declare;
+};
 
 /// A technique's indirect light, on the surfaces in the G-buffer and elsewhere.
 struct IndirectLight
@@ -45,6 +60,8 @@ struct IndirectLight
   std::function<void(FrameContext&)> Draw;
   /// Light for translucent surfaces and volumes, see forward/indirect.glsl; empty if there is none.
   ForwardPart Forward;
+  /// The same light for rays that end there; without Declare if there is none.
+  LightField Field;
   /// Draw also writes the direct light of all lights that do not follow the camera, in the same way, to a second
   /// output, resource::LampLight. The direct light then skips those lights there, except for highlights.
   bool IncludesDirectLight = false;

@@ -59,6 +59,13 @@ void FrameBuilder::AddIndirectLight(IndirectLight light)
   this->RequestSurroundings();
 }
 
+const LightField* FrameBuilder::FindLightField() const
+{
+  const auto found = std::find_if(this->Indirect.begin(), this->Indirect.end(),
+    [](const IndirectLight& light) { return static_cast<bool>(light.Field.Declare); });
+  return found == this->Indirect.end() ? nullptr : &found->Field;
+}
+
 ForwardLight FrameBuilder::GetForwardLight() const
 {
   ForwardLight light;

@@ -86,6 +86,8 @@ public:
   void AddIndirectLight(IndirectLight light);
   /// In order of preference.
   const std::vector<IndirectLight>& GetIndirectLights() const { return this->Indirect; }
+  /// The preferred one among the lights that are known in space; nullptr if there is none. For AddLast().
+  const LightField* FindLightField() const;
   /// Apply the visibility of lights to translucent surfaces and volumes, which VTK draws: functions giVisibility(), see
   /// forward/lights.glsl.
   void ShadeForward(ForwardPart visibility) { this->Visibility = std::move(visibility); }

@@ -56,13 +56,15 @@ public:
   bool HasLightInSpace() const
   {
     return std::any_of(this->Indirect.begin(), this->Indirect.end(),
-      [](const Source& source) { return source.Kind != IndirectKind::BakedOnSurfaces; });
+      [](const Source& source) {
+        return source.Kind == IndirectKind::LiveProbes || source.Kind == IndirectKind::BakedProbes;
+      });
   }
   /// The coarsest detail of all indirect light; infinity if there is none; 0 if there is true visibility, which nothing
   /// may darken.
   double IndirectDetail() const
   {
-    if (this->LightsSky())
+    if (this->LightsSky() || this->HasKind(IndirectKind::Rays))
     {
       return 0.0;
     }

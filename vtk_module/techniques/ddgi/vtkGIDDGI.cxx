@@ -100,6 +100,12 @@ void vtkGIDDGI::Contribute(FrameBuilder& frame)
       BindForward(program, field);
       program.SetField(toWorld, field.Uniforms().Origin, this->Intensity);
     });
+  light.Field.Variant = field.Uniforms().Variant();
+  light.Field.Variant["GI_LIVE_FIELD"] = "1";
+  light.Field.Declare = [&field](PassDeclaration& pass) {
+    field.Maps().ReadField(pass);
+    pass.Offer(field.Uniforms().ShaderArguments());
+  };
   frame.AddIndirectLight(std::move(light));
   if (this->Show)
   {

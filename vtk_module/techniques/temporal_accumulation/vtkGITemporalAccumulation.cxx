@@ -213,7 +213,11 @@ struct Accumulator
         maximumAge[i] = static_cast<float>(age);
       }
       context.DrawBound("temporal_accumulation/accumulate.frag", variant,
-        Arguments().Sample("history", means.Previous).Set("most", maximumAge).Set("layer", layer));
+        Arguments()
+          .Sample("history", means.Previous)
+          .Set("most", maximumAge)
+          .Set("layer", layer)
+          .Set("recency", noisy.Settles && view.StillFrames > 0 ? 1.0 : 0.0));
     }
   }
 };

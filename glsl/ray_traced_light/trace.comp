@@ -1,0 +1,142 @@
+#version 430 core
+// Irradiance at each pixel's surface from what other surfaces emit and reflect and from the environment, divided by pi:
+// final gathering with probes (Jensen 1996, Global Illumination using Photon Maps; Majercik et al. 2021, Scaling Probe-Based
+// Real-Time Dynamic Global Illumination for Production). A ray finds the surface in a random direction, others go to a
+// point of the emitters and of the sky; what both kinds can find is weighted (Veach 1997, Robust Monte Carlo Methods for
+// Light Transport Simulation). Variants: GI_LIVE_FIELD (live probes know the light where a ray ends), GI_RAY_SKY (the
+// environment shines), GI_SKY_APART (another technique lights surfaces by what arrives straight from it), and those of
+// rays/passage.glsl.
+#define GI_POSITIONAL 1
+#include "shared/view.h"
+#include "shared/light.h"
+#include "rays/trace.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/reconstruct.glsl"
+#include "lib/lights.glsl"
+#include "lib/sampling.glsl"
+#include "lib/light_points.glsl"
+#include "rays/surface.glsl"
+#include "rays/passage.glsl"
+#include "rays/toward_light.glsl"
+#include "rays/emitters.glsl"
+#ifdef GI_RAY_SKY
+#include "rays/sky.glsl"
+#endif
+#include "rays/hit_light.glsl"
+#ifdef GI_LIVE_FIELD
+#include "ddgi/field.glsl"
+#endif
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(rgba16f, binding = 0) uniform writeonly image2D traced;
+
+layout(binding = 0) uniform sampler2D albedoTexture;
+layout(binding = 1) uniform sampler2D normalTexture;
+layout(binding = 2) uniform sampler2D depthTexture;
+
+uniform int rays;
+#include "rays/pixel_surface.glsl"
+
+const float PI = 3.14159265;
+const float BRIGHTEST = 6e4; // what half floats hold
+
+// Light from one point of the emitters.
+vec3 fromEmitter(RaySurfacePoint at, vec2 u, inout uint state)
+{
+  EmitterPoint point = emitterPoint(u, at.position);
+  float facing = dot(at.normal, normalize(point.path));
+  float share = facing > 0.0 && point.density > 0.0
+    ? facing / PI * giPowerHeuristic(point.density, facing / PI) / point.density
+    : 0.0;
+  vec3 light = share * point.emission;
+  bool arrives = dot(light, vec3(1.0)) > 0.0 && rayReaches(vec4(point.path, 1.0 - 1e-4), at, state);
+  return arrives ? light : vec3(0.0);
+}
+
+#if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
+// Light from one direction of the sky.
+vec3 fromSky(RaySurfacePoint at, vec2 u, inout uint state)
+{
+  float density;
+  vec3 L = raySkySample(u, density);
+  float facing = dot(at.normal, L);
+  bool arrives = facing > 0.0 && density > 0.0 && rayReaches(vec4(L, RAY_FAR), at, state);
+  return arrives ? raySkyRadiance(L) * (facing / PI * giPowerHeuristic(density, facing / PI) / density) : vec3(0.0);
+}
+#endif
+
+#ifdef GI_LIVE_FIELD
+// Light that arrives where a ray ends. Probes are asked at a point off the surface, back along the ray. Where the ray is too
+// short for that, the point lies further along the path, toward the eye.
+vec3 fromField(RaySurfacePoint found, vec3 origin)
+{
+  vec3 back = origin - found.position;
+  vec3 toEye = view.Scene.y > 0.5 ? viewToScene[2] : normalize(eye - origin);
+  float room = view.Scene.y > 0.5 ? RAY_FAR : length(eye - origin);
+  back += toEye * clamp(fieldBias * fieldCellSize(fieldGridOf(0)) - length(back), 0.0, room);
+  float reach = max(length(back), 1e-20);
+  return fieldIrradiance(found.position, found.normal, found.normal, back / reach, reach);
+}
+#endif
+
+// Light from the surface, or the sky, in a direction that was chosen with a density of cosine / pi.
+vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
+{
+  float density = dot(at.normal, L) / PI;
+  bool closed;
+  vec3 origin = rayArrive(at, L, closed);
+  if (closed || density <= 0.0)
+  {
+    return vec3(0.0);
+  }
+  Ray ray = Ray(origin, 0.0, L, RAY_FAR);
+  RaySurfacePoint found;
+  float first;
+  RayHit hit = traceThrough(ray, found, first, state);
+  if (hit.instance < 0)
+  {
+#if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
+    return raySkyRadiance(L) * giPowerHeuristic(density, raySkyDensity(L));
+#else
+    return vec3(0.0);
+#endif
+  }
+  float perArea = raySurfaces[found.surface].Emission.w;
+  float sampled = perArea > 0.0 ? emitterDensity(perArea, at.position, found.position, found.geometric) : 0.0;
+  vec3 indirect = vec3(0.0);
+#ifdef GI_LIVE_FIELD
+  indirect = fromField(found, origin);
+#endif
+  return found.emission * giPowerHeuristic(density, sampled) + hitReflected(found, indirect, state);
+}
+
+void main()
+{
+  ivec2 window = ivec2(gl_GlobalInvocationID.xy) + ivec2(view.Viewport.xy);
+  if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), ivec2(view.Viewport.zw))) ||
+    texelFetch(albedoTexture, window, 0).a == 0.0)
+  {
+    return;
+  }
+  RaySurfacePoint at = rayPixelSurface(window);
+  uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
+  uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
+  mat3 basis = giBasis(at.normal);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < rays; ++i)
+  {
+    uint number = uint(view.Frame.x * rays + i);
+    sum += fromDirection(at, basis * giSampleCosine(giSample2D(number, seed)), state);
+    if (emitterCount > 0)
+    {
+      sum += fromEmitter(at, giSample2D(number, giHash(seed + 1u)), state);
+    }
+#if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
+    sum += fromSky(at, giSample2D(number, giHash(seed + 2u)), state);
+#endif
+  }
+  sum /= float(rays);
+  bool broken = any(isnan(sum)) || any(isinf(sum));
+  imageStore(traced, window, vec4(broken ? vec3(0.0) : min(sum, vec3(BRIGHTEST)), 1.0));
+}

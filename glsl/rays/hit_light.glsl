@@ -1,0 +1,75 @@
+// Diffuse light that a surface reflects where a ray ends. Needs shared/light.h, rays/surface.glsl, rays/passage.glsl,
+// rays/toward_light.glsl, rays/sky.glsl, lib/lights.glsl, lib/light_points.glsl. Variants: GI_RAY_SKY (the environment
+// shines), GI_SKY_APART (indirect light leaves out what arrives straight from it).
+uniform int lightCount;
+uniform vec3 eye; // relative to the scene's origin, for headlights
+
+const float HIT_PI = 3.14159265;
+const int HIT_LIGHTS = 4; // with more lights, a random one is sampled
+
+// Irradiance from a light, divided by pi. A VTK light stands for an irradiance of pi times its colour on Phong
+// materials, and of its colour on PBR materials.
+vec3 hitLightFrom(LightData light, RaySurfacePoint at, bool pbr, inout uint state)
+{
+  RayArrival arrival = rayArrival(light, at.position, eye, state);
+  float facing = dot(at.normal, arrival.L);
+  if (facing <= 0.0 || arrival.share <= 0.0)
+  {
+    return vec3(0.0);
+  }
+  if (!rayReaches(arrival.toward, at, state))
+  {
+    return vec3(0.0);
+  }
+  return light.Color.rgb * (arrival.share * facing * (pbr ? 1.0 / HIT_PI : 1.0));
+}
+
+vec3 hitDirectLight(RaySurfacePoint at, bool pbr, inout uint state)
+{
+  vec3 sum = vec3(0.0);
+  bool all = lightCount <= HIT_LIGHTS;
+  for (int i = 0; i < (all ? lightCount : 1); ++i)
+  {
+    int chosen = all ? i : min(int(giRandom(state) * float(lightCount)), lightCount - 1);
+    sum += (all ? 1.0 : float(lightCount)) * hitLightFrom(lights[chosen], at, pbr, state);
+  }
+  return sum;
+}
+
+#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+// Irradiance from one direction of the sky, divided by pi.
+vec3 hitSkyLight(RaySurfacePoint at, inout uint state)
+{
+  float density;
+  vec3 L = raySkySample(vec2(giRandom(state), giRandom(state)), density);
+  float facing = dot(at.normal, L);
+  bool arrives = facing > 0.0 && density > 0.0 && rayReaches(vec4(L, RAY_FAR), at, state);
+  return arrives ? raySkyRadiance(L) * (facing / (HIT_PI * density)) : vec3(0.0);
+}
+#endif
+
+// Share of the light that a surface reflects; all reflection is diffuse here.
+vec3 hitReflectance(RaySurfacePoint at, bool pbr)
+{
+  vec3 albedo = pbr
+    ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
+    : at.color.rgb;
+  return min(albedo, vec3(1.0));
+}
+
+// Radiance that a surface reflects. indirect: irradiance from what other surfaces reflect or emit, divided by pi, and
+// from the environment unless GI_SKY_APART.
+vec3 hitReflected(RaySurfacePoint at, vec3 indirect, inout uint state)
+{
+  int model = raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL;
+  if (model == GI_SURFACE_UNLIT)
+  {
+    return vec3(0.0);
+  }
+  bool pbr = model == GI_SURFACE_PBR;
+  vec3 light = indirect + hitDirectLight(at, pbr, state);
+#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+  light += hitSkyLight(at, state);
+#endif
+  return hitReflectance(at, pbr) * light;
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGIRayTracedLight.h"
+
+#include "rays/RayProps.h"
+#include "technique/FrameBuilder.h"
+
+vtkStandardNewMacro(vtkGIRayTracedLight);
+
+using namespace penumbra;
+
+vtkGIRayTracedLight::vtkGIRayTracedLight() = default;
+vtkGIRayTracedLight::~vtkGIRayTracedLight() = default;
+
+void vtkGIRayTracedLight::Plan(LightingPlan& plan, FrameBuilder& frame)
+{
+  if (frame.GetView().Diagonal > 0.0)
+  {
+    plan.AnnounceIndirectLight(IndirectKind::Rays, 0.0);
+  }
+}
+
+void vtkGIRayTracedLight::Contribute(FrameBuilder& frame)
+{
+  if (frame.GetView().Diagonal <= 0.0)
+  {
+    return;
+  }
+  IndirectLight light;
+  light.Kind = IndirectKind::Rays;
+  light.Declare = [this](PassDeclaration& pass) {
+    pass.Read(resource::TracedIrradiance)
+      .Read(resource::Albedo)
+      .Offer(this->GetShaderParameters());
+  };
+  light.Draw = [](FrameContext& context) {
+    context.DrawBound("ray_traced_light/irradiance.frag", {}, {});
+  };
+  frame.AddIndirectLight(std::move(light));
+  // The probes that know the light where rays end must have been updated.
+  frame.AddLast([this](FrameBuilder& last) { this->AddTrace(last); });
+}
+
+void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
+{
+  RayProps& rays = frame.Rays("they send no indirect light");
+  Defines variant = rays.ShaderDefines();
+  if (frame.Plan().LightsSky())
+  {
+    variant["GI_SKY_APART"] = "1";
+  }
+  auto& pass = frame.AddPass("ray-traced-light");
+  const LightField* field = frame.FindLightField();
+  if (field)
+  {
+    variant.insert(field->Variant.begin(), field->Variant.end());
+    field->Declare(pass);
+  }
+  pass.Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Read(resource::DepthCopy)
+    .Write(resource::TracedIrradiance, frame.WindowTexture(GL_RGBA16F), "traced")
+    .Offer(this->GetShaderParameters())
+    .Offer(rays.ShaderArguments())
+    .Offer(frame.Lights().InWorld(rays.Origin()))
+    .Compute("ray_traced_light/trace.comp", variant, frame.GetView().ToScene(rays.Origin()),
+      Work::Items(frame.GetView().Viewport.z, frame.GetView().Viewport.w));
+}
