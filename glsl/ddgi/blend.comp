@@ -1,6 +1,7 @@
 #version 430 core
 // Blends the results of a probe's rays into its map. One group per probe, one invocation per row. Variants:
-// GI_BLEND_DISTANCE (the distance map, else the irradiance map).
+// GI_BLEND_DISTANCE (the distance map, else the irradiance map), GI_BLEND_EMITTED (the map of irradiance straight from
+// emitters; before the irradiance map, as its update does not count).
 #include "lib/octahedral.glsl"
 #include "lib/sampling.glsl"
 #include "ddgi/field.glsl"
@@ -70,6 +71,8 @@ void main()
     return;
   }
   float count = state.distances++;
+#elif defined(GI_BLEND_EMITTED)
+  float count = state.lights;
 #else
   float count = state.lights++;
 #endif
@@ -89,7 +92,11 @@ void main()
   for (int i = 0; i < rays; ++i)
   {
     vec3 toward = fieldDirection(i);
+#ifdef GI_BLEND_EMITTED
+    vec4 found = texelFetch(foundTexture, ivec2(rays + emitterRays + i, probe), 0);
+#else
     vec4 found = texelFetch(foundTexture, ivec2(i, probe), 0);
+#endif
 #ifdef GI_BLEND_DISTANCE
     float distance = min(found.a, farthest);
     found = vec4(distance, distance * distance, 0.0, 1.0);
@@ -128,7 +135,11 @@ void main()
     }
   }
 #endif
+#ifdef GI_BLEND_EMITTED
+  ivec2 corner = fieldTile(fieldEmittedMap(probe)) * (TEXELS + 2);
+#else
   ivec2 corner = fieldTile(probe) * (TEXELS + 2);
+#endif
   for (int x = 0; x < TEXELS; ++x)
   {
     ivec2 texel = ivec2(x, row);

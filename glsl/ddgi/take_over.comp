@@ -9,7 +9,7 @@
 layout(local_size_x = 64) in;
 
 layout(rgba32f, binding = 0) uniform readonly image2D places;
-layout(rgba32f, binding = 1) uniform image2D map; // irradiance
+layout(rgba32f, binding = 1) uniform image2D map; // irradiance, see ddgi/field.glsl
 
 layout(rg32f, binding = 3) uniform image2D distances;
 
@@ -26,6 +26,18 @@ void keepGridPointDistances(int probe)
     ivec2 texel = ivec2(i % side, i / side);
     vec4 distance = imageLoad(distances, fieldTile(probe) * side + texel);
     imageStore(distances, fieldTile(fieldGridPointMap(probe)) * side + texel, distance);
+  }
+}
+
+void copyLight(int toMap, int fromMap)
+{
+  const int side = GI_FIELD_LIGHT + 2;
+  ivec2 to = fieldTile(toMap) * side;
+  ivec2 from = fieldTile(fromMap) * side;
+  for (int i = 0; i < side * side; ++i)
+  {
+    ivec2 texel = ivec2(i % side, i / side);
+    imageStore(map, to + texel, imageLoad(map, from + texel));
   }
 }
 
@@ -51,14 +63,8 @@ void main()
     return;
   }
   // A witness is lit and stays in place, so no invocation writes to its map.
-  const int side = GI_FIELD_LIGHT + 2;
-  ivec2 to = fieldTile(probe) * side;
-  ivec2 from = fieldTile(moves - 1) * side;
-  for (int i = 0; i < side * side; ++i)
-  {
-    ivec2 texel = ivec2(i % side, i / side);
-    imageStore(map, to + texel, imageLoad(map, from + texel));
-  }
+  copyLight(probe, moves - 1);
+  copyLight(fieldEmittedMap(probe), fieldEmittedMap(moves - 1));
   ProbeState state = probeState(probe);
   state.lights = 2.0;
   setProbeState(probe, state);

@@ -1,7 +1,7 @@
 #version 430 core
 // Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
 // distance. Further rays go from the probe to points of the emitters, as chance rarely finds small ones. Variants:
-// GI_RAY_SKY (the environment shines), GI_SKY_APART (another technique lights surfaces by what arrives straight from the
+// GI_RAY_SKY (the environment shines), GI_SEEK_EMITTERS (rays go to emitters from the hits, too), GI_SKY_APART (another technique lights surfaces by what arrives straight from the
 // environment), and those of rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
@@ -27,7 +27,8 @@
 layout(local_size_x = 64) in;
 
 // One row per probe. Rays in all directions: radiance, distance. Then rays to emitters: what they add to the irradiance,
-// divided by pi, of a surface that faces them, and their direction by fieldPackDirection().
+// divided by pi, of a surface that faces them, and their direction by fieldPackDirection(). With GI_SEEK_EMITTERS then,
+// for each ray in all directions, the part of its radiance that comes straight from emitters.
 layout(rgba32f, binding = 0) uniform writeonly image2D found;
 
 uniform int rays;
@@ -91,12 +92,15 @@ void main()
   float first;
   RayHit hit = traceThrough(ray, at, first, state);
   vec4 result = vec4(0.0, 0.0, 0.0, RAY_FAR);
+  vec4 straight = vec4(0.0); // from emitters that can be sought
   if (hit.instance >= 0)
   {
     bool sought = emitterIsSought(raySurfaces[at.surface].Emission.w, at.position - start);
     result.a = length(at.position - start);
     vec3 indirect = lit ? fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a) : vec3(0.0);
-    result.rgb = (sought ? vec3(0.0) : at.emission) + hitReflected(at, indirect, state);
+    vec3 emitted = sought ? vec3(0.0) : at.emission;
+    result.rgb = emitted + hitReflected(at, indirect, state);
+    straight.rgb = raySurfaces[at.surface].Emission.w > 0.0 ? emitted : vec3(0.0);
   }
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
   else
@@ -104,5 +108,9 @@ void main()
     result.rgb = raySkyMean(direction);
   }
 #endif
-  imageStore(found, ivec2(number, probe), isBroken(result) ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
+  bool broken = isBroken(result);
+  imageStore(found, ivec2(number, probe), broken ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
+#ifdef GI_SEEK_EMITTERS
+  imageStore(found, ivec2(rays + emitterRays + number, probe), broken ? vec4(0.0) : straight);
+#endif
 }

@@ -4,7 +4,7 @@
 // Real-Time Dynamic Global Illumination for Production). A ray finds the surface in a random direction, others go to a
 // point of the emitters and of the sky; what both kinds can find is weighted (Veach 1997, Robust Monte Carlo Methods for
 // Light Transport Simulation). Variants: GI_LIVE_FIELD (live probes know the light where a ray ends), GI_RAY_SKY (the
-// environment shines), GI_SKY_APART (another technique lights surfaces by what arrives straight from it), and those of
+// environment shines), GI_SEEK_EMITTERS (rays go to emitters from where others end, too), GI_SKY_APART (another technique lights surfaces by what arrives straight from it), and those of
 // rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
@@ -29,7 +29,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rgba16f, binding = 0) uniform writeonly image2D traced;
+layout(rgba32f, binding = 0) uniform writeonly image2D traced;
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;

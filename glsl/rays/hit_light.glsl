@@ -1,6 +1,7 @@
 // Diffuse light that a surface reflects where a ray ends. Needs shared/light.h, rays/surface.glsl, rays/passage.glsl,
 // rays/toward_light.glsl, rays/sky.glsl, lib/lights.glsl, lib/light_points.glsl. Variants: GI_RAY_SKY (the environment
-// shines), GI_SKY_APART (indirect light leaves out what arrives straight from it).
+// shines), GI_SKY_APART (indirect light leaves out what arrives straight from it), GI_SEEK_EMITTERS (it leaves out what
+// arrives straight from emitters; needs rays/emitters.glsl).
 uniform int lightCount;
 uniform vec3 eye; // relative to the scene's origin, for headlights
 
@@ -48,6 +49,22 @@ vec3 hitSkyLight(RaySurfacePoint at, inout uint state)
 }
 #endif
 
+#ifdef GI_SEEK_EMITTERS
+const float HIT_NEAREST = 8.0; // bound on a sample's share of the emission, where the true share is at most 1
+
+// Irradiance from one point of the emitters, divided by pi.
+vec3 hitEmitterLight(RaySurfacePoint at, inout uint state)
+{
+  EmitterPoint point = emitterPoint(vec2(giRandom(state), giRandom(state)), at.position);
+  float facing = dot(at.normal, normalize(point.path));
+  float share = min(facing / (HIT_PI * max(point.density, 1e-30)), HIT_NEAREST * float(emitterCount));
+  vec3 light = share * point.emission;
+  bool arrives = facing > 0.0 && point.density > 0.0 && dot(light, vec3(1.0)) > 0.0 &&
+    rayReaches(vec4(point.path, 1.0 - 1e-4), at, state);
+  return arrives ? light : vec3(0.0);
+}
+#endif
+
 // Share of the light that a surface reflects; all reflection is diffuse here.
 vec3 hitReflectance(RaySurfacePoint at, bool pbr)
 {
@@ -70,6 +87,9 @@ vec3 hitReflected(RaySurfacePoint at, vec3 indirect, inout uint state)
   vec3 light = indirect + hitDirectLight(at, pbr, state);
 #if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
   light += hitSkyLight(at, state);
+#endif
+#ifdef GI_SEEK_EMITTERS
+  light += hitEmitterLight(at, state);
 #endif
   return hitReflectance(at, pbr) * light;
 }

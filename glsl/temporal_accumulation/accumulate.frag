@@ -23,6 +23,7 @@ uniform float clampWidth; // in standard deviations
 // Frame n of a mean has a weight proportional to the power `recency` of n: 0 for a plain mean; 1 lets the first frames fade
 // quickly, at 4 / 3 of its variance.
 uniform float recency;
+uniform bool counts; // show the number of frames as a
 
 layout(location = 0) out vec4 mean;  // the next frame's history
 layout(location = 1) out vec4 shown;
@@ -57,6 +58,7 @@ void main()
   vec4 currentValue = texelFetch(current, GI_AT(pixel), 0);
   vec4 moved = texelFetch(reprojection, pixel, 0);
   mean = currentValue;
+  vec4 frames = vec4(1.0);
   if (int(moved.w) != 0)
   {
     vec4 previousValue = historyAt(pixel, moved);
@@ -81,8 +83,8 @@ void main()
     vec4 width = clampWidth * sqrt(max(moment2 / count - moment1 * moment1, 0.0));
     previousValue = clamp(previousValue, moment1 - width, moment1 + width);
 #endif
-    vec4 frames = max(min(vec4(moved.z), most), 1.0);
+    frames = max(min(vec4(moved.z), most), 1.0);
     mean = mix(previousValue, currentValue, (1.0 + recency) / (frames + recency));
   }
-  shown = mean;
+  shown = counts ? vec4(mean.rgb, frames.r) : mean;
 }

@@ -28,7 +28,7 @@ constexpr const char* Surroundings =
 constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
-constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays of this frame add to it; a: 1
+constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays add to it; a: number of frames in the mean
 constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 /// A skybox behind everything, if there is one. rgb: output of its shader, unclamped; a: 1 if rgb is encoded for
 /// display.
@@ -70,7 +70,9 @@ struct NoisyResource
   const char* Name;
   bool PerLight;   ///< has a channel for each shadowed light
   bool Appearance; ///< depends on the appearance of surfaces, not only on their geometry
-  bool Settles;    ///< its first frames after a change are wrong, as they rely on what takes some frames itself
+  /// Light on surfaces. Its first frames after a change are wrong, as it relies on what takes some frames itself; it does not
+  /// depend on the camera; a of its mean is the number of frames.
+  bool Light;
 };
 namespace resource
 {

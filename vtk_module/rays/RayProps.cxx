@@ -328,6 +328,7 @@ void RayProps::BuildEmitters(
   std::vector<shared::RayEmitter> table;
   std::vector<double> sums;
   double total = 0.0;
+  this->EmitterArea = 0.0;
   for (EmittingPart& part : this->EmittingParts)
   {
     const RayPart& source = parts[part.Part];
@@ -366,6 +367,7 @@ void RayProps::BuildEmitters(
         if (area > 0.0 && std::isfinite(area))
         {
           total += part.Strength * area;
+          this->EmitterArea += area;
           sums.push_back(total);
           table.push_back({ glm::vec4(corner[0], 0.0f),
             glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),

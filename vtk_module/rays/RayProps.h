@@ -46,6 +46,12 @@ public:
   std::size_t Bytes() const { return this->Scene.Bytes(); }
   std::size_t Triangles() const { return this->Primitives; }
   bool HasEmitters() const { return this->Emitters > 0; }
+  /// Whether rays should be sent to emitters from where other rays end, because chance and probes resolve them badly:
+  /// whether there are some, and they are small in a scene of this diagonal.
+  bool SeeksEmitters(double diagonal) const
+  {
+    return this->HasEmitters() && this->EmitterArea < 0.1 * diagonal * diagonal;
+  }
 
   void ReleaseGraphicsResources();
 
@@ -105,6 +111,7 @@ private:
   std::size_t LeftOutCount = 0;
   std::size_t Primitives = 0;
   std::size_t Emitters = 0;
+  double EmitterArea = 0.0; ///< in world units
   /// A part that emits light, with its strength and its sampling density per area.
   struct EmittingPart
   {

@@ -146,9 +146,12 @@ void LiveField::Follow(Frame& frame)
 void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights, bool skyApart)
 {
   const int size = this->Grids().Size();
-  this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays);
-  this->Uninitialized |= this->ProbeMaps.AreEmpty() || skyApart != this->Update.SkyApart;
+  const bool seeks = rays.SeeksEmitters(frame.GetView().Diagonal);
+  this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays, seeks);
+  this->Uninitialized |= this->ProbeMaps.AreEmpty() || skyApart != this->Update.SkyApart ||
+    seeks != this->Update.SeeksEmitters;
   this->Update.SkyApart = skyApart;
+  this->Update.SeeksEmitters = seeks;
   if (!this->ProbeMaps.RayResults->Written)
   {
     this->CompleteRayResults = this->NextProbe == 0 ? 0 : -1;

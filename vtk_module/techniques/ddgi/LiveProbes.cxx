@@ -57,7 +57,7 @@ int LiveProbeUpdate::EmitterRays() const
   return this->Rays->HasEmitters() ? EmitterRaysOf(this->RayCount) : 0;
 }
 
-LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
+LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays, bool seeksEmitters)
 {
   const int columns = ProbeUniforms::Columns(probes);
   const int rows = ProbeUniforms::Rows(probes, columns);
@@ -65,9 +65,11 @@ LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
     return &frame.Keep(name, { format, columns * side, rowCount * side, 0 });
   };
   LiveProbeMaps maps;
-  maps.RayResults = &frame.Keep("ddgi.rays", { GL_RGBA32F, rays + EmitterRaysOf(rays), probes, 0 });
+  const int results = (seeksEmitters ? 2 : 1) * rays + EmitterRaysOf(rays);
+  maps.RayResults = &frame.Keep("ddgi.rays", { GL_RGBA32F, results, probes, 0 });
   maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 1, 0 });
-  maps.Light = keep("ddgi.light", GL_RGBA32F, LightTexels + 2, rows);
+  maps.Light =
+    keep("ddgi.light", GL_RGBA32F, LightTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
   // A second map per probe, for the grid point that a relocated probe left.
   maps.Distance =
     keep("ddgi.distance", GL_RG32F, DistanceTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
@@ -146,6 +148,10 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
   {
     variant["GI_SKY_APART"] = "1";
   }
+  if (this->SeeksEmitters)
+  {
+    variant["GI_SEEK_EMITTERS"] = "1";
+  }
   auto& pass = this->AddPass(frame, "ddgi-trace")
                  .ReadHistory(*maps.Directions, "fieldDirections")
                  .UpdateHistory(*maps.RayResults, "found")
@@ -205,40 +211,41 @@ void LiveProbeUpdate::Connect(Frame& frame, const LiveProbeMaps& maps, int first
 
 void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double leastShare) const
 {
-  this->Blend(frame, maps, false, leastShare, std::numeric_limits<int>::max(), 0);
+  const Arguments arguments = Arguments()
+                                .Set("emitterRays", this->EmitterRays())
+                                .Set("least", leastShare)
+                                .Set("most", static_cast<double>(std::numeric_limits<int>::max()))
+                                .Set("stride", 0);
+  if (this->SeeksEmitters)
+  {
+    this->Blend(frame, maps, "GI_BLEND_EMITTED", arguments, *maps.Light);
+  }
+  this->Blend(frame, maps, nullptr, arguments, *maps.Light);
 }
 
 void LiveProbeUpdate::BlendDistances(
   Frame& frame, const LiveProbeMaps& maps, int mostUpdates, int stride) const
 {
-  this->Blend(frame, maps, true, 0.0, mostUpdates, stride);
+  this->Blend(frame, maps, "GI_BLEND_DISTANCE",
+    Arguments()
+      .Set("least", 0.0)
+      .Set("most", static_cast<double>(mostUpdates))
+      .Set("stride", stride),
+    *maps.Distance);
 }
 
-void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, bool distances,
-  double leastShare, int mostUpdates, int stride) const
+void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, const char* variant,
+  Arguments arguments, History& map) const
 {
-  Defines variant;
-  Arguments arguments;
-  if (distances)
-  {
-    variant["GI_BLEND_DISTANCE"] = "1";
-  }
-  else
-  {
-    arguments.Set("emitterRays", this->EmitterRays());
-  }
-  this->AddPass(frame, distances ? "ddgi-blend-distances" : "ddgi-blend")
+  this->AddPass(frame, &map == maps.Distance ? "ddgi-blend-distances" : "ddgi-blend")
     .ReadHistory(*maps.RayResults, "foundTexture")
     .ReadHistory(*maps.Directions, "fieldDirections")
-    .UpdateHistory(distances ? *maps.Distance : *maps.Light, "map")
+    .UpdateHistory(map, "map")
     .UpdateHistory(*maps.States, "states")
-    .Compute("ddgi/blend.comp", variant,
+    .Compute("ddgi/blend.comp", variant ? Defines{ { variant, "1" } } : Defines{},
       arguments.Set("rays", this->RayCount)
         .Set("update", this->UpdateNumber)
-        .Set("least", leastShare)
-        .Set("most", static_cast<double>(mostUpdates))
-        .Set("firstProbe", this->First)
-        .Set("stride", stride),
+        .Set("firstProbe", this->First),
       Work::Groups(this->Last - this->First));
 }
 }

@@ -21,14 +21,14 @@ struct LiveProbeMaps
   History* Directions = nullptr; ///< directions of the rays, before an update's rotation
   /// Radiance and distance found by the last update, a row per probe.
   History* RayResults = nullptr;
-  History* Light = nullptr;
+  History* Light = nullptr;    ///< two maps per probe, see glsl/ddgi/field.glsl
   History* Distance = nullptr;
   History* Probes = nullptr; ///< offset from the grid point, and which neighbours are visible
   /// Offsets that relocation chose, before Connect() moves the probes.
   History* NextOffsets = nullptr;
   History* States = nullptr;
 
-  static LiveProbeMaps Keep(Frame& frame, int probes, int rays);
+  static LiveProbeMaps Keep(Frame& frame, int probes, int rays, bool seeksEmitters);
   /// Whether any of them holds nothing yet.
   bool AreEmpty() const;
   /// Put all probes back on their grid points, without light.
@@ -44,6 +44,7 @@ struct LiveProbeUpdate
   RayProps* Rays = nullptr;
   LightTable* Lights = nullptr;
   bool SkyApart = false; ///< the probes leave out light that arrives straight from the environment
+  bool SeeksEmitters = false; ///< rays go to emitters from where others end, see RayProps
   int RayCount = 0;     ///< per probe
   int UpdateNumber = 0; ///< selects the rotation of the rays' directions
   int First = 0;        ///< first probe that this frame updates
@@ -73,7 +74,7 @@ struct LiveProbeUpdate
 
 private:
   PassDeclaration& AddPass(Frame& frame, const char* name) const;
-  void Blend(Frame& frame, const LiveProbeMaps& maps, bool distances, double leastShare,
-    int mostUpdates, int stride) const;
+  void Blend(Frame& frame, const LiveProbeMaps& maps, const char* variant,
+    Arguments arguments, History& map) const;
 };
 }

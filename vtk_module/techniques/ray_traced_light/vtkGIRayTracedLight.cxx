@@ -49,6 +49,10 @@ void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
   {
     variant["GI_SKY_APART"] = "1";
   }
+  if (rays.SeeksEmitters(frame.GetView().Diagonal))
+  {
+    variant["GI_SEEK_EMITTERS"] = "1";
+  }
   auto& pass = frame.AddPass("ray-traced-light");
   const LightField* field = frame.FindLightField();
   if (field)
@@ -59,7 +63,7 @@ void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
   pass.Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::DepthCopy)
-    .Write(resource::TracedIrradiance, frame.WindowTexture(GL_RGBA16F), "traced")
+    .Write(resource::TracedIrradiance, frame.WindowTexture(GL_RGBA32F), "traced")
     .Offer(this->GetShaderParameters())
     .Offer(rays.ShaderArguments())
     .Offer(frame.Lights().InWorld(rays.Origin()))

@@ -90,7 +90,8 @@ struct Ages
 TextureDesc HistoryDesc(const TextureDesc& shown)
 {
   TextureDesc desc = shown;
-  desc.Format = shown.Format == GL_R8 || shown.Format == GL_R16 ? GL_R32F : GL_RGBA16F;
+  // Half floats would lose the last frames of long means: drivers may round toward zero, each time.
+  desc.Format = shown.Format == GL_R8 || shown.Format == GL_R16 ? GL_R32F : GL_RGBA32F;
   return desc;
 }
 
@@ -194,7 +195,7 @@ struct Accumulator
     {
       variant["GI_STILL"] = "1";
     }
-    if (view.StillFrames == 0 || this->Age->IsSettling())
+    if ((view.StillFrames == 0 && !noisy.Light) || this->Age->IsSettling())
     {
       variant["GI_CLAMP"] = "1";
     }
@@ -217,7 +218,8 @@ struct Accumulator
           .Sample("history", means.Previous)
           .Set("most", maximumAge)
           .Set("layer", layer)
-          .Set("recency", noisy.Settles && view.StillFrames > 0 ? 1.0 : 0.0));
+          .Set("recency", noisy.Light && view.StillFrames > 0 ? 1.0 : 0.0)
+          .Set("counts", noisy.Light));
     }
   }
 };

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkGIDenoising
+ * @brief   filters the noise of few rays
+ *
+ * Averages what rays found at neighbouring pixels of the same surface, by its depth and normal. The reach of the filter
+ * falls with the number of frames in each pixel's mean (vtkGITemporalAccumulation), to nothing. Filters the light of
+ * vtkGIRayTracedLight, without the colours of the surfaces, so that textures stay sharp.
+ */
+#ifndef vtkGIDenoising_h
+#define vtkGIDenoising_h
+
+#include "vtkGIDenoisingParameters.h"
+
+class VTKRENDERINGGI_EXPORT vtkGIDenoising : public vtkGIDenoisingParameters
+{
+public:
+  static vtkGIDenoising* New();
+  vtkTypeMacro(vtkGIDenoising, vtkGIDenoisingParameters);
+
+  void Contribute(penumbra::FrameBuilder& frame) override;
+
+protected:
+  vtkGIDenoising();
+  ~vtkGIDenoising() override;
+
+private:
+  vtkGIDenoising(const vtkGIDenoising&) = delete;
+  void operator=(const vtkGIDenoising&) = delete;
+};
+
+#endif
