@@ -43,9 +43,11 @@ vec4 historyAt(ivec2 pixel, vec4 moved)
     if ((int(moved.w) >> i & 1) != 0)
     {
       ivec2 offset = ivec2(i & 1, i >> 1);
-      vec2 share = mix(1.0 - weight, weight, vec2(offset));
-      sum += share.x * share.y * texelFetch(history, GI_AT(ivec2(corner) + offset), 0);
-      weights += share.x * share.y;
+      vec2 shares = mix(1.0 - weight, weight, vec2(offset));
+      // The only accepted pixel may have no share here, as the offset is stored with less precision.
+      float share = max(shares.x * shares.y, 1e-4);
+      sum += share * texelFetch(history, GI_AT(ivec2(corner) + offset), 0);
+      weights += share;
     }
   }
   return sum / weights;

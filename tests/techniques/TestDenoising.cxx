@@ -96,6 +96,21 @@ TEST_F(Denoising, KeepsEnergyAtEdges)
     }
   }
   std::printf("%.4f of 0.3, on %.0f pixels\n", sum / count, count);
-  EXPECT_GT(count, 0.1 * Width * Height);
+  EXPECT_GT(count, 0.05 * Width * Height);
   EXPECT_NEAR(sum / count, 0.6 * 0.5, 0.02 * 0.3);
+}
+
+TEST_F(Denoising, KeepsHistoryWhileTheCameraMoves)
+{
+  this->First(true);
+  const double expected = Mean(this->After(8));
+  for (int i = 0; i < 16; ++i)
+  {
+    this->Scene.Renderer->GetActiveCamera()->Yaw(0.5);
+    for (const double value : this->After(1))
+    {
+      ASSERT_TRUE(std::isfinite(value)) << "frame " << i;
+    }
+  }
+  EXPECT_NEAR(Mean(this->After(1)), expected, 0.2 * expected);
 }
