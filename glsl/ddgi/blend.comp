@@ -16,6 +16,14 @@ layout(rg32f, binding = 1) uniform image2D map;
 #define TEXELS GI_FIELD_LIGHT
 layout(rgba32f, binding = 1) uniform image2D map;
 #endif
+// Column of the first ray's result, and the map of a probe.
+#if defined(GI_BLEND_EMITTED) && !defined(GI_BLEND_DISTANCE)
+#define FIRST_COLUMN (rays + emitterRays)
+#define MAP_OF(probe) fieldEmittedMap(probe)
+#else
+#define FIRST_COLUMN 0
+#define MAP_OF(probe) (probe)
+#endif
 layout(local_size_x = TEXELS) in;
 
 layout(binding = 0) uniform sampler2D foundTexture; // see trace.comp
@@ -92,11 +100,7 @@ void main()
   for (int i = 0; i < rays; ++i)
   {
     vec3 toward = fieldDirection(i);
-#ifdef GI_BLEND_EMITTED
-    vec4 found = texelFetch(foundTexture, ivec2(rays + emitterRays + i, probe), 0);
-#else
-    vec4 found = texelFetch(foundTexture, ivec2(i, probe), 0);
-#endif
+    vec4 found = texelFetch(foundTexture, ivec2(FIRST_COLUMN + i, probe), 0);
 #ifdef GI_BLEND_DISTANCE
     float distance = min(found.a, farthest);
     found = vec4(distance, distance * distance, 0.0, 1.0);
@@ -135,11 +139,7 @@ void main()
     }
   }
 #endif
-#ifdef GI_BLEND_EMITTED
-  ivec2 corner = fieldTile(fieldEmittedMap(probe)) * (TEXELS + 2);
-#else
-  ivec2 corner = fieldTile(probe) * (TEXELS + 2);
-#endif
+  ivec2 corner = fieldTile(MAP_OF(probe)) * (TEXELS + 2);
   for (int x = 0; x < TEXELS; ++x)
   {
     ivec2 texel = ivec2(x, row);

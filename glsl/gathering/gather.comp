@@ -116,7 +116,7 @@ void addSources(vec3 P, vec3 N, inout uint state)
     if (other > 0.0 && point.density > 0.0 && dot(point.emission, vec3(1.0)) > 0.0 &&
       !blocked(Ray(P, 0.0, point.path, 1.0 - 1e-4), state))
     {
-      add(N, L, point.emission * (powerHeuristic(point.density, other) / point.density));
+      add(N, L, point.emission * (giPowerHeuristic(point.density, other) / point.density));
     }
   }
 #ifdef GI_RAY_SKY
@@ -125,7 +125,7 @@ void addSources(vec3 P, vec3 N, inout uint state)
   float other = directionDensity(N, L);
   if (other > 0.0 && density > 0.0 && !blocked(Ray(P, 0.0, L, RAY_FAR), state))
   {
-    add(N, L, raySkyRadiance(L) * (powerHeuristic(density, other) / density));
+    add(N, L, raySkyRadiance(L) * (giPowerHeuristic(density, other) / density));
   }
 #endif
 }
@@ -176,7 +176,7 @@ void addPath(vec3 P, vec3 N, inout uint state, inout vec3 surroundings)
 #ifdef GI_RAY_SKY
   else
   {
-    add(N, L, raySkyRadiance(L) * (powerHeuristic(density, raySkyDensity(L)) / density));
+    add(N, L, raySkyRadiance(L) * (giPowerHeuristic(density, raySkyDensity(L)) / density));
   }
 #endif
 }
