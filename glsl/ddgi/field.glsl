@@ -3,8 +3,7 @@
 #include "probes/field.glsl"
 layout(binding = 4) uniform sampler2D fieldLight;
 
-// Index of the map of what emitters send straight to a probe, which its first map contains. Kept only for shaders with
-// GI_SEEK_EMITTERS.
+// Index of the map of what emitters send straight to a probe, which its first map contains.
 int fieldEmittedMap(int probe)
 {
   return fieldBegins[fieldGrids] + probe;

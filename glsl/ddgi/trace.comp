@@ -1,8 +1,8 @@
 #version 430 core
 // Traces a ray of a probe: the radiance of the surface that it hits, lit by the lights and by the probes, and the
 // distance. Further rays go from the probe to points of the emitters, as chance rarely finds small ones. Variants:
-// GI_RAY_SKY (the environment shines), GI_SEEK_EMITTERS (rays go to emitters from the hits, too), GI_SKY_APART (another technique lights surfaces by what arrives straight from the
-// environment), and those of rays/passage.glsl.
+// GI_SKY_APART (another technique lights surfaces by what arrives straight from the environment), and those of
+// rays/hit_light.glsl and rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/light.h"
 #include "rays/trace.glsl"
@@ -27,12 +27,13 @@
 layout(local_size_x = 64) in;
 
 // One row per probe. Rays in all directions: radiance, distance. Then rays to emitters: what they add to the irradiance,
-// divided by pi, of a surface that faces them, and their direction by fieldPackDirection(). With GI_SEEK_EMITTERS then,
-// for each ray in all directions, the part of its radiance that comes straight from emitters.
+// divided by pi, of a surface that faces them, and their direction by fieldPackDirection(). If
+// keepsEmitted, then for each ray in all directions, the part of its radiance that comes straight from emitters.
 layout(rgba32f, binding = 0) uniform writeonly image2D found;
 
 uniform int rays;
 uniform int emitterRays; // in addition
+uniform bool keepsEmitted;
 uniform int update;
 uniform int firstProbe;
 uniform int lastProbe; // one past it
@@ -110,7 +111,8 @@ void main()
 #endif
   bool broken = isBroken(result);
   imageStore(found, ivec2(number, probe), broken ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
-#ifdef GI_SEEK_EMITTERS
-  imageStore(found, ivec2(rays + emitterRays + number, probe), broken ? vec4(0.0) : straight);
-#endif
+  if (keepsEmitted)
+  {
+    imageStore(found, ivec2(rays + emitterRays + number, probe), broken ? vec4(0.0) : straight);
+  }
 }

@@ -3,8 +3,8 @@
 // final gathering with probes (Jensen 1996, Global Illumination using Photon Maps; Majercik et al. 2021, Scaling Probe-Based
 // Real-Time Dynamic Global Illumination for Production). A ray finds the surface in a random direction, others go to a
 // point of the emitters and of the sky; what both kinds can find is weighted (Veach 1997, Robust Monte Carlo Methods for
-// Light Transport Simulation). Variants: GI_LIVE_FIELD (live probes know the light where a ray ends), GI_RAY_SKY (the
-// environment shines), GI_SEEK_EMITTERS (rays go to emitters from where others end, too), GI_SKY_APART (another technique lights surfaces by what arrives straight from it), and those of
+// Light Transport Simulation). Variants: GI_LIVE_FIELD (live probes know the light where a ray ends), GI_SKY_APART (another
+// technique lights surfaces by what arrives straight from the environment), and those of rays/hit_light.glsl and
 // rays/passage.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
@@ -39,7 +39,6 @@ uniform int rays;
 #include "rays/pixel_surface.glsl"
 
 const float PI = 3.14159265;
-const float BRIGHTEST = 6e4; // what half floats hold
 
 // Light from one point of the emitters.
 vec3 fromEmitter(RaySurfacePoint at, vec2 u, inout uint state)
@@ -114,9 +113,13 @@ vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
 void main()
 {
   ivec2 window = ivec2(gl_GlobalInvocationID.xy) + ivec2(view.Viewport.xy);
-  if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), ivec2(view.Viewport.zw))) ||
-    texelFetch(albedoTexture, window, 0).a == 0.0)
+  if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), ivec2(view.Viewport.zw))))
   {
+    return;
+  }
+  if (texelFetch(albedoTexture, window, 0).a == 0.0)
+  {
+    imageStore(traced, window, vec4(0.0));
     return;
   }
   RaySurfacePoint at = rayPixelSurface(window);
@@ -138,5 +141,5 @@ void main()
   }
   sum /= float(rays);
   bool broken = any(isnan(sum)) || any(isinf(sum));
-  imageStore(traced, window, vec4(broken ? vec3(0.0) : min(sum, vec3(BRIGHTEST)), 1.0));
+  imageStore(traced, window, vec4(broken ? vec3(0.0) : sum, 1.0));
 }

@@ -1,7 +1,7 @@
 // Diffuse light that a surface reflects where a ray ends. Needs shared/light.h, rays/surface.glsl, rays/passage.glsl,
 // rays/toward_light.glsl, rays/sky.glsl, lib/lights.glsl, lib/light_points.glsl. Variants: GI_RAY_SKY (the environment
-// shines), GI_SKY_APART (indirect light leaves out what arrives straight from it), GI_SEEK_EMITTERS (it leaves out what
-// arrives straight from emitters; needs rays/emitters.glsl).
+// shines), GI_SKY_AT_HITS (the given indirect light leaves out what arrives straight from it), GI_SEEK_EMITTERS (it leaves
+// out what arrives straight from emitters; needs rays/emitters.glsl).
 uniform int lightCount;
 uniform vec3 eye; // relative to the scene's origin, for headlights
 
@@ -37,7 +37,7 @@ vec3 hitDirectLight(RaySurfacePoint at, bool pbr, inout uint state)
   return sum;
 }
 
-#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+#if defined(GI_RAY_SKY) && defined(GI_SKY_AT_HITS)
 // Irradiance from one direction of the sky, divided by pi.
 vec3 hitSkyLight(RaySurfacePoint at, inout uint state)
 {
@@ -75,7 +75,7 @@ vec3 hitReflectance(RaySurfacePoint at, bool pbr)
 }
 
 // Radiance that a surface reflects. indirect: irradiance from what other surfaces reflect or emit, divided by pi, and
-// from the environment unless GI_SKY_APART.
+// from the environment unless GI_SKY_AT_HITS.
 vec3 hitReflected(RaySurfacePoint at, vec3 indirect, inout uint state)
 {
   int model = raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL;
@@ -85,7 +85,7 @@ vec3 hitReflected(RaySurfacePoint at, vec3 indirect, inout uint state)
   }
   bool pbr = model == GI_SURFACE_PBR;
   vec3 light = indirect + hitDirectLight(at, pbr, state);
-#if defined(GI_RAY_SKY) && defined(GI_SKY_APART)
+#if defined(GI_RAY_SKY) && defined(GI_SKY_AT_HITS)
   light += hitSkyLight(at, state);
 #endif
 #ifdef GI_SEEK_EMITTERS

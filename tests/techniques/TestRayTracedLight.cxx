@@ -160,6 +160,10 @@ TEST_F(RayTracedLight, SurvivesHostileEmitters)
   EXPECT_TRUE(std::isfinite(Mean(this->After(2))));
   panel->GetProperty()->SetAmbientColor(std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0);
   EXPECT_TRUE(std::isfinite(Mean(this->After(2))));
+  this->Pass->GetTechnique("ray-traced-light")->SetParameter("intensity", 10.0);
+  panel->GetProperty()->SetAmbientColor(1e30, 1.0, 1.0);
+  EXPECT_TRUE(std::isfinite(Mean(this->After(2))));
+  this->Pass->GetTechnique("ray-traced-light")->SetParameter("intensity", 1.0);
   panel->GetProperty()->SetAmbientColor(1.0, 1.0, 1.0);
   EXPECT_NEAR(Mean(this->After(8)), usual, 0.02 * usual);
   EXPECT_STREQ(this->Pass->GetLastError(), "");

@@ -415,6 +415,13 @@ TEST_F(SkyLight, IsFoundByRaysWhileItRests)
   this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
   this->Draw(32);
   EXPECT_NEAR(this->Mean(), 0.4, 0.003); // less the rays below the facets of the ball
+  // What rays found before a technique was switched is not kept.
+  this->Technique->EnabledOn();
+  this->Draw(40);
+  EXPECT_NEAR(this->Mean(), 0.4, 0.003);
+  this->Technique->EnabledOff();
+  this->Draw(8);
+  EXPECT_NEAR(this->Mean(), 0.4, 0.006);
 }
 
 // The picture is the same after all resources were released, and in a second renderer.

@@ -55,7 +55,8 @@ inline std::string SamplerOf(const std::string& resource)
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
-    { Irradiance, "irradianceTexture" }, { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
+    { Irradiance, "irradianceTexture" },
+    { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
     { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
     { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" }, { Color, "colorTexture" },
     { Radiance, "colorTexture" } };
@@ -70,8 +71,8 @@ struct NoisyResource
   const char* Name;
   bool PerLight;   ///< has a channel for each shadowed light
   bool Appearance; ///< depends on the appearance of surfaces, not only on their geometry
-  /// Light on surfaces. Its first frames after a change are wrong, as it relies on what takes some frames itself; it does not
-  /// depend on the camera; a of its mean is the number of frames.
+  /// Light on surfaces: does not depend on the camera, unless it carries lights. Its first frames after a change are wrong,
+  /// as it relies on what takes some frames itself. a of its mean is the number of frames.
   bool Light;
 };
 namespace resource

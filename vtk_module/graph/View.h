@@ -20,6 +20,7 @@ struct SceneChanges
   bool Lights = true;
   bool Props = true;      ///< a prop moved, appeared, disappeared or changed its appearance
   bool Appearance = true; ///< a shape or colour changed
+  bool Techniques = true; ///< a technique was switched, or a parameter set
 };
 
 /// Camera and window of a frame, in double precision where it matters.

@@ -115,8 +115,9 @@ SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
   changes.Lights = differs(Lights);
   changes.Props = differs(Props);
   changes.Appearance = differs(Looks);
-  changes.Any =
-    changes.Lights || changes.Props || changes.Appearance || differs(Camera) || differs(Techniques);
+  changes.Techniques = differs(Techniques);
+  changes.Any = changes.Lights || changes.Props || changes.Appearance || changes.Techniques ||
+    differs(Camera);
   return changes;
 }
 }

@@ -328,7 +328,7 @@ void RayProps::BuildEmitters(
   std::vector<shared::RayEmitter> table;
   std::vector<double> sums;
   double total = 0.0;
-  this->EmitterArea = 0.0;
+  double squares = 0.0;
   for (EmittingPart& part : this->EmittingParts)
   {
     const RayPart& source = parts[part.Part];
@@ -367,7 +367,7 @@ void RayProps::BuildEmitters(
         if (area > 0.0 && std::isfinite(area))
         {
           total += part.Strength * area;
-          this->EmitterArea += area;
+          squares += part.Strength * part.Strength * area;
           sums.push_back(total);
           table.push_back({ glm::vec4(corner[0], 0.0f),
             glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),
@@ -385,6 +385,7 @@ void RayProps::BuildEmitters(
     table[i].A.w = static_cast<float>(sums[i] / total);
   }
   this->Emitters = table.size();
+  this->EmitterArea = squares > 0.0 ? total * total / squares : 0.0;
   if (table.empty())
   {
     table.emplace_back();

@@ -111,7 +111,7 @@ private:
   std::size_t LeftOutCount = 0;
   std::size_t Primitives = 0;
   std::size_t Emitters = 0;
-  double EmitterArea = 0.0; ///< in world units
+  double EmitterArea = 0.0; ///< as large as one emitter with their light, or less where some are faint
   /// A part that emits light, with its strength and its sampling density per area.
   struct EmittingPart
   {

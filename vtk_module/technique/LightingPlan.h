@@ -80,7 +80,8 @@ public:
   void RequestLiveLight() { this->LiveLightRequested = true; }
   bool NeedsLiveLight() const
   {
-    return this->LiveLightRequested && this->Indirect.empty() && !this->ByRays;
+    return this->LiveLightRequested && !this->HasLightInSpace() &&
+      !this->HasKind(IndirectKind::BakedOnSurfaces) && !this->ByRays;
   }
 
   /// Rays draw everything that they see, including translucent props, and average still frames themselves.

@@ -115,7 +115,8 @@ void vtkGIAmbientOcclusion::Contribute(FrameBuilder& frame)
     thickness = 0.0; // treated as infinite, which looks the same and is cheaper
   }
   const int stride = this->Resolution == 0 ? 1 : 2;
-  const bool bent = this->BentNormals && this->Method == Horizon && frame.Plan().HasLightInSpace();
+  const bool bent = this->BentNormals && this->Method == Horizon &&
+    frame.Plan().HasLightInSpace() && !frame.Plan().HasKind(IndirectKind::Rays);
   Defines variant = { { "GI_STRIDE", std::to_string(stride) } };
   if (bent)
   {

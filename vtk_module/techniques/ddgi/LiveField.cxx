@@ -146,12 +146,13 @@ void LiveField::Follow(Frame& frame)
 void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights, bool skyApart)
 {
   const int size = this->Grids().Size();
-  const bool seeks = rays.SeeksEmitters(frame.GetView().Diagonal);
-  this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays, seeks);
-  this->Uninitialized |= this->ProbeMaps.AreEmpty() || skyApart != this->Update.SkyApart ||
-    seeks != this->Update.SeeksEmitters;
+  this->ProbeMaps = LiveProbeMaps::Keep(frame, size, this->Current.Rays);
+  this->Uninitialized |= this->ProbeMaps.AreEmpty() || skyApart != this->Update.SkyApart;
   this->Update.SkyApart = skyApart;
-  this->Update.SeeksEmitters = seeks;
+  this->Update.SeeksEmitters = rays.SeeksEmitters(frame.GetView().Diagonal);
+  // When emitters disappear, their light fades from both maps.
+  this->Update.KeepsEmitted =
+    rays.HasEmitters() || (this->Update.KeepsEmitted && !this->Uninitialized);
   if (!this->ProbeMaps.RayResults->Written)
   {
     this->CompleteRayResults = this->NextProbe == 0 ? 0 : -1;

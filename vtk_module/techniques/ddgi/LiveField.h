@@ -41,8 +41,7 @@ public:
   void BeginFrame(const View& view, const Settings& settings, vtkMTimeType parameters);
 
   /// Add one frame's part of an update, or several updates if the frame stands alone; nothing once the probes rest.
-  /// skyApart: leave out light that arrives straight from the environment. A change of this, or of whether rays seek
-  /// emitters, clears the probes.
+  /// skyApart: leave out light that arrives straight from the environment. A change of this clears the probes.
   void AddUpdates(Frame& frame, RayProps& rays, LightTable& lights, bool skyApart);
 
   const ProbeGrids& Grids() const { return this->Update.Uniforms.Grids; }

@@ -57,7 +57,7 @@ int LiveProbeUpdate::EmitterRays() const
   return this->Rays->HasEmitters() ? EmitterRaysOf(this->RayCount) : 0;
 }
 
-LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays, bool seeksEmitters)
+LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
 {
   const int columns = ProbeUniforms::Columns(probes);
   const int rows = ProbeUniforms::Rows(probes, columns);
@@ -65,8 +65,8 @@ LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays, bool seeks
     return &frame.Keep(name, { format, columns * side, rowCount * side, 0 });
   };
   LiveProbeMaps maps;
-  const int results = (seeksEmitters ? 2 : 1) * rays + EmitterRaysOf(rays);
-  maps.RayResults = &frame.Keep("ddgi.rays", { GL_RGBA32F, results, probes, 0 });
+  maps.RayResults =
+    &frame.Keep("ddgi.rays", { GL_RGBA32F, 2 * rays + EmitterRaysOf(rays), probes, 0 });
   maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 1, 0 });
   maps.Light =
     keep("ddgi.light", GL_RGBA32F, LightTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
@@ -147,6 +147,7 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
   if (this->SkyApart)
   {
     variant["GI_SKY_APART"] = "1";
+    variant["GI_SKY_AT_HITS"] = "1";
   }
   if (this->SeeksEmitters)
   {
@@ -165,6 +166,7 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
       Arguments()
         .Set("rays", this->RayCount)
         .Set("emitterRays", this->EmitterRays())
+        .Set("keepsEmitted", this->KeepsEmitted)
         .Set("update", this->UpdateNumber)
         .Set("firstProbe", this->First)
         .Set("lastProbe", this->Last)
@@ -216,7 +218,7 @@ void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double
                                 .Set("least", leastShare)
                                 .Set("most", static_cast<double>(std::numeric_limits<int>::max()))
                                 .Set("stride", 0);
-  if (this->SeeksEmitters)
+  if (this->KeepsEmitted)
   {
     this->Blend(frame, maps, "GI_BLEND_EMITTED", arguments, *maps.Light);
   }

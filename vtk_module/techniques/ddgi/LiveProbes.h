@@ -28,7 +28,7 @@ struct LiveProbeMaps
   History* NextOffsets = nullptr;
   History* States = nullptr;
 
-  static LiveProbeMaps Keep(Frame& frame, int probes, int rays, bool seeksEmitters);
+  static LiveProbeMaps Keep(Frame& frame, int probes, int rays);
   /// Whether any of them holds nothing yet.
   bool AreEmpty() const;
   /// Put all probes back on their grid points, without light.
@@ -45,6 +45,7 @@ struct LiveProbeUpdate
   LightTable* Lights = nullptr;
   bool SkyApart = false; ///< the probes leave out light that arrives straight from the environment
   bool SeeksEmitters = false; ///< rays go to emitters from where others end, see RayProps
+  bool KeepsEmitted = false;  ///< the second maps of light are kept up to date
   int RayCount = 0;     ///< per probe
   int UpdateNumber = 0; ///< selects the rotation of the rays' directions
   int First = 0;        ///< first probe that this frame updates

@@ -30,7 +30,8 @@ void Filter(FrameContext& context, const char* name, double radius)
   const Texture* signal = context.Output(Signal);
   const Texture* next = context.Output(Next);
   context.BindTarget({ { signal, -1 } }, {});
-  context.DrawBound("denoising/pack.frag", {}, {});
+  context.DrawBound("denoising/pack.frag", {},
+    Arguments().Set("stillFrames", context.GetView().StillFrames));
   for (int step = 1; step < 2.0 * radius; step *= 2)
   {
     context.BindTarget({ { next, -1 } }, {});

@@ -49,12 +49,16 @@ void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
   {
     variant["GI_SKY_APART"] = "1";
   }
-  if (rays.SeeksEmitters(frame.GetView().Diagonal))
+  auto& pass = frame.AddPass("ray-traced-light");
+  const LightField* field = frame.FindLightField();
+  if (frame.Plan().LightsSky() || !field)
+  {
+    variant["GI_SKY_AT_HITS"] = "1";
+  }
+  if (field ? rays.SeeksEmitters(frame.GetView().Diagonal) : rays.HasEmitters())
   {
     variant["GI_SEEK_EMITTERS"] = "1";
   }
-  auto& pass = frame.AddPass("ray-traced-light");
-  const LightField* field = frame.FindLightField();
   if (field)
   {
     variant.insert(field->Variant.begin(), field->Variant.end());

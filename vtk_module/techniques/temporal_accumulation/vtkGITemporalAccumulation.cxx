@@ -44,15 +44,25 @@ struct Ages
   int Accumulation = 0;    ///< since accumulation began
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
+  /// In the means of light on surfaces: since looks, techniques or lights changed, but for lights that the camera carries.
+  int Lit = 0;
+  bool Carried = false; ///< the camera moved, and a light with it
   std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
   std::vector<LightGeometry> Geometries; ///< geometry of the lights in these channels
 
-  void Advance(const View& view, const LightTable& lights, bool continued)
+  void Advance(const View& view, const LightTable& lights, bool continued, int changeFrames)
   {
     this->Accumulation = continued ? this->Accumulation + 1 : 1;
     this->Looks =
       !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
     this->Props = view.Changes.Props ? 0 : this->Props + 1;
+    this->Carried = view.StillFrames == 0 &&
+      std::any_of(lights.Lights().begin(), lights.Lights().end(),
+        [](const Light& light) { return light.FollowsCamera; });
+    const bool restarts = !continued || view.Changes.Appearance || view.Changes.Techniques ||
+      (view.Changes.Lights && !this->Carried);
+    this->Lit = restarts ? 1 : this->Lit + 1;
+    this->Lit = this->Carried ? std::min(this->Lit, changeFrames) : this->Lit;
     std::vector<LightGeometry> geometries;
     for (const Light& light : lights.Lights())
     {
@@ -83,6 +93,10 @@ struct Ages
   {
     const int age = noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1)
                                    : this->Accumulation;
+    if (noisy.Light)
+    {
+      return std::min(age, this->Lit);
+    }
     return noisy.Appearance ? std::min(age, this->Looks) : age;
   }
 };
@@ -144,7 +158,7 @@ struct Accumulator
     // The graph leaves this pass out of frames without a noisy resource.
     const bool continued = this->Motion->IsContinued() && surfaces.Previous->Written &&
       this->Age->LastFrame + 1 == view.FrameNumber;
-    this->Age->Advance(view, lights, continued);
+    this->Age->Advance(view, lights, continued, this->ChangeFrames);
     this->Age->LastFrame = view.FrameNumber;
     ScopedState scope(context.State());
     this->Begin(scope);
@@ -195,7 +209,8 @@ struct Accumulator
     {
       variant["GI_STILL"] = "1";
     }
-    if ((view.StillFrames == 0 && !noisy.Light) || this->Age->IsSettling())
+    const bool clamps = noisy.Light ? this->Age->Carried : view.StillFrames == 0;
+    if (clamps || this->Age->IsSettling())
     {
       variant["GI_CLAMP"] = "1";
     }
