@@ -58,8 +58,8 @@ TEST_F(Denoising, TakesMostNoiseOffTheFirstFrame)
   this->Pass->Restart();
   const Values truth = this->After(400);
   const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
-  std::printf("relMSE %.4f, filtered %.4f, %.3f of it; mean %.4f of %.4f\n", SquaredError(raw, truth),
-    SquaredError(filtered, truth), share, Mean(filtered), Mean(truth));
+  std::printf("relMSE %.4f, filtered %.4f, %.3f of it; mean %.4f of %.4f\n",
+    SquaredError(raw, truth), SquaredError(filtered, truth), share, Mean(filtered), Mean(truth));
   EXPECT_LT(share, 0.1);
   EXPECT_NEAR(Mean(filtered), Mean(truth), 0.03 * Mean(truth));
 }

@@ -123,8 +123,8 @@ TEST_F(RayTracedLight, WithProbesEqualsPaths)
   const Values truth = this->Traced(512);
   const double error = RelativeSquaredError(drawn, truth);
   const double ofProbes = RelativeSquaredError(probes, truth);
-  std::printf("relMSE %.5f, of probes alone %.5f; mean %.4f of %.4f\n", error, ofProbes, Mean(drawn),
-    Mean(truth));
+  std::printf("relMSE %.5f, of probes alone %.5f; mean %.4f of %.4f\n", error, ofProbes,
+    Mean(drawn), Mean(truth));
   EXPECT_LT(error, 0.002);
   EXPECT_LT(error, 0.65 * ofProbes);
   EXPECT_NEAR(Mean(drawn), Mean(truth), 0.02 * Mean(truth));
