@@ -14,7 +14,7 @@ vec3 hitLightFrom(LightData light, RaySurfacePoint at, bool pbr, inout uint stat
 {
   RayArrival arrival = rayArrival(light, at.position, eye, state);
   float facing = dot(at.normal, arrival.L);
-  if (facing <= 0.0 || arrival.share <= 0.0)
+  if (facing <= 0.0 || arrival.share <= 0.0 || dot(light.Color.rgb, vec3(1.0)) <= 0.0)
   {
     return vec3(0.0);
   }
