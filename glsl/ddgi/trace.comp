@@ -46,10 +46,16 @@ bool isBroken(vec4 result)
   return any(isnan(result)) || any(isinf(result));
 }
 
+// Black instead of a colour that is no number; the distance stays.
+vec4 soundResult(vec4 result)
+{
+  return isBroken(result) ? vec4(vec3(0.0), isBroken(vec4(result.a)) ? RAY_FAR : result.a) : result;
+}
+
 // Whether rays to emitters find an emitting point rather than rays in all directions: whichever would sample it more
 // densely if it faced the probe, so that light from all around stays free of noise (a partition of the points between
 // two ways to sample them, as in the maximum heuristic: Veach 1997, Robust Monte Carlo Methods for Light Transport
-// Simulation). perArea: density of the choice of points on emitters.
+// Simulation). perArea: density of the choice of points by their power.
 bool emitterIsSought(float perArea, vec3 path)
 {
   return float(emitterRays) * perArea * dot(path, path) > float(rays) / (4.0 * PI);
@@ -58,11 +64,16 @@ bool emitterIsSought(float perArea, vec3 path)
 vec4 emitterLight(vec3 origin, int probe, int number, inout uint state)
 {
   uint index = uint(update * emitterRays + number);
-  EmitterPoint point = emitterPoint(giSample2D(index, giHash(uint(probe))), origin);
-  vec3 light = point.emission / (PI * float(emitterRays) * max(point.density, 1e-30));
-  bool arrives = emitterIsSought(point.perArea, point.path) && dot(light, vec3(1.0)) > 0.0 &&
-    !blocked(Ray(origin, 0.0, point.path, 1.0 - 1e-4), state);
-  return vec4(arrives ? light : vec3(0.0), fieldPackDirection(normalize(point.path)));
+  vec2 u = giSample2D(index, giHash(uint(probe)));
+  EmitterChoice choice = emitterChoice(state);
+  for (int i = 0; i < EMITTER_CANDIDATES; ++i)
+  {
+    EmitterPoint point = emitterPoint(emitterCandidate(u, i), origin, vec3(0.0), state);
+    bool sought = point.density > 0.0 && emitterIsSought(point.perArea, point.path);
+    emitterConsider(choice, point.path, sought ? point.emission / (PI * float(emitterRays) * point.density) : vec3(0.0));
+  }
+  bool arrives = choice.sum > 0.0 && !blocked(Ray(origin, 0.0, choice.path, 1.0 - 1e-4), state);
+  return vec4(arrives ? emitterArriving(choice) : vec3(0.0), fieldPackDirection(normalize(choice.path)));
 }
 
 void main()
@@ -109,10 +120,9 @@ void main()
     result.rgb = raySkyMean(direction);
   }
 #endif
-  bool broken = isBroken(result);
-  imageStore(found, ivec2(number, probe), broken ? vec4(0.0, 0.0, 0.0, RAY_FAR) : result);
+  imageStore(found, ivec2(number, probe), soundResult(result));
   if (keepsEmitted)
   {
-    imageStore(found, ivec2(rays + emitterRays + number, probe), broken ? vec4(0.0) : straight);
+    imageStore(found, ivec2(rays + emitterRays + number, probe), isBroken(result) ? vec4(0.0) : straight);
   }
 }

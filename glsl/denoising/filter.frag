@@ -1,15 +1,16 @@
 #version 430 core
-// One level of an a-trous filter: the mean of nine samples on the same surface, each weighted by its number of frames
+// One level of an a-trous filter: the mean of nine samples on the same surface, light weighted by its number of frames
 // (Dammertz, Sewtz, Hanika and Lensch 2010, Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering).
+// Variants: those of denoising/signal.glsl.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/alike.glsl"
+#include "lib/filter_reach.glsl"
 #include "denoising/signal.glsl"
 layout(binding = 0) uniform usampler2D signalTexture;
 
 uniform int step;
-uniform float radius; // in pixels
 
 layout(location = 0) out uvec4 result;
 
@@ -18,16 +19,23 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   result = texelFetch(signalTexture, pixel, 0);
   GiSignal signal = giUnpackSignal(result);
-  float share = signal.frames > 0.0 ? giFilterShare(radius, float(step), signal.frames) : 0.0;
-  if (share == 0.0)
+#ifndef GI_SHARES
+  if (giFilterShare(signal.reach, float(step)).x == 0.0)
+  {
+    return;
+  }
+#endif
+  if (signal.frames == 0.0)
   {
     return;
   }
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;
   GiSurfel here = giSurfel(gl_FragCoord.xy, signal.depth, signal.normal, float(step));
-  vec3 sum = vec3(0.0);
+  vec4 sum = vec4(0.0);
   float weights = 0.0;
+  vec4 reach = vec4(0.0);
+  vec4 known = vec4(0.0);
   for (int i = 0; i < 9; ++i)
   {
     ivec2 offset = ivec2(i % 3, i / 3) - 1;
@@ -39,9 +47,23 @@ void main()
     GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
     vec2 kernel = mix(vec2(0.5), vec2(0.25), notEqual(offset, ivec2(0)));
     float weight = kernel.x * kernel.y * other.frames * giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+    if (weight == 0.0)
+    {
+      continue;
+    }
     sum += weight * other.value;
     weights += weight;
+#ifdef GI_SHARES
+    // A penumbra reaches pixels whose own ray missed the occluder.
+    vec4 hits = weight * vec4(greaterThan(other.reach, vec4(0.0)));
+    reach += hits * other.reach;
+    known += hits;
+#endif
   }
-  signal.value = mix(signal.value, sum / max(weights, 1e-6), weights > 0.0 ? share : 0.0);
+#ifdef GI_SHARES
+  signal.reach = reach / max(known, 1e-6);
+#endif
+  vec4 share = weights > 0.0 ? giFilterShare(signal.reach, float(step)) : vec4(0.0);
+  signal.value = mix(signal.value, sum / max(weights, 1e-6), share);
   result = giPackSignal(signal);
 }

@@ -1,31 +1,51 @@
-// A noisy value of a pixel with the surface that it belongs to, in one texel. Needs lib/octahedral.glsl.
+// A noisy result of a pixel with the surface that it belongs to, in one texel. Needs lib/octahedral.glsl and
+// lib/filter_reach.glsl. Variants:
+// GI_SHARES (shares of four lights, each with a penumbra of its own); otherwise light in all directions.
 struct GiSignal
 {
-  vec3 value;
+  vec4 value;
+  vec4 reach;   // of the filter, in pixels
   float frames; // number of frames in the value's mean; 0 for no surface
   float depth;  // of the window
   vec2 normal;  // octahedral
 };
 
+uniform float radius; // the greatest reach, in pixels
+
+// Share of a filter's level, whose samples are `step` pixels apart. As the reach falls, the largest steps end first.
+vec4 giFilterShare(vec4 reach, float step)
+{
+  return clamp(2.0 * reach / step - 1.0, 0.0, 1.0);
+}
+
+const float GI_WIDEST = 64.0; // reach that can be stored
+
 uvec4 giPackSignal(GiSignal signal)
 {
   uvec2 n = uvec2(signal.normal * 65535.0 + 0.5);
-  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, signal.frames)),
-    floatBitsToUint(signal.depth), n.x << 16 | n.y);
+  uint depth = floatBitsToUint(signal.frames > 0.0 ? signal.depth : -1.0);
+#ifdef GI_SHARES
+  return uvec4(packUnorm4x8(signal.value), packUnorm4x8(sqrt(signal.reach / GI_WIDEST)), depth, n.x << 16 | n.y);
+#else
+  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, signal.frames)), depth, n.x << 16 | n.y);
+#endif
 }
 
 GiSignal giUnpackSignal(uvec4 word)
 {
+  GiSignal signal;
+  signal.depth = uintBitsToFloat(word.z);
+  signal.normal = vec2(word.w >> 16, word.w & 65535u) / 65535.0;
+#ifdef GI_SHARES
+  vec4 root = unpackUnorm4x8(word.y);
+  signal.value = unpackUnorm4x8(word.x);
+  signal.reach = GI_WIDEST * root * root;
+  signal.frames = signal.depth >= 0.0 ? 1.0 : 0.0;
+#else
   vec2 last = unpackHalf2x16(word.y);
-  return GiSignal(vec3(unpackHalf2x16(word.x), last.x), last.y, uintBitsToFloat(word.z),
-    vec2(word.w >> 16, word.w & 65535u) / 65535.0);
-}
-
-// Share of a filter's level, whose samples are `step` pixels apart, at a pixel. It falls with the number of frames in
-// the mean, the largest steps first, to nothing, so that still pictures converge to their unfiltered mean.
-float giFilterShare(float radius, float step, float frames)
-{
-  const float last = 64.0; // frames
-  float reach = radius / (1.0 + frames / 4.0);
-  return clamp(2.0 * reach / step - 1.0, 0.0, 1.0) * clamp(2.0 - 2.0 * frames / last, 0.0, 1.0);
+  signal.value = vec4(unpackHalf2x16(word.x), last.x, 0.0);
+  signal.reach = vec4(radius) * giReachAfter(vec4(last.y));
+  signal.frames = last.y;
+#endif
+  return signal;
 }

@@ -110,13 +110,13 @@ void addSources(vec3 P, vec3 N, inout uint state)
 {
   if (emitterCount > 0)
   {
-    EmitterPoint point = emitterPoint(sample2D(GATHER_POINT, 0), P);
+    EmitterPoint point = emitterPoint(sample2D(GATHER_POINT, 0), P, vec3(0.0), state);
     vec3 L = normalize(point.path);
     float other = directionDensity(N, L);
     if (other > 0.0 && point.density > 0.0 && dot(point.emission, vec3(1.0)) > 0.0 &&
       !blocked(Ray(P, 0.0, point.path, 1.0 - 1e-4), state))
     {
-      add(N, L, point.emission * (giPowerHeuristic(point.density, other) / point.density));
+      add(N, L, point.emission * (giPowerHeuristic(point.misDensity, other) / point.density));
     }
   }
 #ifdef GI_RAY_SKY

@@ -63,11 +63,11 @@ Arrival fromLight(LightData light, GiReflector r, RaySurfacePoint at, bool seen,
     rayTowardLight(light, at.position, eye), light.Kind.z != 0 && seen);
 }
 
-Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at)
+Arrival fromEmitter(vec2 u, GiReflector r, RaySurfacePoint at, inout uint state)
 {
-  EmitterPoint point = emitterPoint(u, at.position);
+  EmitterPoint point = emitterPoint(u, at.position, vec3(0.0), state);
   vec3 L = normalize(point.path);
-  float weight = strategy == 1 ? 1.0 : giPowerHeuristic(point.density, giReflectionDensity(r, L));
+  float weight = strategy == 1 ? 1.0 : giPowerHeuristic(point.misDensity, giReflectionDensity(r, L));
   vec3 reflected = giReflect(r, L) * giArriving(r, point.emission) * weight;
   return Arrival(point.density > 0.0 ? reflected / point.density : vec3(0.0),
     vec4(point.path, 1.0 - 1e-4), false);
@@ -119,7 +119,7 @@ vec3 directLight(GiReflector r, RaySurfacePoint at, bool seen, int bounce, inout
     }
     else if (i < lightSamples + emitterSamples)
     {
-      arrival = fromEmitter(sample2D(bounce, 0), r, at);
+      arrival = fromEmitter(sample2D(bounce, 0), r, at, state);
     }
 #ifdef GI_RAY_SKY
     else
@@ -160,7 +160,7 @@ vec3 pathRadiance(Ray ray, RaySurfacePoint at, float density, inout uint state)
     float weight = 1.0;
     if ((bounce > 0 || !fromEye) && surface.Emission.w > 0.0)
     {
-      float other = emitterDensity(surface.Emission.w, from, at.position, at.geometric);
+      float other = emitterMisDensity(surface, from, at.position, at.geometric);
       weight = strategy == 0 ? giPowerHeuristic(density, other) : (strategy == 1 ? 0.0 : 1.0);
     }
     radiance += throughput * at.emission * weight;

@@ -43,14 +43,18 @@ const float PI = 3.14159265;
 // Light from one point of the emitters.
 vec3 fromEmitter(RaySurfacePoint at, vec2 u, inout uint state)
 {
-  EmitterPoint point = emitterPoint(u, at.position);
-  float facing = dot(at.normal, normalize(point.path));
-  float share = facing > 0.0 && point.density > 0.0
-    ? facing / PI * giPowerHeuristic(point.density, facing / PI) / point.density
-    : 0.0;
-  vec3 light = share * point.emission;
-  bool arrives = dot(light, vec3(1.0)) > 0.0 && rayReaches(vec4(point.path, 1.0 - 1e-4), at, state);
-  return arrives ? light : vec3(0.0);
+  EmitterChoice choice = emitterChoice(state);
+  for (int i = 0; i < EMITTER_CANDIDATES; ++i)
+  {
+    EmitterPoint point = emitterPoint(emitterCandidate(u, i), at.position, at.normal, state);
+    float density = dot(at.normal, normalize(point.path)) / PI; // of rays in random directions
+    float share = density > 0.0 && point.density > 0.0
+      ? density * giPowerHeuristic(point.misDensity, density) / point.density
+      : 0.0;
+    emitterConsider(choice, point.path, share * point.emission);
+  }
+  bool arrives = choice.sum > 0.0 && rayReaches(vec4(choice.path, 1.0 - 1e-4), at, state);
+  return arrives ? emitterArriving(choice) : vec3(0.0);
 }
 
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
@@ -101,13 +105,18 @@ vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
     return vec3(0.0);
 #endif
   }
-  float perArea = raySurfaces[found.surface].Emission.w;
-  float sampled = perArea > 0.0 ? emitterDensity(perArea, at.position, found.position, found.geometric) : 0.0;
+  float sampled = emitterMisDensity(raySurfaces[found.surface], at.position, found.position, found.geometric);
   vec3 indirect = vec3(0.0);
 #ifdef GI_LIVE_FIELD
   indirect = fromField(found, origin);
 #endif
   return found.emission * giPowerHeuristic(density, sampled) + hitReflected(found, indirect, state);
+}
+
+// Black instead of a colour that is no number.
+vec3 sound(vec3 light)
+{
+  return any(isnan(light)) || any(isinf(light)) ? vec3(0.0) : light;
 }
 
 void main()
@@ -130,7 +139,7 @@ void main()
   for (int i = 0; i < rays; ++i)
   {
     uint number = uint(view.Frame.x * rays + i);
-    sum += fromDirection(at, basis * giSampleCosine(giSample2D(number, seed)), state);
+    sum += sound(fromDirection(at, basis * giSampleCosine(giSample2D(number, seed)), state));
     if (emitterCount > 0)
     {
       sum += fromEmitter(at, giSample2D(number, giHash(seed + 1u)), state);
@@ -140,6 +149,5 @@ void main()
 #endif
   }
   sum /= float(rays);
-  bool broken = any(isnan(sum)) || any(isinf(sum));
-  imageStore(traced, window, vec4(broken ? vec3(0.0) : sum, 1.0));
+  imageStore(traced, window, vec4(sound(sum), 1.0));
 }

@@ -17,6 +17,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba8, binding = 0) uniform writeonly image2DArray visibility; // four lights per layer
+layout(rgba16f, binding = 1) uniform writeonly image2DArray penumbras;
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
@@ -41,13 +42,49 @@ vec4 cellPoint(LightData light, RaySurfacePoint at, int cell, vec2 within)
   return point;
 }
 
+// Half the width of a penumbra at a surface: of the light, as seen through the edge of an occluder. extent: half the light's
+// width, or the tangent of half its angle; distance: of the occluder, see rayReaches().
+float penumbraOf(float extent, vec4 toward, float distance)
+{
+  return extent * (toward.w <= 1.0 ? distance / max(1.0 - distance, 1e-3) : distance * length(toward.xyz));
+}
+
+float extentOf(LightData light)
+{
+  int shape = int(light.Side.w + 0.5);
+  float fall = light.Up.w; // one minus the cosine
+  return shape == GI_SHAPE_ANGLE ? sqrt(fall * (2.0 - fall)) / max(1.0 - fall, 1e-3)
+    : (shape == GI_SHAPE_SPHERE ? light.Up.w : max(length(light.Side.xyz), length(light.Up.xyz)));
+}
+
+// Results of a light: share of its rays that arrive, and the mean half width of the penumbras of the others' occluders.
+struct Shadow
+{
+  float open;
+  float penumbra; // 0 if all arrive
+};
+
+void addRay(inout Shadow shadow, float extent, bool faces, vec4 toward, RaySurfacePoint at, inout uint state)
+{
+  float distance;
+  bool open = faces && rayReaches(toward, at, distance, state);
+  shadow.open += open ? 1.0 : 0.0;
+  shadow.penumbra += faces && !open ? penumbraOf(extent, toward, distance) : 0.0;
+}
+
+Shadow meanOf(Shadow sum, int rays)
+{
+  return Shadow(sum.open / float(rays), sum.penumbra / max(float(rays) - sum.open, 1.0));
+}
+
 // Share of the light of a light with a shape that arrives. Each ray goes to a point of one of the light's cells, chosen
 // with the probability that it contributes to the irradiance (resampling: Talbot, Cline and Egbert 2005, "Importance
 // Resampling for Global Illumination").
-float shapeVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint state)
+Shadow shapeShadow(LightData light, RaySurfacePoint at, uint seed, inout uint state)
 {
   bool local = light.Kind.x == GI_LIGHT_POSITIONAL;
-  float open = 0.0;
+  float extent = extentOf(light);
+  Shadow shadow = Shadow(0.0, 0.0);
   for (int i = 0; i < samples; ++i)
   {
     uint number = uint(view.Frame.x * samples + i);
@@ -65,30 +102,30 @@ float shapeVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint
       point = candidate.w > 0.0 ? candidate : point;
       left -= candidate.w;
     }
-    open += point.w > 0.0 && rayReaches(vec4(point.xyz, local ? 1.0 : RAY_FAR), at, state) ? 1.0 : 0.0;
+    addRay(shadow, extent, point.w > 0.0, vec4(point.xyz, local ? 1.0 : RAY_FAR), at, state);
   }
-  return open / float(samples);
+  return meanOf(shadow, samples);
 }
 
-float lightVisibility(LightData light, RaySurfacePoint at, uint seed, inout uint state)
+Shadow lightShadow(LightData light, RaySurfacePoint at, uint seed, inout uint state)
 {
   if (giHasShape(light))
   {
-    return shapeVisibility(light, at, seed, state);
+    return shapeShadow(light, at, seed, state);
   }
   vec4 toward = rayTowardLight(light, at.position, eye);
   mat3 across = giBasis(normalize(toward.xyz));
   float radius = toward.w <= 1.0 ? size.y : size.x;
   radius = light.Side.w > 0.5 ? 0.0 : radius; // a point
   int count = radius > 0.0 ? samples : 1;
-  float open = 0.0;
+  Shadow shadow = Shadow(0.0, 0.0);
   for (int i = 0; i < count; ++i)
   {
     vec2 disc = radius * giSampleDisc(giSample2D(uint(view.Frame.x * count + i), seed));
     vec4 direction = vec4(toward.xyz + across * vec3(disc, 0.0), toward.w);
-    open += dot(at.normal, direction.xyz) > 0.0 && rayReaches(direction, at, state) ? 1.0 : 0.0;
+    addRay(shadow, radius, dot(at.normal, direction.xyz) > 0.0, direction, at, state);
   }
-  return open / float(count);
+  return meanOf(shadow, count);
 }
 
 void main()
@@ -105,14 +142,18 @@ void main()
   for (int layer = 0; layer < layerCount; ++layer)
   {
     vec4 open = vec4(1.0);
+    vec4 width = vec4(0.0);
     for (int i = 0; i < lightCount; ++i)
     {
       LightData light = lights[i];
       if (light.Kind.y >= 0 && light.Kind.y / 4 == layer)
       {
-        open[light.Kind.y & 3] = lightVisibility(light, at, seed + uint(i) * 0x9e3779b9u, state);
+        Shadow shadow = lightShadow(light, at, seed + uint(i) * 0x9e3779b9u, state);
+        open[light.Kind.y & 3] = shadow.open;
+        width[light.Kind.y & 3] = shadow.penumbra;
       }
     }
     imageStore(visibility, ivec3(window, layer), open);
+    imageStore(penumbras, ivec3(window, layer), min(width, vec4(6e4)));
   }
 }

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples points of the surfaces that emit light, by their power. Needs rays/surface.glsl, lib/sampling.glsl.
-uniform int emitterCount;
+// Samples points of the surfaces that emit light, by power and distance. Needs rays/surface.glsl, lib/sampling.glsl.
+uniform int emitterCount;  // triangles
+uniform int emitterLevels; // of the tree above them
 
-// Converts the density of light sampling from per area to per solid angle. from: where the solid angle is measured;
-// to, normal: the sampled point.
+const int EMITTER_CANDIDATES = 2; // points among which one is chosen for a ray
+const int EMITTER_LEVELS = 8;     // number of levels that a random number of 24 bits can choose well
+
+// Converts a density per area to one per solid angle. from: where the solid angle is measured; to, normal: the point.
 float emitterDensity(float perArea, vec3 from, vec3 to, vec3 normal)
 {
   vec3 path = to - from;
@@ -12,47 +15,121 @@ float emitterDensity(float perArea, vec3 from, vec3 to, vec3 normal)
   return perArea * square * sqrt(square) / max(abs(dot(normal, path)), 1e-20);
 }
 
-int pickEmitter(float u)
+// Density per solid angle by which a point of an emitter is weighted against directions that are sampled otherwise. Any
+// density is right that both ways agree on. This one is that of a choice by power, but as if each triangle were chosen once in 64
+// times at least, as small ones nearby are.
+float emitterMisDensity(RaySurface surface, vec3 from, vec3 to, vec3 normal)
 {
-  int low = 0;
-  int high = emitterCount - 1;
-  while (low < high)
+  float often = intBitsToFloat(surface.Clip.z) / 64.0;
+  return emitterDensity(surface.Emission.w > 0.0 ? max(surface.Emission.w, often) : 0.0, from, to, normal);
+}
+
+// Approximate light that a node sends to a surface. node: centre and power; normal: of the surface, zero for a point in
+// space.
+float emitterImportance(vec4 node, float radius, vec3 from, vec3 normal)
+{
+  vec3 path = node.xyz - from;
+  float square = max(dot(path, path), radius * radius);
+  square = max(square, 1e-30);
+  float facing = clamp((dot(normal, path) + radius) * inversesqrt(square), 0.0, 1.0);
+  return node.w * (dot(normal, normal) > 0.0 ? facing : 1.0) / square;
+}
+
+// Chooses an emitter with a probability, which is zero if none sends light. Leaves a random number in u.
+int pickEmitter(vec3 from, vec3 normal, inout float u, out float probability, inout uint state)
+{
+  int node = 1;
+  probability = 1.0;
+  for (int level = 0; level < emitterLevels; ++level)
   {
-    int middle = (low + high) / 2;
-    bool before = u < rayEmitters[middle].A.w;
-    high = before ? middle : high;
-    low = before ? low : middle + 1;
+    RayEmitter pair = rayEmitters[emitterCount + node - 1];
+    float first = emitterImportance(pair.A, pair.C.x, from, normal);
+    float second = emitterImportance(pair.B, pair.C.y, from, normal);
+    float sum = first + second;
+    float share = sum > 0.0 ? first / sum : 0.0;
+    bool left = u < share;
+    float chosen = left ? share : 1.0 - share;
+    probability = sum > 0.0 ? probability * chosen : 0.0;
+    u = clamp((left ? u : u - share) / max(chosen, 1e-7), 0.0, 1.0);
+    if (level % EMITTER_LEVELS == EMITTER_LEVELS - 1)
+    {
+      u = giRandom(state);
+    }
+    node = 2 * node + (left ? 0 : 1);
   }
-  return low;
+  return min(node - (1 << emitterLevels), emitterCount - 1);
 }
 
 // A sampled point of an emitter.
 struct EmitterPoint
 {
-  vec3 path;      // from the receiver to the point
+  vec3 path;        // from the receiver to the point
   vec3 emission;
-  float density;  // per solid angle at the receiver
-  float perArea;  // the same per area
+  float density;    // per solid angle at the receiver; 0 if no emitter sends light
+  float misDensity; // see emitterMisDensity()
+  float perArea;    // density of a choice by power alone
 };
 
-EmitterPoint emitterPoint(vec2 u, vec3 from)
+// normal: of the receiver, whose other side gets no light; zero for a point in space.
+EmitterPoint emitterPoint(vec2 u, vec3 from, vec3 normal, inout uint state)
 {
-  int index = pickEmitter(u.x);
-  float before = index > 0 ? rayEmitters[index - 1].A.w : 0.0;
-  RayEmitter emitter = rayEmitters[index];
-  float within = clamp((u.x - before) / max(emitter.A.w - before, 1e-20), 0.0, 1.0);
-  vec2 weights = giSampleTriangle(vec2(within, u.y));
+  float probability;
+  RayEmitter emitter = rayEmitters[pickEmitter(from, normal, u.x, probability, state)];
+  vec2 weights = giSampleTriangle(u);
   vec3 edge1 = emitter.B.xyz - emitter.A.xyz;
   vec3 edge2 = emitter.C.xyz - emitter.A.xyz;
   vec3 across = cross(edge1, edge2);
+  float area = 0.5 * length(across);
+  vec3 facing = across / max(2.0 * area, 1e-38);
   vec3 target = emitter.A.xyz + weights.x * edge1 + weights.y * edge2;
   EmitterPoint point;
   point.path = target - from;
   RaySurface surface = raySurfaces[floatBitsToInt(emitter.B.w)];
   float occlusion;
-  point.emission = rayMaterial(surface, floatBitsToInt(emitter.C.w), weights,
-    dot(across, point.path) < 0.0, occlusion).Emission.rgb;
+  point.emission = rayMaterial(surface, floatBitsToInt(emitter.C.w), weights, dot(facing, point.path) < 0.0,
+    occlusion).Emission.rgb;
+  point.density = area > 0.0 ? emitterDensity(probability / area, from, target, facing) : 0.0;
+  point.misDensity = emitterMisDensity(surface, from, target, facing);
   point.perArea = surface.Emission.w;
-  point.density = emitterDensity(point.perArea, from, target, normalize(across));
   return point;
+}
+
+// One of several candidates, chosen in proportion to the light that each would send if nothing were in its way, for one ray
+// to stand for them all (resampling: Talbot, Cline and Egbert 2005, Importance Resampling for Global Illumination).
+struct EmitterChoice
+{
+  vec3 path;
+  vec3 light;
+  float sum;
+  float pick; // random number for the next choice
+};
+
+EmitterChoice emitterChoice(inout uint state)
+{
+  return EmitterChoice(vec3(0.0, 0.0, 1.0), vec3(0.0), 0.0, giRandom(state));
+}
+
+// Random numbers of a candidate, spread evenly over the emitters and their surfaces.
+vec2 emitterCandidate(vec2 u, int number)
+{
+  return fract(u + float(number) * vec2(1.0 / float(EMITTER_CANDIDATES), 0.618034));
+}
+
+// light: what arrives from the candidate, divided by its density.
+void emitterConsider(inout EmitterChoice choice, vec3 path, vec3 light)
+{
+  float weight = dot(light, vec3(1.0));
+  weight = weight > 0.0 && weight < 1e38 ? weight : 0.0;
+  choice.sum += weight;
+  float share = weight > 0.0 ? weight / choice.sum : 0.0;
+  bool taken = choice.pick < share;
+  choice.path = taken ? path : choice.path;
+  choice.light = taken ? light / weight : choice.light;
+  choice.pick = taken ? choice.pick / share : (choice.pick - share) / max(1.0 - share, 1e-7);
+}
+
+// What arrives from the chosen candidate if nothing is in the way; zero if none was chosen.
+vec3 emitterArriving(EmitterChoice choice)
+{
+  return choice.light * (choice.sum / float(EMITTER_CANDIDATES));
 }

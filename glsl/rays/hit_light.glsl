@@ -55,13 +55,19 @@ const float HIT_NEAREST = 8.0; // bound on a sample's share of the emission, whe
 // Irradiance from one point of the emitters, divided by pi.
 vec3 hitEmitterLight(RaySurfacePoint at, inout uint state)
 {
-  EmitterPoint point = emitterPoint(vec2(giRandom(state), giRandom(state)), at.position);
-  float facing = dot(at.normal, normalize(point.path));
-  float share = min(facing / (HIT_PI * max(point.density, 1e-30)), HIT_NEAREST * float(emitterCount));
-  vec3 light = share * point.emission;
-  bool arrives = facing > 0.0 && point.density > 0.0 && dot(light, vec3(1.0)) > 0.0 &&
-    rayReaches(vec4(point.path, 1.0 - 1e-4), at, state);
-  return arrives ? light : vec3(0.0);
+  vec2 u = vec2(giRandom(state), giRandom(state));
+  EmitterChoice choice = emitterChoice(state);
+  for (int i = 0; i < EMITTER_CANDIDATES; ++i)
+  {
+    EmitterPoint point = emitterPoint(emitterCandidate(u, i), at.position, at.normal, state);
+    float facing = dot(at.normal, normalize(point.path));
+    float share = facing > 0.0 && point.density > 0.0
+      ? min(facing / (HIT_PI * point.density), HIT_NEAREST)
+      : 0.0;
+    emitterConsider(choice, point.path, share * point.emission);
+  }
+  bool arrives = choice.sum > 0.0 && rayReaches(vec4(choice.path, 1.0 - 1e-4), at, state);
+  return arrives ? emitterArriving(choice) : vec3(0.0);
 }
 #endif
 

@@ -45,13 +45,25 @@ RayHit traceThrough(inout Ray ray, out RaySurfacePoint at, out float first, inou
   return hit;
 }
 
-bool blocked(Ray ray, inout uint state)
+// distance: to a surface that blocks the ray, in units of its direction's length.
+bool blocked(Ray ray, out float distance, inout uint state)
 {
 #ifdef GI_RAY_PARTLY
   RaySurfacePoint at;
   float first;
-  return traceThrough(ray, at, first, state).instance >= 0;
+  Ray left = ray;
+  bool hit = traceThrough(left, at, first, state).instance >= 0;
+  distance = hit ? dot(at.position - ray.origin, ray.direction) / dot(ray.direction, ray.direction) : ray.tMax;
+  return hit;
 #else
-  return traceAny(ray);
+  RayHit hit = rayTrace(ray, true);
+  distance = hit.t;
+  return hit.instance >= 0;
 #endif
+}
+
+bool blocked(Ray ray, inout uint state)
+{
+  float distance;
+  return blocked(ray, distance, state);
 }

@@ -44,12 +44,21 @@ RayArrival rayArrival(LightData light, vec3 position, vec3 eye, inout uint state
   return rayArrival(light, position, eye, u);
 }
 
-// Whether light reaches a surface unoccluded. toward: result of rayTowardLight().
-bool rayReaches(vec4 toward, RaySurfacePoint at, inout uint state)
+// Whether light reaches a surface unoccluded. toward: result of rayTowardLight(). distance: of an occluder from the
+// surface, as a multiple of toward.xyz.
+bool rayReaches(vec4 toward, RaySurfacePoint at, out float distance, inout uint state)
 {
   bool closed;
   vec3 origin = rayArrive(at, normalize(toward.xyz), closed);
   // The ray starts off the surface but still ends at the light.
   vec3 path = toward.w <= 1.0 ? toward.xyz + (at.position - origin) : toward.xyz;
-  return !closed && !blocked(Ray(origin, 0.0, path, toward.w), state);
+  bool open = !blocked(Ray(origin, 0.0, path, toward.w), distance, state);
+  distance = closed ? 0.0 : distance;
+  return open && !closed;
+}
+
+bool rayReaches(vec4 toward, RaySurfacePoint at, inout uint state)
+{
+  float distance;
+  return rayReaches(toward, at, distance, state);
 }

@@ -57,10 +57,10 @@ struct RaySurface
 {
   vec4 Color;    // rgb: diffuse reflectance or base colour; a: opacity
   vec4 Specular; // Phong: rgb reflectance, w power. PBR: rgb edge tint, w base F0
-  vec4 Emission; // rgb: radiance; w: probability density per area of emitter samples
+  vec4 Emission; // rgb: radiance; w: density per area of a choice among points of all emitters by their power, 0 if not sampled
   vec4 Factors;  // x, y: factors from colour to reflectance and to emission; z: metallic; w: roughness
   ivec4 Where;   // x: first attribute; y: first point; z: flags; w: surface of the back faces or -1
-  ivec4 Clip;    // x: first clipping plane, a texel of the points; y: number of planes
+  ivec4 Clip;    // x: first clipping plane, a texel of the points; y: number of planes; z: triangles per area of an emitter, as bits
   // First texels of images, or -1. x: factor of a Phong material's colours or of PBR's base colour; y: PBR's
   // occlusion, roughness and metallic; z: normal map; w: factor of the emission.
   ivec4 Pictures;
@@ -70,12 +70,13 @@ struct RaySurface
   vec4 Edge; // edges of cells: rgb colour; a: width in pixels, 0 for none
 };
 
-// A triangle that emits light, in scene coordinates.
+// A triangle that emits light, in scene coordinates; or, behind the triangles, two nodes of the tree above them, see
+// penumbra::MakeEmitterTree().
 struct RayEmitter
 {
-  vec4 A; // w: cumulative probability of this and all earlier emitters
-  vec4 B; // w: surface, as bits
-  vec4 C; // w: primitive within the surface, as bits
+  vec4 A; // xyz: first corner; or centre of the first node, w: its share of the power of all emitters
+  vec4 B; // xyz: second corner, w: surface, as bits; or the second node like the first
+  vec4 C; // xyz: third corner, w: primitive within the surface, as bits; or x, y: radii of the two nodes
 };
 
 #ifdef __cplusplus

@@ -2,8 +2,9 @@
 // Temporal mean of a result over the frames in which its surface was visible. Variants: GI_LAYERS (an array
 // texture), GI_STILL (nothing moves), GI_CLAMP (something changed: clamp the history to the current values in the
 // neighbourhood; Karis 2014, High-Quality Temporal Supersampling; Salvi 2016, An Excursion in Temporal
-// Supersampling).
+// Supersampling), GI_REACH (reduce the reach of the spatial filter that follows).
 #include "shared/view.h"
+#include "lib/filter_reach.glsl"
 
 #ifdef GI_LAYERS
 #define GI_TEXTURE sampler2DArray
@@ -27,6 +28,10 @@ uniform bool counts; // show the number of frames as a
 
 layout(location = 0) out vec4 mean;  // the next frame's history
 layout(location = 1) out vec4 shown;
+#ifdef GI_REACH
+layout(binding = 3) uniform GI_TEXTURE reachTexture;
+layout(location = 2) out vec4 reach;
+#endif
 
 vec4 historyAt(ivec2 pixel, vec4 moved)
 {
@@ -88,5 +93,8 @@ void main()
     frames = max(min(vec4(moved.z), most), 1.0);
     mean = mix(previousValue, currentValue, (1.0 + recency) / (frames + recency));
   }
+#ifdef GI_REACH
+  reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0);
+#endif
   shown = counts ? vec4(mean.rgb, frames.r) : mean;
 }

@@ -1,78 +1,338 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Error of rays per pixel against the path tracer: the Cornell box lit by its panel, with the preset high and with rays added
-or left out. Exits with 1 if the error with rays exceeds its limit. Writes the pictures as PNG beside each other with --pictures."""
+"""What few rays per pixel, their mean over frames and the filter achieve. Prints a line for each figure, with its limit.
+Exits with 1 if a limit is exceeded.
+
+equal-time   relMSE in a time, divided by the path tracer's in the same time, after a cut
+orbit        relMSE while the camera turns, divided by that of single frames after cuts
+flicker      deviation over still frames after a lamp has moved; change from frame to frame while it moves
+ghost        light that remains of a lamp or a ball that has gone
+emitters     cost and relMSE with 10,000 glowing squares and with one
+first-frame  relMSE of the first frame after a cut with the filter, divided by that without it
+"""
 import argparse
 import json
+import math
 import os
-import pathlib
-import shutil
-import subprocess
+import statistics
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCENE = ROOT / "examples" / "cornell.json"
-LIMITS = {"relmse": 0.003, "mean": 0.015}  # the latter as a share of the picture's mean
-LIGHT = "3"  # brighter pixels show the panel itself
+import numpy as np
+import penumbra
+from cornell_rays import penumbra as command
+from indirect_light import kept, write
+from isosurface_ddgi import blocks
+from PIL import Image
+from ray_scenes import Cornell, Film, Report, Room, TwoLamps, glowing_room, keep_lit, metal_room, scene, tracer, truths
+from sky_light import compared
+
+EQUAL_TIME = {0.5: 1 / 8, 2: 1 / 4, 8: 1 / 2}  # seconds: limit of the ratio
+ORBIT = 0.25
+FLICKER, FLIP, FLIP_MORE = 0.01, 1.1, 0.005
+GHOST = {"direct": {1: 0.05, 4: 0.01, 16: 0.001}, "indirect": {1: 0.2, 4: 0.05, 16: 0.01}}  # frames: share
+EMITTERS = 1.3
+FIRST_FRAME = {"GI": 0.10, "AO": 0.15, "glossy": 0.20, "shadow": 0.20}
+WARM = 48    # frames that settle the probes
+LONG = 128   # frames of a converged picture
+SCENES = ("cornell", "isosurface", "head", "terrain", "protein")
+BRIGHT = 3   # brighter pixels show the Cornell box's panel
+
+
+def relative(picture, truth, where=True):
+    """relMSE of some of the pixels."""
+    epsilon = 0.01 * truth.mean(where=where) ** 2
+    return ((picture - truth) ** 2 / (truth ** 2 + epsilon)).mean(where=where)
+
+
+def equal_time(args, report):
+    """Films take turns, each with its own clock, so that other programs disturb all of them alike."""
+    for name in args.scenes or SCENES[:4]:
+        report.going_on(f"equal-time, {name}: path tracer")
+        size = args.size
+        truth = kept(args.keep, f"{name}_{size[0]}x{size[1]}_2x{args.spp}", lambda: truths(tracer(scene(name), size), args.spp))
+        films = {"path tracer": tracer(scene(name), size), "balanced": Film(scene(name), size, "balanced", smooth=True),
+                 "high": Film(scene(name), size, "high", off=args.off, smooth=True)}
+        for film in films.values():
+            film.picture(WARM)
+            film.cut()
+        clocks, frames = dict.fromkeys(films, 0.0), dict.fromkeys(films, 0)
+        for seconds, limit in EQUAL_TIME.items():
+            waiting = set(films)
+            while waiting:
+                key = min(waiting, key=clocks.get)
+                report.going_on(f"equal-time, {name}: {key}, {clocks[key]:.1f} of {seconds} s")
+                if frames[key] and clocks[key] * (1 + 1 / frames[key]) > seconds:
+                    waiting.remove(key)
+                    continue
+                clocks[key] += films[key].frame()
+                frames[key] += 1
+            pictures = {key: film.picture() for key, film in films.items()}
+            errors = {key: compared(picture, truth)[0] for key, picture in pictures.items()}
+            best = min(("balanced", "high"), key=errors.get)
+            write(args.pictures, f"equal_time_{name}_{seconds}s.png", pictures[best], pictures["path tracer"], truth.mean(axis=0))
+            report.figure(f"equal-time, {name}, {seconds} s: relMSE of {best} / path tracer", errors[best] / errors["path tracer"],
+                          limit, more=", ".join(f"{key} {errors[key]:.5f} in {frames[key]} frames" for key in films))
+
+
+def turned(film, name, frames):
+    """Turn the camera by 2 degrees in each of some frames, in the Cornell box to and fro before its open side."""
+    for frame in range(1, frames + 1):
+        back = name == "cornell" and (frame + 5) // 10 % 2
+        film.camera.Azimuth(-2 if back else 2)
+        yield frame
+
+
+def orbit(args, report):
+    """Still frames from the same cameras follow each cut, up to a converged picture."""
+    frames = 40 if args.quick else 120
+    for name in args.scenes or ("cornell", "protein"):
+        moving, still = (Film(scene(name), args.size, "high", off=args.off) for _ in range(2))
+        traced = tracer(scene(name), args.size)
+        for film in (moving, still):
+            film.picture(WARM)
+        errors = []
+        for frame in turned(moving, name, frames):
+            report.going_on(f"orbit, {name}: frame {frame} of {frames}")
+            ours = moving.picture(1)
+            if frame % 10 or frame <= frames // 4:
+                continue
+            for film in (still, traced):
+                film.place(moving.pose())
+            still.cut()
+            single = still.picture(1)
+            converged = still.picture(LONG - 1)
+            spp = max(1, args.spp // 2)
+            truth = kept(args.keep, f"orbit_{name}_{frame}_{args.size[0]}x{args.size[1]}_2x{spp}", lambda: truths(traced, spp))
+            write(args.pictures, f"orbit_{name}_{frame:03d}.png", ours, single, converged, truth.mean(axis=0))
+            coarse = np.stack([blocks(picture) for picture in truth])
+            errors.append([compared(blocks(picture), coarse)[0] for picture in (ours, single, converged)] +
+                          [relative(picture, converged) for picture in (ours, single)])
+        ours, single, converged, noise, of_single = np.mean(errors, axis=0)
+        report.figure(f"orbit, {name}: against the path tracer (means of 4x4 pixels)", ours / single,
+                      more=f"{ours:.5f}, single frames {single:.5f}, converged {converged:.5f}")
+        report.figure(f"orbit, {name}: against the converged picture", noise / of_single, ORBIT,
+                      more=f"{noise:.5f}, single frames {of_single:.5f}")
+
+
+def changes(films, place, folder):
+    """Mean FLIP between successive pictures of a film while its lamp moves."""
+    found = []
+    for step in range(len(films)):
+        place(step)
+        picture = films[step]()
+        Image.fromarray(picture).save(os.path.join(folder, f"{step}.png"))
+        if step:
+            pair = (os.path.join(folder, f"{index}.png") for index in (step, step - 1))
+            found.append(json.loads(command("compare", *pair, "--json"))["flip-mean"])
+    return np.mean(found)
+
+
+def flicker(args, report):
+    """The lamp circles by 6 degrees a frame, then stands still. The camera stands still all the time."""
+    steps = 4 if args.quick else 8
+
+    def move(room, step):
+        turn = math.radians(6 * step)
+        room.lamp.SetPosition(0.5 + 0.3 * math.cos(turn), 0.5 + 0.3 * math.sin(turn), 0.8)
+
+    room, exact = Room(), Room()
+    ours, traced = Film(room.renderer, args.size, "high"), tracer(exact.renderer, args.size)
+    ours.picture(WARM)
+
+    def reference():
+        report.going_on("flicker: path tracer")
+        return penumbra.render(traced.window, frames=2 * args.spp)
+
+    with tempfile.TemporaryDirectory() as folder:
+        drawn = changes(steps * [lambda: penumbra.render(ours.window)], lambda step: move(room, step), folder)
+        expected = changes(steps * [reference], lambda step: move(exact, step), folder)
+    ours.picture(16)
+    frames = np.stack([ours.picture(1).mean(axis=2) for _ in range(30)])
+    mean = frames.mean(axis=0)
+    lit = mean > 1e-3 * mean.mean()
+    write(args.pictures, "flicker.png", ours.picture(), traced.picture())
+    report.figure("flicker: deviation / mean over 30 frames after the lamp stopped",
+                  (frames.std(axis=0)[lit] / mean[lit]).mean(), FLICKER, share=True)
+    report.figure("flicker: FLIP of successive frames / (path tracer's + 0.005)", drawn / (expected + FLIP_MORE), FLIP,
+                  more=f"{drawn:.4f}, path tracer {expected:.4f}")
+
+
+def remains(report, name, kind, make, change, args, where=None, **drawn):
+    """Light left of what has gone.
+
+    Only pixels count where the old and the new picture differ. A film that never saw what has gone gives the new
+    picture, and the noise of as many frames after a cut. The figure is the larger one of two: the sum of absolute
+    differences from the new picture, of means of 4x4 pixels, minus the same of the other film, which is noise; and the
+    part of old minus new that is still in the picture, in which noise cancels.
+    """
+    report.going_on(f"ghost, {kind}: {name}")
+    past, fresh = make(), make()
+    film, other = (Film(part.renderer, args.size, **drawn) for part in (past, fresh))
+    old = film.picture(LONG)
+    change(fresh)
+    change(past)
+    counts = list(GHOST[kind])
+    after = [film.picture(count - before) for before, count in zip([0] + counts, counts)]
+    other.picture(WARM)
+    other.cut()
+    alone = [other.picture(count - before) for before, count in zip([0] + counts, counts)]
+    new = other.picture(LONG - counts[-1])
+    gone = (old - new) * (np.abs(old - new).sum(axis=2, keepdims=True) > 0.03 * old.mean())
+    gone = gone if where is None else gone * where[..., None]
+    mask = gone.any(axis=2, keepdims=True)
+    whole = np.abs(blocks(gone)).sum()
+    if not whole:
+        raise RuntimeError(f"ghost, {kind}: {name} changes nothing in the picture")
+    write(args.pictures, f"ghost_{kind}_{name.replace(' ', '_')}.png", old, *after, new)
+    for count, picture, noisy in zip(counts, after, alone):
+        total, noise = (np.abs(blocks((some - new) * mask)).sum() / whole for some in (picture, noisy))
+        along = ((picture - new) * gone).sum() / (gone ** 2).sum()
+        report.figure(f"ghost, {kind}, {name}, left after {count} frames", max(total - noise, abs(along)), GHOST[kind][count],
+                      share=True, more=f"differences {100 * total:.2f} %, noise of them {100 * noise:.2f} %; along {100 * along:.2f} %")
+
+
+def hidden(renderer, args):
+    """The pixels of a scene that no light reaches straight."""
+    straight = tracer(renderer, args.size, **{"path-tracing.bounces": 0}).picture(64).sum(axis=2)
+    return straight < 1e-3 * straight.mean()
+
+
+def ghost(args, report):
+    """Shadows of lamps with a size alone; then light by `high` where it arrives after a reflection."""
+    shadows = {"preset": "off", "on": ["ray-traced-shadows", "temporal-accumulation", "denoising"],
+               "ray-traced-shadows.light-radius": 0.06}
+    remains(report, "lamp", "direct", TwoLamps, lambda room: room.lamp.SwitchOff(), args, **shadows)
+    remains(report, "ball", "direct", TwoLamps, lambda room: room.renderer.RemoveActor(room.ball), args, **shadows)
+
+    def lamp():
+        room = TwoLamps()
+        room.renderer.RemoveLight(room.second)
+        keep_lit(room.renderer)
+        return room
+
+    remains(report, "panel", "indirect", Cornell, lambda box: box.panel.GetProperty().SetAmbient(0), args,
+            hidden(Cornell().renderer, args), preset="high")
+    remains(report, "lamp", "indirect", lamp, lambda room: room.lamp.SwitchOff(), args, hidden(lamp().renderer, args),
+            preset="high")
+
+
+def emitters(args, report):
+    """Emitters are not in the picture itself. Frames are timed while the camera turns."""
+    films = {count: Film(glowing_room(count), args.size, "high", smooth=True) for count in (1, 10000)}
+    for film in films.values():
+        report.going_on("emitters")
+        film.picture(WARM)
+    times = {count: [] for count in films}
+    for turn in range(5 if args.quick else 15):
+        for count, film in films.items():
+            film.camera.Roll(1 if turn % 2 else -1)
+            times[count].append(film.frame())
+    one, many = (statistics.median(column) for column in times.values())
+    report.figure("emitters: time of a frame with 10,000 / with 1", many / one, EMITTERS,
+                  more=f"{1000 * many:.0f} ms, {1000 * one:.0f} ms")
+    for count, film in films.items():
+        report.going_on(f"emitters: path tracer with {count}")
+        truth = kept(args.keep, f"emitters_{count}_{args.size[0]}x{args.size[1]}_2x{args.spp}",
+                     lambda: truths(tracer(glowing_room(count), args.size), args.spp))
+        film.camera.SetRoll(0)
+        film.cut()
+        first = film.picture(1)
+        last = film.picture(63)
+        write(args.pictures, f"emitters_{count}.png", first, last, truth.mean(axis=0))
+        for title, picture in (("first filtered frame", first), ("64 frames", last)):
+            error, mean = compared(picture, truth)
+            report.figure(f"emitters, {count}: relMSE of {title}", error, more=f"signed mean {100 * mean:+.2f} %")
+
+
+def first_frame(args, report):
+    """Each technique is alone, so that the only errors are noise and what the filter does. Means over three cuts."""
+    plain = ["temporal-accumulation"]
+    cases = {
+        "GI": (lambda: Cornell().renderer, ["ray-traced-light"], {}, None),
+        "GI with probes": (lambda: Cornell().renderer, ["ray-traced-light", "ddgi"], {}, None),
+        "AO": (lambda: scene("protein"), ["ambient-occlusion"], {"ambient-occlusion.ambient-share": 1}, "ambient-occlusion.filter"),
+        "glossy": (lambda: metal_room().renderer, ["screen-space-reflections"], {}, "screen-space-reflections.filter"),
+        "shadow": (lambda: TwoLamps().renderer, ["ray-traced-shadows"], {"ray-traced-shadows.light-radius": 0.06}, None)}
+    for name, (make, on, settings, switch) in cases.items():
+        films = []
+        for filtered in (True, False):
+            report.going_on(f"first-frame, {name}")
+            extra = ["denoising"] if filtered and not switch else []
+            settings = {**settings, **({switch: float(filtered)} if switch else {})}
+            films.append(Film(make(), args.size, "off", on + plain + extra, **settings))
+        pictures = []
+        for film in films:
+            film.picture(WARM if "ddgi" in on else 1)
+            pictures.append([])
+            for _ in range(3):
+                film.cut()
+                pictures[-1].append(film.picture(1))
+        report.going_on(f"first-frame, {name}: many frames")
+        truth = films[1].picture(2 * LONG)
+        where = np.broadcast_to(truth.max(axis=2, keepdims=True) < BRIGHT, truth.shape)
+        with_filter, without = (np.mean([relative(picture, truth, where) for picture in some]) for some in pictures)
+        write(args.pictures, f"first_frame_{name.replace(' ', '_')}.png", pictures[1][0], pictures[0][0], truth)
+        report.figure(f"first-frame, {name}: relMSE filtered / unfiltered", with_filter / without, FIRST_FRAME.get(name),
+                      more=f"{with_filter:.5f}, {without:.5f}")
+
+
+MEASURES = {"equal-time": equal_time, "orbit": orbit, "flicker": flicker, "ghost": ghost, "emitters": emitters,
+            "first-frame": first_frame}
+
+
+def size_of(text):
+    """Width and height."""
+    width, _, height = text.partition("x")
+    if not (width.isdigit() and height.isdigit() and min(int(width), int(height)) >= 16):
+        raise argparse.ArgumentTypeError(f"'{text}' is no size such as 128x128, of at least 16 pixels")
+    return int(width), int(height)
+
+
+def paths_of(text):
+    """A number of paths."""
+    if not (text.isdigit() and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"'{text}' is no number of paths")
+    return int(text)
 
 
 def options():
     """Parse the command line."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--size", default="256x256", metavar="WxH", help="size of the pictures (default %(default)s)")
-    parser.add_argument("--frames", default="64", help="still frames (default %(default)s)")
-    parser.add_argument("--spp", default="1024", help="paths per pixel of the reference (default %(default)s)")
-    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps the reference for the next run")
-    parser.add_argument("--pictures", metavar="FOLDER", help="write the pictures there")
-    return parser.parse_args()
-
-
-def penumbra(*arguments):
-    """Run the command; returns what it prints."""
-    tool = shutil.which("penumbra", path=os.pathsep.join((str(ROOT / "build" / "bin"), os.environ.get("PATH", ""))))
-    if not tool:
-        sys.exit("rays.py: the command penumbra was not found: build it first, by ./run build.")
-    done = subprocess.run([tool, *arguments], stdout=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        sys.exit(done.returncode)
-    return done.stdout
-
-
-def difference(picture, truth):
-    """What the command says about a picture, without the panel."""
-    return json.loads(penumbra("compare", str(picture), str(truth), "--mask-above", LIGHT, "--json"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("measures", nargs="*", metavar="MEASURE", help="any of the above (default: all)")
+    parser.add_argument("--size", default="128x128", type=size_of, metavar="WxH", help="size of the pictures (default %(default)s)")
+    parser.add_argument("--spp", default=512, type=paths_of, help="paths per pixel of each of two references, whose noise cancels "
+                        "(default %(default)s); half as many for each camera of the orbit")
+    parser.add_argument("--scenes", nargs="+", default=[], metavar="SCENE", help="of equal-time and orbit: " + ", ".join(SCENES))
+    parser.add_argument("--off", nargs="+", default=[], metavar="TECHNIQUE",
+                        help="leave these out of high in equal-time and orbit; the path tracer shows all light")
+    parser.add_argument("--quick", action="store_true", help="fewer frames")
+    parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write the compared pictures there, the truth last")
+    args = parser.parse_args()
+    for given, known, kind in ((args.measures, MEASURES, "measure"), (args.scenes, SCENES, "scene")):
+        for name in given:
+            if name not in known:
+                parser.error(f"there is no {kind} '{name}': choose from {', '.join(known)}")
+    for folder in (args.keep, args.pictures):
+        try:
+            if folder:
+                os.makedirs(folder, exist_ok=True)
+        except OSError as error:
+            parser.error(f"cannot make the folder {folder}: {error.strerror}")
+    return args
 
 
 def main():
-    """Print a line for each way to draw."""
-    args = options()
-    with tempfile.TemporaryDirectory() as folder:
-        for wanted in (args.keep, args.pictures):
-            if wanted:
-                os.makedirs(wanted, exist_ok=True)
-        truth = pathlib.Path(args.keep or folder) / f"cornell_{args.size}_{args.spp}.exr"
-        if not truth.exists():
-            penumbra("render", str(SCENE), "--preset", "reference", "--spp", args.spp, "--size", args.size, "-o", str(truth))
-        # With every technique off the box is black but for its panel.
-        black = pathlib.Path(folder) / "black.exr"
-        penumbra("render", str(SCENE), "-q", "--preset", "off", "--size", args.size, "--frames", "1", "-o", str(black))
-        whole = -difference(black, truth)["signed-mean"]
-        passed = True
-        print(f"{'':12} relMSE   signed mean  FLIP")
-        for name, switch in (("probes", "--off"), ("with rays", "--on")):
-            drawn = pathlib.Path(folder) / "drawn.exr"
-            common = ("render", str(SCENE), "-q", "--preset", "high", switch, "ray-traced-light", "--size", args.size, "--frames",
-                      args.frames)
-            penumbra(*common, "-o", str(drawn))
-            if args.pictures:
-                penumbra(*common, "-o", str(pathlib.Path(args.pictures) / (name.replace(" ", "_") + ".png")))
-            found = difference(drawn, truth)
-            mean = found["signed-mean"] / whole
-            print(f"{name:12} {found['relmse']:.5f}  {100 * mean:+8.2f} %   {found['flip-mean']:.4f}", flush=True)
-            passed = switch == "--off" or (found["relmse"] <= LIMITS["relmse"] and abs(mean) <= LIMITS["mean"])
-    return 0 if passed else 1
+    """Take the measures."""
+    args, report = options(), Report()
+    for name in args.measures or MEASURES:
+        try:
+            MEASURES[name](args, report)
+        except (RuntimeError, ValueError) as error:
+            sys.exit(f"rays.py: {name}: {error}")
+    return 0 if report.passed else 1
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
  */
 #include "RoomStage.h"
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace penumbra_test;
@@ -78,7 +79,7 @@ TEST_F(Denoising, EndsInAStillPicture)
   EXPECT_EQ(late[0], late[1]);
 }
 
-// Where the light is the same everywhere, nothing may be added or lost, at edges neither.
+// Where the light is the same everywhere, nothing may be added or lost, not even at edges.
 TEST_F(Denoising, KeepsEnergyAtEdges)
 {
   this->Scene.Renderer->RemoveAllViewProps();
@@ -100,17 +101,156 @@ TEST_F(Denoising, KeepsEnergyAtEdges)
   EXPECT_NEAR(sum / count, 0.6 * 0.5, 0.02 * 0.3);
 }
 
+// One wall shines, all others are black: what turns away from it stays dark.
+TEST_F(Denoising, DoesNotCrossEdges)
+{
+  this->Scene.Renderer->RemoveAllViewProps();
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0);
+  vtkActor* wall = this->AddBox(0.98, 0.99, -0.9, 0.9, -0.9, 0.9, 0.0);
+  wall->GetProperty()->SetAmbient(1.0);
+  this->AddBox(-0.5, 0.1, -0.3, 0.3, -0.9, 0.0, 0.8);
+  this->LookFrom(-0.9, -0.8, 0.7, -0.2, 0.0, -0.4);
+  this->Filter->EnabledOff();
+  this->Pass->Restart();
+  const Values truth = this->After(64);
+  const Values filtered = this->First(true);
+  double lit = 0.0;
+  double dark = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    const bool shines = truth[i] > 0.99;
+    lit += shines ? 0.0 : truth[i];
+    dark += truth[i] < 1e-6 ? filtered[i] : 0.0;
+  }
+  std::printf("light on dark surfaces: %.5f of all\n", dark / lit);
+  EXPECT_GT(lit, 10.0);
+  EXPECT_LT(dark, 1e-4 * lit);
+}
+
+// A sample beyond what half floats hold must not spoil its neighbours.
+TEST_F(Denoising, TakesBrightSamples)
+{
+  Paint(AddFloor(this->Scene, -0.1, 0.1, -0.1, 0.1, 0.9), 0.0)
+    ->GetProperty()
+    ->SetAmbientColor(1e7, 1e7, 1e7);
+  this->Scene.Renderer->GetActors()->GetLastActor()->GetProperty()->SetAmbient(1.0);
+  const Values raw = this->First(false);
+  const Values filtered = this->First(true);
+  const auto bright = [](const Values& values) {
+    return std::count_if(values.begin(), values.end(), [](double value) { return !(value < 3e4); });
+  };
+  std::printf("pixels as bright as can be: %d, filtered %d; means %g, %g\n",
+    static_cast<int>(bright(raw)), static_cast<int>(bright(filtered)), Mean(raw), Mean(filtered));
+  EXPECT_GT(bright(raw), 0);
+  EXPECT_LE(bright(filtered), bright(raw));
+}
+
+// Without means over frames every frame is as noisy as the first, and filtered like it.
+TEST_F(Denoising, DoesNotEndWithoutMeans)
+{
+  this->Pass->GetTechnique("temporal-accumulation")->EnabledOff();
+  this->Pass->GetTechnique("anti-aliasing")->EnabledOff();
+  const Values filtered = this->First(true);
+  const Values later = this->After(100);
+  this->Filter->EnabledOff();
+  const Values raw = this->After(1);
+  EXPECT_LT(SquaredError(later, filtered), 0.2 * SquaredError(raw, filtered));
+}
+
 TEST_F(Denoising, KeepsHistoryWhileTheCameraMoves)
 {
-  this->First(true);
-  const double expected = Mean(this->After(8));
-  for (int i = 0; i < 16; ++i)
-  {
-    this->Scene.Renderer->GetActiveCamera()->Yaw(0.5);
-    for (const double value : this->After(1))
+  const auto error = [this](bool averaged) {
+    this->Pass->GetTechnique("temporal-accumulation")->SetEnabled(averaged);
+    this->First(true);
+    for (int i = 0; i < 16; ++i)
     {
-      ASSERT_TRUE(std::isfinite(value)) << "frame " << i;
+      this->Scene.Renderer->GetActiveCamera()->Yaw(i % 2 == 0 ? 2.0 : -2.0);
+      for (const double value : this->After(1))
+      {
+        EXPECT_TRUE(std::isfinite(value)) << "frame " << i;
+      }
+    }
+    return this->After(1);
+  };
+  const Values kept = error(true);
+  const Values lost = error(false);
+  this->Pass->GetTechnique("temporal-accumulation")->EnabledOn();
+  this->Filter->EnabledOff();
+  this->Pass->Restart();
+  const Values truth = this->After(400);
+  std::printf(
+    "relMSE %.5f, without history %.5f\n", SquaredError(kept, truth), SquaredError(lost, truth));
+  EXPECT_LT(SquaredError(kept, truth), 0.5 * SquaredError(lost, truth));
+}
+
+namespace
+{
+/// A floor and a block under a lamp whose shadows have soft edges.
+class DenoisingShadows : public Denoising
+{
+protected:
+  void SetUp() override
+  {
+    Denoising::SetUp();
+    this->Scene.Renderer->RemoveAllViewProps();
+    this->Pass->GetTechnique("ray-traced-light")->EnabledOff();
+    vtkGITechnique* shadows = this->Pass->GetTechnique("ray-traced-shadows");
+    shadows->EnabledOn();
+    shadows->SetParameter("samples", 1);
+    shadows->SetParameter("light-radius", 0.3);
+    Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), 0.8);
+    this->AddBox(-0.2, 0.1, -0.2, 0.2, 0.0, 0.5, 0.8);
+    this->Lamp->SetPosition(0.8, 0.5, 1.5);
+    this->Lamp->SetIntensity(1.0);
+    this->LookFrom(-0.9, -1.1, 1.0, -0.2, 0.0, 0.1);
+  }
+};
+}
+
+TEST_F(DenoisingShadows, LoseMostNoiseInTheFirstFrame)
+{
+  const Values raw = this->First(false);
+  const Values filtered = this->First(true);
+  this->Filter->EnabledOff();
+  this->Pass->Restart();
+  const Values truth = this->After(400);
+  const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
+  std::printf("relMSE %.4f, filtered %.4f, %.3f of it; mean %.4f of %.4f\n",
+    SquaredError(raw, truth), SquaredError(filtered, truth), share, Mean(filtered), Mean(truth));
+  EXPECT_LT(share, 0.2);
+  EXPECT_NEAR(Mean(filtered), Mean(truth), 0.01 * Mean(truth));
+}
+
+TEST_F(DenoisingShadows, StaySharpAtContactsAndOfPoints)
+{
+  this->Pass->GetTechnique("ray-traced-shadows")->SetParameter("light-radius", 0.0);
+  EXPECT_EQ(this->First(false), this->First(true));
+}
+
+TEST_F(DenoisingShadows, EndInAStillPicture)
+{
+  Values late[2];
+  for (const int filtered : { 0, 1 })
+  {
+    this->First(filtered != 0);
+    late[filtered] = this->After(80);
+  }
+  EXPECT_EQ(late[0], late[1]);
+}
+
+// The mean over frames takes over from the filter while the camera moves, too.
+TEST_F(DenoisingShadows, AreFilteredLessWithHistory)
+{
+  Values drawn[2];
+  Values first[2];
+  for (const int filtered : { 0, 1 })
+  {
+    first[filtered] = this->First(filtered != 0);
+    for (int i = 0; i < 24; ++i)
+    {
+      this->Scene.Renderer->GetActiveCamera()->Yaw(i % 2 == 0 ? 0.5 : -0.5);
+      drawn[filtered] = this->After(1);
     }
   }
-  EXPECT_NEAR(Mean(this->After(1)), expected, 0.2 * expected);
+  EXPECT_LT(SquaredError(drawn[0], drawn[1]), 0.1 * SquaredError(first[0], first[1]));
 }

@@ -105,7 +105,7 @@ TEST_F(LightGatherer, ClosedEnclosureKeepsItsEnergy)
   {
     this->AddPoint({ x, 0.5 * x, -0.4 }, { 0.6, 0.0, 0.8 });
   }
-  this->Gatherer->SetSamples(16384);
+  this->Gatherer->SetSamples(65536);
   const double expected = emission / (1.0 - reflectance);
   std::vector<double> errors;
   this->Gather(false);

@@ -26,6 +26,8 @@ public:
   {
     return this->Graph.AddPass(name).Offer(this->Offered);
   }
+  /// Whether a pass that was added writes this resource.
+  bool IsWritten(const std::string& resource) const { return this->Graph.IsWritten(resource); }
   /// Offer arguments to the shaders of all passes that are added from now on.
   void Offer(const Arguments& arguments) { this->Offered = arguments; }
 

@@ -113,6 +113,15 @@ PassDeclaration& FrameGraph::AddPass(const std::string& name)
   return *this->Passes.back();
 }
 
+bool FrameGraph::IsWritten(const std::string& resource) const
+{
+  return std::any_of(this->Passes.begin(), this->Passes.end(), [&](const auto& pass) {
+    return std::any_of(pass->Accesses.begin(), pass->Accesses.end(), [&](const auto& access) {
+      return access.Resource == resource && access.AccessKind == PassDeclaration::Kind::Write;
+    });
+  });
+}
+
 struct FrameGraph::Links
 {
   std::vector<int> Writer;                                 ///< by version: the pass that writes it

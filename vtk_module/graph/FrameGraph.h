@@ -166,6 +166,8 @@ public:
   };
 
   PassDeclaration& AddPass(const std::string& name);
+  /// Whether a pass that was added writes this resource.
+  bool IsWritten(const std::string& resource) const;
 
   /// Order the passes. Throws std::logic_error, naming passes and resource, if a resource has
   /// two writers, a required one has none, or passes wait for each other.

@@ -25,6 +25,8 @@ constexpr const char* Displacement =
 constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect from the environment
+constexpr const char* Penumbras =
+  "visibility.penumbras"; ///< half widths of penumbras around a pixel, in scene units, in the same channels; 0 if unknown
 constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
@@ -54,6 +56,7 @@ inline std::string SamplerOf(const std::string& resource)
     { Normal, "normalTexture" }, { Facet, "facetTexture" }, { DepthCopy, "depthTexture" },
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
+      { Penumbras, "penumbrasTexture" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
     { Irradiance, "irradianceTexture" },
     { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
@@ -74,11 +77,14 @@ struct NoisyResource
   /// Light on surfaces: does not depend on the camera, unless it carries lights. Its first frames after a change are wrong,
   /// as it relies on what takes some frames itself. a of its mean is the number of frames.
   bool Light;
+  /// How far the spatial filter may reach, in scene units, for each channel; "" for light, which may be filtered as far as
+  /// the surface goes on; nullptr for what its own technique filters.
+  const char* Reach;
 };
 namespace resource
 {
-constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false },
-  { DirectVisibility, true, false, false }, { Reflection, false, true, false },
-  { TracedIrradiance, false, true, true } };
+constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr },
+  { DirectVisibility, true, false, false, Penumbras }, { Reflection, false, true, false, nullptr },
+  { TracedIrradiance, false, true, true, "" } };
 }
 }

@@ -12,28 +12,6 @@
 
 namespace penumbra
 {
-namespace
-{
-// Maximum number of emitting triangles in the table. Light from others is found only by random rays.
-constexpr std::size_t MaxEmitters = 4000000;
-
-/// Approximate emission of a part. It determines only how often the part is sampled.
-double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
-{
-  const int flags = surface.Where.z;
-  const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0 ||
-    glm::floatBitsToInt(surface.More.x) >= 0;
-  const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
-  const bool notSampled = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
-    (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
-  return notSampled
-    ? 0.0
-    : (colored && phong ? 0.5 * surface.Factors.y
-                        : Luminance(surface.Emission.r * picture.r, surface.Emission.g * picture.g,
-                            surface.Emission.b * picture.b));
-}
-}
-
 void RayProps::Update(vtkRenderer* renderer, const std::vector<RayPart>& others)
 {
   std::vector<vtkProp*> left;
@@ -99,7 +77,7 @@ void RayProps::Update(vtkRenderer* renderer, const std::vector<RayPart>& others)
   }
   this->UpdateClipping(parts, surfaces, indices);
   this->UpdatePlaces(parts, indices);
-  this->UpdateEmitters(parts, surfaces, indices, meanColors, changed);
+  this->Emitters.Update(parts, surfaces, indices, meanColors, changed, this->Scene.Origin());
   if (surfaces.empty())
   {
     surfaces.emplace_back(); // an empty buffer cannot be bound
@@ -288,112 +266,6 @@ void RayProps::UpdatePlaces(
   }
 }
 
-void RayProps::UpdateEmitters(const std::vector<RayPart>& parts,
-  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices,
-  const std::vector<glm::vec3>& meanColors, bool changed)
-{
-  std::vector<EmittingPart> emittingParts;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    shared::RaySurface& surface = surfaces[indices[i]];
-    const double strength = Strength(surface, meanColors[i]);
-    surface.Emission.w = 0.0f;
-    // A surface with a different back material would need a second density.
-    if (strength > 0.0 && !parts[i].HasBack)
-    {
-      emittingParts.push_back({ i, strength, 0.0f });
-    }
-  }
-  for (std::size_t i = 0; i < emittingParts.size() && !changed; ++i)
-  {
-    changed = i >= this->EmittingParts.size() ||
-      emittingParts[i].Part != this->EmittingParts[i].Part ||
-      emittingParts[i].Strength != this->EmittingParts[i].Strength;
-  }
-  if (changed || !this->EmittersBuilt || emittingParts.size() != this->EmittingParts.size())
-  {
-    this->EmittersBuilt = true;
-    this->EmittingParts = std::move(emittingParts);
-    this->BuildEmitters(parts, indices);
-  }
-  for (const EmittingPart& part : this->EmittingParts)
-  {
-    surfaces[indices[part.Part]].Emission.w = part.Density;
-  }
-}
-
-void RayProps::BuildEmitters(
-  const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices)
-{
-  std::vector<shared::RayEmitter> table;
-  std::vector<double> sums;
-  double total = 0.0;
-  double squares = 0.0;
-  for (EmittingPart& part : this->EmittingParts)
-  {
-    const RayPart& source = parts[part.Part];
-    const RayGeometry geometry = source.MakeGeometry();
-    const std::vector<RayPlace> single(1);
-    const std::vector<RayPlace>& places = source.Places ? *source.Places : single;
-    part.Density = 0.0f;
-    // Only triangles can be sampled.
-    if (geometry.Triangles.size() != geometry.Size() ||
-      table.size() + places.size() * geometry.Triangles.size() > MaxEmitters)
-    {
-      continue;
-    }
-    part.Density = 1.0f;
-    for (const RayPlace& place : places)
-    {
-      glm::dmat4 toScene = source.ToWorld;
-      if (source.Places)
-      {
-        glm::dmat4 placed{ glm::dmat3(place.Turn) };
-        placed[3] = glm::dvec4(place.At, 1.0);
-        toScene = toScene * placed;
-      }
-      toScene[3] =
-        toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(this->Scene.Origin(), 0.0);
-      for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
-      {
-        glm::dvec3 corner[3];
-        for (int c = 0; c < 3; ++c)
-        {
-          corner[c] =
-            glm::dvec3(toScene * glm::dvec4(geometry.Points[geometry.Triangles[t][c]], 1.0));
-        }
-        const double area =
-          0.5 * glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0]));
-        if (area > 0.0 && std::isfinite(area))
-        {
-          total += part.Strength * area;
-          squares += part.Strength * part.Strength * area;
-          sums.push_back(total);
-          table.push_back({ glm::vec4(corner[0], 0.0f),
-            glm::vec4(corner[1], glm::intBitsToFloat(indices[part.Part])),
-            glm::vec4(corner[2], glm::intBitsToFloat(static_cast<int>(t))) });
-        }
-      }
-    }
-  }
-  for (EmittingPart& part : this->EmittingParts)
-  {
-    part.Density = total > 0.0 ? static_cast<float>(part.Density * part.Strength / total) : 0.0f;
-  }
-  for (std::size_t i = 0; i < table.size(); ++i)
-  {
-    table[i].A.w = static_cast<float>(sums[i] / total);
-  }
-  this->Emitters = table.size();
-  this->EmitterArea = squares > 0.0 ? total * total / squares : 0.0;
-  if (table.empty())
-  {
-    table.emplace_back();
-  }
-  this->EmitterStorage.Upload(
-    GL_SHADER_STORAGE_BUFFER, table.data(), table.size() * sizeof(table[0]));
-}
-
 Arguments RayProps::ShaderArguments() const
 {
   Arguments arguments = this->Scene.ShaderArguments();
@@ -407,9 +279,8 @@ Arguments RayProps::ShaderArguments() const
   {
     this->Sky.AddTo(arguments);
   }
+  this->Emitters.AddTo(arguments);
   return arguments.Block("RaySurfaceBlock", this->SurfaceStorage)
-    .Block("RayEmitterBlock", this->EmitterStorage)
-    .Set("emitterCount", static_cast<int>(this->Emitters))
     .Add(this->Rules.ShaderArguments());
 }
 
@@ -458,13 +329,11 @@ void RayProps::ReleaseGraphicsResources()
   this->Pictures.Release();
   this->Sky.Release();
   this->SurfaceStorage = Buffer();
-  this->EmitterStorage = Buffer();
+  this->Emitters.ReleaseGraphicsResources();
   this->Shapes.clear();
   this->Blocks.clear();
   this->Places.clear();
   this->Surfaces.clear();
-  this->EmittingParts.clear();
-  this->EmittersBuilt = false;
   this->Planes.clear();
 }
 }

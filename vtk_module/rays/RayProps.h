@@ -7,6 +7,7 @@
 #pragma once
 
 #include "gpu/GLObjects.h"
+#include "rays/RayEmitters.h"
 #include "rays/RayPart.h"
 #include "rays/RayPictures.h"
 #include "rays/RayScene.h"
@@ -45,12 +46,12 @@ public:
   std::size_t WithoutNormals() const { return this->LackNormals; }
   std::size_t Bytes() const { return this->Scene.Bytes(); }
   std::size_t Triangles() const { return this->Primitives; }
-  bool HasEmitters() const { return this->Emitters > 0; }
+  bool HasEmitters() const { return this->Emitters.Count() > 0; }
   /// Whether rays should be sent to emitters from where other rays end, because chance and probes resolve them badly:
   /// whether there are some, and they are small in a scene of this diagonal.
   bool SeeksEmitters(double diagonal) const
   {
-    return this->HasEmitters() && this->EmitterArea < 0.1 * diagonal * diagonal;
+    return this->HasEmitters() && this->Emitters.Area() < 0.1 * diagonal * diagonal;
   }
 
   void ReleaseGraphicsResources();
@@ -86,10 +87,6 @@ private:
   void UpdateClipping(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
     const std::vector<std::int32_t>& indices);
   void UpdatePlaces(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& surfaces);
-  void UpdateEmitters(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
-    const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& meanColors,
-    bool changed);
-  void BuildEmitters(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices);
 
   SurfaceRules Rules;
   GatherCache Cache;
@@ -99,7 +96,7 @@ private:
   RaySky Sky;
   RayBuffer Points{ "attributes of points", 1 };
   Buffer SurfaceStorage;
-  Buffer EmitterStorage;
+  RayEmitters Emitters;
   std::map<std::uint64_t, Shape> Shapes;
   std::map<std::uint64_t, Block> Blocks;
   std::vector<Place> Places;
@@ -110,17 +107,6 @@ private:
   std::size_t LackNormals = 0;
   std::size_t LeftOutCount = 0;
   std::size_t Primitives = 0;
-  std::size_t Emitters = 0;
-  double EmitterArea = 0.0; ///< as large as one emitter with their light, or less where some are faint
-  /// A part that emits light, with its strength and its sampling density per area.
-  struct EmittingPart
-  {
-    std::size_t Part;
-    double Strength;
-    float Density;
-  };
-  std::vector<EmittingPart> EmittingParts;
-  bool EmittersBuilt = false;
   bool Partly = false;
   bool Edges = false;
 };

@@ -60,6 +60,10 @@ public:
     this->CurrentView.Sequence = this->CurrentView.FrameNumber - this->CurrentView.FirstFrame;
   }
 
+  /// Tell that a technique averages still frames, so that filters of noise need not.
+  void AverageStillFrames() { this->StillFramesAveraged = true; }
+  bool AveragesStillFrames() const { return this->StillFramesAveraged; } ///< for AddLast()
+
   /// Shift this frame's picture by a fraction of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
@@ -117,6 +121,7 @@ private:
   bool TracedSceneReady = false;
   bool MotionReady = false;
   bool LitRadianceRequested = false;
+  bool StillFramesAveraged = false;
   std::vector<std::function<void(FrameBuilder&)>> Last;
   ForwardPart Visibility;
   ForwardPart Display;

@@ -88,6 +88,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   if (mode == Accumulate)
   {
     const int maximum = this->MaximumFrames;
+    frame.AverageStillFrames();
     Sums& sums = frame.ViewState<Sums>(this);
     const bool complete = sums.IsComplete(resource::Color, maximum) &&
       (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));

@@ -5,6 +5,7 @@
 #include "gpu/ScopedState.h"
 #include "technique/FrameBuilder.h"
 
+#include <algorithm>
 #include <utility>
 
 vtkStandardNewMacro(vtkGIDenoising);
@@ -13,35 +14,80 @@ using namespace penumbra;
 
 namespace
 {
-constexpr const char* Signal = "denoising.signal";
-constexpr const char* Next = "denoising.next";
-
 // Order among the passes that modify a noisy resource: after the mean over frames.
 constexpr int Order = 600;
 
 // Still frames after which no pixel is filtered, see glsl/denoising/signal.glsl.
 constexpr int LastFrame = 64;
 
-void Filter(FrameContext& context, const char* name, double radius)
+/// Resources of a filter: what it filters, and two copies of that with the surfaces.
+struct Names
+{
+  std::string Result;
+  std::string Signal;
+  std::string Next;
+};
+
+struct Strength
+{
+  double Radius;
+  int StillFrames; ///< number of earlier frames in a mean of the picture
+};
+
+// layer: -1 for a result without layers.
+void Filter(FrameContext& context, const Names& names, int layer, const Strength& strength)
 {
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, false);
-  const Texture* signal = context.Output(Signal);
-  const Texture* next = context.Output(Next);
+  const Texture* signal = context.Output(names.Signal.c_str());
+  const Texture* next = context.Output(names.Next.c_str());
+  Defines variant;
+  if (layer >= 0)
+  {
+    variant["GI_SHARES"] = "1";
+  }
   context.BindTarget({ { signal, -1 } }, {});
-  context.DrawBound("denoising/pack.frag", {},
-    Arguments().Set("stillFrames", context.GetView().StillFrames));
-  for (int step = 1; step < 2.0 * radius; step *= 2)
+  context.DrawBound("denoising/pack.frag", variant,
+    Arguments()
+      .Set("stillFrames", strength.StillFrames)
+      .Set("radius", strength.Radius)
+      .Set("layer", layer));
+  for (int step = 1; step < 2.0 * strength.Radius; step *= 2)
   {
     context.BindTarget({ { next, -1 } }, {});
-    context.DrawBound("denoising/filter.frag", {},
-      Arguments().Sample("signalTexture", signal).Set("step", step).Set("radius", radius));
+    context.DrawBound("denoising/filter.frag", variant,
+      Arguments().Sample("signalTexture", signal).Set("step", step).Set("radius", strength.Radius));
     std::swap(signal, next);
   }
-  context.BindTarget({ { context.Output(name), -1 } }, {});
-  context.DrawBound("denoising/unpack.frag", {},
-    Arguments().Sample("signalTexture", signal).Set("radius", radius));
+  context.BindTarget({ { context.Output(names.Result.c_str()), layer } }, {});
+  context.DrawBound("denoising/unpack.frag", variant,
+    Arguments().Sample("signalTexture", signal).Set("radius", strength.Radius).Set("layer", layer));
+}
+
+// A pass that filters a result, all its layers in turn.
+void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Strength& strength)
+{
+  const std::string signal = std::string("denoising.") + noisy.Name;
+  const std::string next = signal + ".next";
+  auto& pass = frame.AddPass(signal)
+                 .Read(resource::Albedo)
+                 .Read(resource::Normal)
+                 .Read(resource::DepthCopy)
+                 .ModifyIfPresent(noisy.Name, Order, "current")
+                 .Write(signal, frame.WindowTexture(GL_RGBA32UI))
+                 .Write(next, frame.WindowTexture(GL_RGBA32UI));
+  if (!noisy.Light)
+  {
+    pass.Read(noisy.Reach);
+  }
+  pass.Execute([name = noisy.Name, signal, next, strength](FrameContext& context) {
+    const int layers = context.Output(name)->Desc().Layers;
+    for (int layer = std::min(layers - 1, 0); layer < layers; ++layer)
+    {
+      Filter(context, { name, signal, next }, layer, strength);
+    }
+  });
 }
 }
 
@@ -50,18 +96,23 @@ vtkGIDenoising::~vtkGIDenoising() = default;
 
 void vtkGIDenoising::Contribute(FrameBuilder& frame)
 {
-  if (this->Radius <= 0.0 || frame.GetView().StillFrames >= LastFrame)
+  if (this->Radius <= 0.0)
   {
     return;
   }
-  const char* name = resource::TracedIrradiance;
-  frame.AddPass("denoising")
-    .Read(resource::Albedo)
-    .Read(resource::Normal)
-    .Read(resource::DepthCopy)
-    .ModifyIfPresent(name, Order, "current")
-    .Write(Signal, frame.WindowTexture(GL_RGBA32UI))
-    .Write(Next, frame.WindowTexture(GL_RGBA32UI))
-    .Execute([name, radius = this->Radius](
-               FrameContext& context) { Filter(context, name, radius); });
+  // Not every technique that writes visibility writes the reach of its noise.
+  frame.AddLast([radius = this->Radius](FrameBuilder& last) {
+    const int averaged = last.AveragesStillFrames() ? last.GetView().StillFrames : 0;
+    if (averaged >= LastFrame)
+    {
+      return;
+    }
+    for (const NoisyResource& noisy : resource::Noisy)
+    {
+      if (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach)))
+      {
+        AddFilter(last, noisy, { radius, averaged });
+      }
+    }
+  });
 }

@@ -17,7 +17,7 @@ namespace
 {
 constexpr const char* Reprojection = "temporal-accumulation.reprojection";
 
-// Order among the passes that modify a noisy resource: after spatial filters.
+// Order among the passes that modify a noisy resource: before the filter of denoising.
 constexpr int Order = 500;
 
 // Number of frames after a change in which outdated values may still be visible.
@@ -48,6 +48,7 @@ struct Ages
   int Lit = 0;
   bool Carried = false; ///< the camera moved, and a light with it
   std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
+  std::vector<LightGeometry> CarriedGeometries; ///< of the lights that the camera carries
   std::vector<LightGeometry> Geometries; ///< geometry of the lights in these channels
 
   void Advance(const View& view, const LightTable& lights, bool continued, int changeFrames)
@@ -56,9 +57,16 @@ struct Ages
     this->Looks =
       !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
     this->Props = view.Changes.Props ? 0 : this->Props + 1;
-    this->Carried = view.StillFrames == 0 &&
-      std::any_of(lights.Lights().begin(), lights.Lights().end(),
-        [](const Light& light) { return light.FollowsCamera; });
+    std::vector<LightGeometry> carried;
+    for (const Light& light : lights.Lights())
+    {
+      if (light.FollowsCamera)
+      {
+        carried.push_back(GeometryOf(light));
+      }
+    }
+    this->Carried = carried != this->CarriedGeometries;
+    this->CarriedGeometries = carried;
     const bool restarts = !continued || view.Changes.Appearance || view.Changes.Techniques ||
       (view.Changes.Lights && !this->Carried);
     this->Lit = restarts ? 1 : this->Lit + 1;
@@ -216,11 +224,22 @@ struct Accumulator
     }
     ScopedState scope(context.State());
     this->Begin(scope);
+    const Texture* reach = noisy.Reach && !noisy.Light && context.Input(noisy.Reach)
+      ? context.Output(noisy.Reach)
+      : nullptr;
+    if (reach)
+    {
+      variant["GI_REACH"] = "1";
+    }
     for (int layer = 0; layer < std::max(1, desc.Layers); ++layer)
     {
       const int target = desc.Layers > 0 ? layer : -1;
-      context.BindTarget(
-        { { means.Current, target }, { shown, target } }, { context.Input(resource::Depth), -1 });
+      std::vector<Attachment> targets = { { means.Current, target }, { shown, target } };
+      if (reach)
+      {
+        targets.push_back({ reach, target });
+      }
+      context.BindTarget(targets, { context.Input(resource::Depth), -1 });
       glm::vec4 maximumAge;
       for (int i = 0; i < 4; ++i)
       {
@@ -246,6 +265,7 @@ vtkGITemporalAccumulation::~vtkGITemporalAccumulation() = default;
 void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
 {
   frame.ChangeNoise();
+  frame.AverageStillFrames();
   Ages& ages = frame.ViewState<Ages>(this);
   MotionTable& motion = frame.Motion();
   const LightTable& lights = frame.Lights();
@@ -267,11 +287,15 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
                FrameContext& context) { accumulator.Reproject(context, surfaces, lights); });
   for (const NoisyResource& noisy : resource::Noisy)
   {
-    frame.AddPass(std::string("temporal-") + noisy.Name)
-      .Read(Reprojection, "reprojection")
-      .Read(resource::Depth)
-      .ModifyIfPresent(noisy.Name, Order, "current")
-      .Execute(
-        [accumulator, noisy](FrameContext& context) { accumulator.Accumulate(context, noisy); });
+    auto& pass = frame.AddPass(std::string("temporal-") + noisy.Name)
+                   .Read(Reprojection, "reprojection")
+                   .Read(resource::Depth)
+                   .ModifyIfPresent(noisy.Name, Order, "current");
+    if (noisy.Reach && !noisy.Light)
+    {
+      pass.ModifyIfPresent(noisy.Reach, Order, "reachTexture");
+    }
+    pass.Execute(
+      [accumulator, noisy](FrameContext& context) { accumulator.Accumulate(context, noisy); });
   }
 }

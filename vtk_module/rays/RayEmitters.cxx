@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rays/RayEmitters.h"
+
+#include "base/Luminance.h"
+#include "rays/EmitterTree.h"
+#include "rays/RayGeometry.h"
+
+namespace penumbra
+{
+namespace
+{
+// Maximum number of emitting triangles in the tree. Light from others is found only by random rays.
+constexpr std::size_t MaxEmitters = 4000000;
+
+/// Approximate emission of a part. It determines only how often the part is sampled.
+double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
+{
+  const int flags = surface.Where.z;
+  const bool colored = (flags & (GI_SURFACE_POINT_COLORS | GI_SURFACE_CELL_COLORS)) != 0 ||
+    glm::floatBitsToInt(surface.More.x) >= 0;
+  const bool phong = (flags & GI_SURFACE_MODEL) == GI_SURFACE_PHONG;
+  const bool notSampled = (flags & (GI_SURFACE_PARTLY | GI_SURFACE_PLACE_COLORS)) != 0 ||
+    (flags & GI_SURFACE_MODEL) == GI_SURFACE_UNLIT;
+  return notSampled
+    ? 0.0
+    : (colored && phong ? 0.5 * surface.Factors.y
+                        : Luminance(surface.Emission.r * picture.r, surface.Emission.g * picture.g,
+                            surface.Emission.b * picture.b));
+}
+}
+
+void RayEmitters::Update(const std::vector<RayPart>& parts,
+  std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices,
+  const std::vector<glm::vec3>& meanColors, bool changed, const glm::dvec3& origin)
+{
+  std::vector<EmittingPart> emitting;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    shared::RaySurface& surface = surfaces[indices[i]];
+    const double strength = Strength(surface, meanColors[i]);
+    surface.Emission.w = 0.0f;
+    // Points on the back of a surface with another material there are not sampled.
+    if (strength > 0.0 && !parts[i].HasBack)
+    {
+      emitting.push_back({ i, strength, 0.0f, 0.0f });
+    }
+  }
+  for (std::size_t i = 0; i < emitting.size() && !changed; ++i)
+  {
+    changed = i >= this->Parts.size() || emitting[i].Part != this->Parts[i].Part ||
+      emitting[i].Strength != this->Parts[i].Strength;
+  }
+  if (changed || !this->Built || emitting.size() != this->Parts.size())
+  {
+    this->Built = true;
+    this->Parts = std::move(emitting);
+    this->Build(parts, indices, origin);
+  }
+  for (const EmittingPart& part : this->Parts)
+  {
+    surfaces[indices[part.Part]].Emission.w = part.Density;
+    surfaces[indices[part.Part]].Clip.z = glm::floatBitsToInt(part.Fineness);
+  }
+}
+
+void RayEmitters::Build(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices,
+  const glm::dvec3& origin)
+{
+  std::vector<EmittingTriangle> triangles;
+  double total = 0.0;
+  double squares = 0.0;
+  for (EmittingPart& part : this->Parts)
+  {
+    const RayPart& source = parts[part.Part];
+    const RayGeometry geometry = source.MakeGeometry();
+    const std::vector<RayPlace> single(1);
+    const std::vector<RayPlace>& places = source.Places ? *source.Places : single;
+    part.Fineness = 0.0f;
+    // Only triangles can be sampled.
+    if (geometry.Triangles.size() != geometry.Size() ||
+      triangles.size() + places.size() * geometry.Triangles.size() > MaxEmitters)
+    {
+      continue;
+    }
+    double partArea = 0.0;
+    const std::size_t before = triangles.size();
+    for (const RayPlace& place : places)
+    {
+      glm::dmat4 toScene = source.ToWorld;
+      if (source.Places)
+      {
+        glm::dmat4 placed{ glm::dmat3(place.Turn) };
+        placed[3] = glm::dvec4(place.At, 1.0);
+        toScene = toScene * placed;
+      }
+      toScene[3] = toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(origin, 0.0);
+      for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
+      {
+        EmittingTriangle triangle{ {}, 0.0, indices[part.Part], static_cast<int>(t) };
+        for (int c = 0; c < 3; ++c)
+        {
+          triangle.Corners[c] =
+            glm::dvec3(toScene * glm::dvec4(geometry.Points[geometry.Triangles[t][c]], 1.0));
+        }
+        const double area = 0.5 *
+          glm::length(glm::cross(
+            triangle.Corners[1] - triangle.Corners[0], triangle.Corners[2] - triangle.Corners[0]));
+        if (area > 0.0 && std::isfinite(area))
+        {
+          triangle.Power = part.Strength * area;
+          total += triangle.Power;
+          squares += part.Strength * triangle.Power;
+          partArea += area;
+          triangles.push_back(triangle);
+        }
+      }
+    }
+    part.Fineness =
+      partArea > 0.0 ? static_cast<float>((triangles.size() - before) / partArea) : 0.0f;
+  }
+  for (EmittingPart& part : this->Parts)
+  {
+    part.Density = part.Fineness > 0.0f ? static_cast<float>(part.Strength / total) : 0.0f;
+  }
+  this->Triangles = triangles.size();
+  this->WholeArea = squares > 0.0 ? total * total / squares : 0.0;
+  std::vector<shared::RayEmitter> records = MakeEmitterTree(std::move(triangles));
+  if (records.empty())
+  {
+    records.emplace_back();
+  }
+  this->Storage.Upload(
+    GL_SHADER_STORAGE_BUFFER, records.data(), records.size() * sizeof(records[0]));
+}
+
+void RayEmitters::AddTo(Arguments& arguments) const
+{
+  arguments.Block("RayEmitterBlock", this->Storage)
+    .Set("emitterCount", static_cast<int>(this->Triangles))
+    .Set("emitterLevels", EmitterTreeLevels(this->Triangles));
+}
+
+void RayEmitters::ReleaseGraphicsResources()
+{
+  this->Storage = Buffer();
+  this->Built = false;
+}
+}

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The triangles of the scene that emit light, for shaders that choose points of them (rays/emitters.glsl).
+ */
+#pragma once
+
+#include "gpu/Arguments.h"
+#include "gpu/GLObjects.h"
+#include "rays/RayPart.h"
+
+#include "ray_surface.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace penumbra
+{
+class RayEmitters
+{
+public:
+  /// Find the parts that emit light, and mark their surfaces. indices: the surface of each part;
+  /// meanColors: of the image that scales its emission. changed: whether any geometry may differ from the call before.
+  /// origin: of the scene.
+  void Update(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
+    const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& meanColors,
+    bool changed, const glm::dvec3& origin);
+
+  std::size_t Count() const { return this->Triangles; }
+  /// Effective area: the square of the sum of the emitters' powers, divided by the sum of their areas times the squares
+  /// of their radiances. Faint emitters hardly count.
+  double Area() const { return this->WholeArea; }
+  void AddTo(Arguments& arguments) const;
+  void ReleaseGraphicsResources();
+
+private:
+  /// A part that emits light, with its strength, the density of a choice of its points by their power, and its number of
+  /// triangles per area.
+  struct EmittingPart
+  {
+    std::size_t Part;
+    double Strength;
+    float Density;
+    float Fineness;
+  };
+  void Build(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices,
+    const glm::dvec3& origin);
+
+  std::vector<EmittingPart> Parts;
+  Buffer Storage;
+  std::size_t Triangles = 0;
+  double WholeArea = 0.0;
+  bool Built = false;
+};
+}
