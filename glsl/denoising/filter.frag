@@ -19,7 +19,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   result = texelFetch(signalTexture, pixel, 0);
   GiSignal signal = giUnpackSignal(result);
-#ifndef GI_SHARES
+#if !defined(GI_SHARES) && !defined(GI_LOBE)
   if (giFilterShare(signal.reach, float(step)).x == 0.0)
   {
     return;
@@ -53,14 +53,14 @@ void main()
     }
     sum += weight * other.value;
     weights += weight;
-#ifdef GI_SHARES
+#if defined(GI_SHARES) || defined(GI_LOBE)
     // A penumbra reaches pixels whose own ray missed the occluder.
     vec4 hits = weight * vec4(greaterThan(other.reach, vec4(0.0)));
     reach += hits * other.reach;
     known += hits;
 #endif
   }
-#ifdef GI_SHARES
+#if defined(GI_SHARES) || defined(GI_LOBE)
   signal.reach = reach / max(known, 1e-6);
 #endif
   vec4 share = weights > 0.0 ? giFilterShare(signal.reach, float(step)) : vec4(0.0);

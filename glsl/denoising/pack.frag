@@ -6,11 +6,16 @@
 #include "lib/filter_reach.glsl"
 #include "denoising/signal.glsl"
 #ifdef GI_SHARES
-layout(binding = 0) uniform sampler2DArray current;
-layout(binding = 4) uniform sampler2DArray penumbrasTexture;
+#define GI_TEXTURE sampler2DArray
+#define GI_AT(pixel) ivec3(pixel, layer)
 uniform int layer;
 #else
-layout(binding = 0) uniform sampler2D current; // a: number of frames in the mean
+#define GI_TEXTURE sampler2D
+#define GI_AT(pixel) (pixel)
+#endif
+layout(binding = 0) uniform GI_TEXTURE current; // of light, a is the number of frames in the mean
+#if defined(GI_SHARES) || defined(GI_LOBE)
+layout(binding = 4) uniform GI_TEXTURE reachTexture;
 #endif
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
@@ -18,8 +23,7 @@ layout(binding = 3) uniform sampler2D normalTexture;
 
 uniform int stillFrames; // that another mean of the picture has
 
-const float BRIGHTEST = 6e4;      // what half floats hold
-const float PENUMBRA_SHARE = 0.4; // reach, as a share of half the width; more blurs the edges
+const float BRIGHTEST = 6e4; // what half floats hold
 
 layout(location = 0) out uvec4 result;
 
@@ -30,15 +34,15 @@ void main()
   bool exists = texelFetch(albedoTexture, pixel, 0).a > 0.0;
   signal.depth = texelFetch(depthTexture, pixel, 0).r;
   signal.normal = texelFetch(normalTexture, pixel, 0).xy;
-#ifdef GI_SHARES
-  signal.value = texelFetch(current, ivec3(pixel, layer), 0);
+  vec4 value = texelFetch(current, GI_AT(pixel), 0);
+  signal.value = exists ? min(value, vec4(BRIGHTEST)) : vec4(0.0);
+#if defined(GI_SHARES) || defined(GI_LOBE)
   float size = distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), signal.depth),
     giViewPosition(gl_FragCoord.xy, signal.depth));
-  signal.reach = min(PENUMBRA_SHARE * texelFetch(penumbrasTexture, ivec3(pixel, layer), 0) / max(size, 1e-30), vec4(radius));
-  signal.frames = exists ? 1.0 : 0.0;
+  signal.reach = min(texelFetch(reachTexture, GI_AT(pixel), 0) / max(size, 1e-30), vec4(radius));
+  signal.frames = exists && signal.reach.x >= 0.0 ? 1.0 : 0.0;
+  signal.reach = max(signal.reach, 0.0);
 #else
-  vec4 value = texelFetch(current, pixel, 0);
-  signal.value = exists ? min(value, vec4(BRIGHTEST)) : vec4(0.0);
   signal.reach = vec4(0.0); // follows from the frames
   signal.frames = exists ? max(value.a, float(stillFrames + 1)) : 0.0;
 #endif

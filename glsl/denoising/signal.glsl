@@ -1,6 +1,6 @@
 // A noisy result of a pixel with the surface that it belongs to, in one texel. Needs lib/octahedral.glsl and
-// lib/filter_reach.glsl. Variants:
-// GI_SHARES (shares of four lights, each with a penumbra of its own); otherwise light in all directions.
+// lib/filter_reach.glsl. Variants: GI_SHARES (shares of four lights, each with a reach of its own), GI_LOBE (a colour and its
+// share, with a reach); otherwise light in all directions, whose reach follows from its frames.
 struct GiSignal
 {
   vec4 value;
@@ -26,6 +26,10 @@ uvec4 giPackSignal(GiSignal signal)
   uint depth = floatBitsToUint(signal.frames > 0.0 ? signal.depth : -1.0);
 #ifdef GI_SHARES
   return uvec4(packUnorm4x8(signal.value), packUnorm4x8(sqrt(signal.reach / GI_WIDEST)), depth, n.x << 16 | n.y);
+#elif defined(GI_LOBE)
+  vec2 last = vec2(signal.value.a, sqrt(signal.reach.x / GI_WIDEST));
+  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | packUnorm4x8(vec4(0.0, 0.0, last)), depth,
+    n.x << 16 | n.y);
 #else
   return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, signal.frames)), depth, n.x << 16 | n.y);
 #endif
@@ -40,6 +44,11 @@ GiSignal giUnpackSignal(uvec4 word)
   vec4 root = unpackUnorm4x8(word.y);
   signal.value = unpackUnorm4x8(word.x);
   signal.reach = GI_WIDEST * root * root;
+  signal.frames = signal.depth >= 0.0 ? 1.0 : 0.0;
+#elif defined(GI_LOBE)
+  vec2 last = unpackUnorm4x8(word.y).zw;
+  signal.value = vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y).x, last.x);
+  signal.reach = vec4(GI_WIDEST * last.y * last.y);
   signal.frames = signal.depth >= 0.0 ? 1.0 : 0.0;
 #else
   vec2 last = unpackHalf2x16(word.y);

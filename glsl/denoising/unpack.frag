@@ -24,6 +24,10 @@ void main()
 #else
   result = texelFetch(current, pixel, 0);
   bool filtered = signal.frames > 0.0 && giFilterShare(signal.reach, 1.0).x > 0.0;
+#ifdef GI_LOBE
+  result = filtered ? signal.value : result;
+#else
   result.rgb = filtered ? signal.value.rgb : result.rgb;
+#endif
 #endif
 }

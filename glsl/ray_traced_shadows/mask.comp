@@ -17,7 +17,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba8, binding = 0) uniform writeonly image2DArray visibility; // four lights per layer
-layout(rgba16f, binding = 1) uniform writeonly image2DArray penumbras;
+layout(rgba16f, binding = 1) uniform writeonly image2DArray reach; // of the filter, in scene units
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
@@ -31,6 +31,7 @@ uniform vec2 size;     // of lights without a shape: tangent of half the angle, 
 
 #include "rays/pixel_surface.glsl"
 
+const float REACH = 0.4; // as a share of half the width of a penumbra; more blurs the edges
 const int CELLS = 16; // parts of a light of which each ray chooses one
 
 // A point of a light, in one of its cells along a Z-order curve, and how much it contributes to the irradiance.
@@ -154,6 +155,6 @@ void main()
       }
     }
     imageStore(visibility, ivec3(window, layer), open);
-    imageStore(penumbras, ivec3(window, layer), min(width, vec4(6e4)));
+    imageStore(reach, ivec3(window, layer), min(REACH * width, vec4(6e4)));
   }
 }

@@ -18,16 +18,23 @@ uniform int samples;
 uniform int neighbours; // 0 uses only the pixel's own rays
 
 layout(location = 0) out vec4 reflection;
+layout(location = 1) out float reach; // of the filter, in scene units; -1 where nothing is traced
 
 const float WIDEST = 24.0; // pixels
+const float REACH = 0.25;  // as a share of the footprint; more blurs reflected edges
+
+// Size of a pixel at a distance from the eye, in a parallel projection at any.
+float pixelAt(float distance)
+{
+  return 2.0 * distance / (view.Viewport.w * view.ViewToClip[1].y);
+}
 
 // Radius in pixels over which the lobe blurs a reflection at this distance: the lobe's angle, which is
 // twice that of the microfacets, as seen from the eye, for which the reflected object lies behind the mirror.
 float footprint(Lobe lobe, vec3 P, float distanceToHit)
 {
   float distance = view.Scene.y > 0.5 ? 1.0 : -P.z * (1.0 + distanceToHit / length(P));
-  float pixel = 2.0 * distance / (view.Viewport.w * view.ViewToClip[1].y);
-  return clamp(2.0 * lobe.width * distanceToHit / pixel, 0.0, WIDEST);
+  return clamp(2.0 * lobe.width * distanceToHit / pixelAt(distance), 0.0, WIDEST);
 }
 
 void addRays(Lobe lobe, vec3 P, ivec2 window, inout vec4 sum, inout float weights)
@@ -49,11 +56,13 @@ void main()
   ivec2 window = ivec2(gl_FragCoord.xy);
   vec3 P = giViewPosition(gl_FragCoord.xy, texelFetch(depthTexture, window, 0).r);
   reflection = vec4(0.0);
+  reach = -1.0;
   Lobe lobe = lobeAt(window, P);
   if (texelFetch(albedoTexture, window, 0).a == 0.0 || !isTraced(lobe))
   {
     return;
   }
+  reach = 0.0;
   if (isMirror(lobe))
   {
     reflection = texelFetch(foundTexture, ivec3(window, 0), 0);
@@ -64,6 +73,7 @@ void main()
   vec4 own = texelFetch(rayTexture, ivec3(window, 0), 0);
   float distanceToHit = own.w > 0.0 ? length(own.xyz - P) : 0.0;
   float radius = footprint(lobe, P, distanceToHit);
+  reach = REACH * radius * pixelAt(view.Scene.y > 0.5 ? 1.0 : -P.z);
   float turn = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;

@@ -259,7 +259,7 @@ def first_frame(args, report):
         films = []
         for filtered in (True, False):
             report.going_on(f"first-frame, {name}")
-            extra = ["denoising"] if filtered and not switch else []
+            extra = ["denoising"] if filtered and name != "AO" else []
             settings = {**settings, **({switch: float(filtered)} if switch else {})}
             films.append(Film(make(), args.size, "off", on + plain + extra, **settings))
         pictures = []

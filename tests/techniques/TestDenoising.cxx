@@ -254,3 +254,55 @@ TEST_F(DenoisingShadows, AreFilteredLessWithHistory)
   }
   EXPECT_LT(SquaredError(drawn[0], drawn[1]), 0.1 * SquaredError(first[0], first[1]));
 }
+
+namespace
+{
+/// A rough metal floor that reflects a bright block.
+class DenoisingReflections : public Denoising
+{
+protected:
+  void SetUp() override
+  {
+    Denoising::SetUp();
+    this->Scene.Renderer->RemoveAllViewProps();
+    this->Pass->GetTechnique("ray-traced-light")->EnabledOff();
+    this->Reflections = this->Pass->GetTechnique("screen-space-reflections");
+    this->Reflections->EnabledOn();
+    this->Floor = AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0);
+    this->Floor->GetProperty()->SetInterpolationToPBR();
+    this->Floor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    this->Floor->GetProperty()->SetMetallic(1.0);
+    this->Floor->GetProperty()->SetRoughness(0.4);
+    this->AddBox(-0.3, 0.0, -0.2, 0.2, 0.0, 0.5, 0.0)->GetProperty()->SetAmbient(1.0);
+    this->AddBox(0.2, 0.4, 0.3, 0.6, 0.1, 0.4, 0.0)->GetProperty()->SetAmbient(0.5);
+    this->LookFrom(-0.2, -1.3, 0.7, 0.0, 0.0, 0.1);
+  }
+
+  vtkGITechnique* Reflections = nullptr;
+  vtkActor* Floor = nullptr;
+};
+}
+
+TEST_F(DenoisingReflections, LoseMostNoiseInTheFirstFrame)
+{
+  this->Reflections->SetParameter("filter", false);
+  const Values raw = this->First(false);
+  const Values truth = this->After(400);
+  this->Reflections->SetParameter("filter", true);
+  const Values reused = this->First(false);
+  const Values filtered = this->First(true);
+  const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
+  std::printf("relMSE %.4f, of rays shared %.4f, filtered %.4f, %.3f of it; mean %.4f, shared "
+              "%.4f, all %.4f\n",
+    SquaredError(raw, truth), SquaredError(reused, truth), SquaredError(filtered, truth), share,
+    Mean(filtered), Mean(reused), Mean(truth));
+  EXPECT_LT(share, 0.06);
+  EXPECT_LT(SquaredError(filtered, truth), 0.6 * SquaredError(reused, truth));
+  EXPECT_NEAR(Mean(filtered), Mean(truth), 0.03 * Mean(truth)); // shared rays alone are 4 % dark
+}
+
+TEST_F(DenoisingReflections, KeepMirrors)
+{
+  this->Floor->GetProperty()->SetRoughness(0.0);
+  EXPECT_EQ(this->First(false), this->First(true));
+}

@@ -25,8 +25,8 @@ constexpr const char* Displacement =
 constexpr const char* DirectVisibility = "visibility.direct"; ///< a channel per shadowed light
 constexpr const char* Surroundings =
   "gbuffer.surroundings"; ///< the part of Ambient that PBR highlights reflect from the environment
-constexpr const char* Penumbras =
-  "visibility.penumbras"; ///< half widths of penumbras around a pixel, in scene units, in the same channels; 0 if unknown
+/// How far a filter of direct visibility may reach, in scene units, in the same channels; 0 if unknown.
+constexpr const char* VisibilityReach = "visibility.reach";
 constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
@@ -43,6 +43,7 @@ constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct lig
 constexpr const char* LitShown = "radiance.shown";
 constexpr const char* LitEncoded = "radiance.encoded"; ///< of those that VTK encodes for display (PBR)
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
+constexpr const char* ReflectionReach = "reflection.reach"; ///< the same of reflections
 constexpr const char* Color = "color";              ///< the picture, encoded for display
 constexpr const char* Radiance = "radiance";        ///< the picture, linear
 }
@@ -56,12 +57,13 @@ inline std::string SamplerOf(const std::string& resource)
     { Normal, "normalTexture" }, { Facet, "facetTexture" }, { DepthCopy, "depthTexture" },
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
-      { Penumbras, "penumbrasTexture" },
+      { VisibilityReach, "reachTexture" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
     { Irradiance, "irradianceTexture" },
     { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
     { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
-    { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" }, { Color, "colorTexture" },
+    { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" },
+      { ReflectionReach, "reachTexture" }, { Color, "colorTexture" },
     { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
@@ -84,7 +86,7 @@ struct NoisyResource
 namespace resource
 {
 constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr },
-  { DirectVisibility, true, false, false, Penumbras }, { Reflection, false, true, false, nullptr },
+  { DirectVisibility, true, false, false, VisibilityReach }, { Reflection, false, true, false, ReflectionReach },
   { TracedIrradiance, false, true, true, "" } };
 }
 }

@@ -28,14 +28,15 @@ struct Names
   std::string Next;
 };
 
-struct Strength
+struct Manner
 {
   double Radius;
-  int StillFrames; ///< number of earlier frames in a mean of the picture
+  int StillFrames;  ///< number of earlier frames in a mean of the picture
+  std::string Kind; ///< variant of the shaders, see denoising/signal.glsl
 };
 
 // layer: -1 for a result without layers.
-void Filter(FrameContext& context, const Names& names, int layer, const Strength& strength)
+void Filter(FrameContext& context, const Names& names, int layer, const Manner& manner)
 {
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
@@ -43,30 +44,30 @@ void Filter(FrameContext& context, const Names& names, int layer, const Strength
   const Texture* signal = context.Output(names.Signal.c_str());
   const Texture* next = context.Output(names.Next.c_str());
   Defines variant;
-  if (layer >= 0)
+  if (!manner.Kind.empty())
   {
-    variant["GI_SHARES"] = "1";
+    variant[manner.Kind] = "1";
   }
   context.BindTarget({ { signal, -1 } }, {});
   context.DrawBound("denoising/pack.frag", variant,
     Arguments()
-      .Set("stillFrames", strength.StillFrames)
-      .Set("radius", strength.Radius)
+      .Set("stillFrames", manner.StillFrames)
+      .Set("radius", manner.Radius)
       .Set("layer", layer));
-  for (int step = 1; step < 2.0 * strength.Radius; step *= 2)
+  for (int step = 1; step < 2.0 * manner.Radius; step *= 2)
   {
     context.BindTarget({ { next, -1 } }, {});
     context.DrawBound("denoising/filter.frag", variant,
-      Arguments().Sample("signalTexture", signal).Set("step", step).Set("radius", strength.Radius));
+      Arguments().Sample("signalTexture", signal).Set("step", step).Set("radius", manner.Radius));
     std::swap(signal, next);
   }
   context.BindTarget({ { context.Output(names.Result.c_str()), layer } }, {});
   context.DrawBound("denoising/unpack.frag", variant,
-    Arguments().Sample("signalTexture", signal).Set("radius", strength.Radius).Set("layer", layer));
+    Arguments().Sample("signalTexture", signal).Set("radius", manner.Radius).Set("layer", layer));
 }
 
 // A pass that filters a result, all its layers in turn.
-void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Strength& strength)
+void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& manner)
 {
   const std::string signal = std::string("denoising.") + noisy.Name;
   const std::string next = signal + ".next";
@@ -81,11 +82,11 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Strength& 
   {
     pass.Read(noisy.Reach);
   }
-  pass.Execute([name = noisy.Name, signal, next, strength](FrameContext& context) {
+  pass.Execute([name = noisy.Name, signal, next, manner](FrameContext& context) {
     const int layers = context.Output(name)->Desc().Layers;
     for (int layer = std::min(layers - 1, 0); layer < layers; ++layer)
     {
-      Filter(context, { name, signal, next }, layer, strength);
+      Filter(context, { name, signal, next }, layer, manner);
     }
   });
 }
@@ -111,7 +112,7 @@ void vtkGIDenoising::Contribute(FrameBuilder& frame)
     {
       if (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach)))
       {
-        AddFilter(last, noisy, { radius, averaged });
+        AddFilter(last, noisy, { radius, averaged, noisy.PerLight ? "GI_SHARES" : noisy.Light ? "" : "GI_LOBE" });
       }
     }
   });

@@ -6,7 +6,8 @@
  *
  * Averages what rays found at neighbouring pixels of the same surface, by its depth and normal. The reach of the filter
  * falls with the number of frames in each pixel's mean (vtkGITemporalAccumulation), to nothing. Filters the light of
- * vtkGIRayTracedLight, without the colours of the surfaces, so that textures stay sharp.
+ * vtkGIRayTracedLight, without the colours of the surfaces, so that textures stay sharp, the shadows of
+ * vtkGIRayTracedShadows as far as their penumbrae, and the reflections of vtkGIScreenSpaceReflections as far as their lobes.
  */
 #ifndef vtkGIDenoising_h
 #define vtkGIDenoising_h

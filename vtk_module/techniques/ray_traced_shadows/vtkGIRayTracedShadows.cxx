@@ -38,7 +38,7 @@ void vtkGIRayTracedShadows::Contribute(FrameBuilder& frame)
     .Read(resource::Normal)
     .Read(resource::DepthCopy)
     .Write(resource::DirectVisibility, frame.WindowTexture(GL_RGBA8, layers), "visibility")
-    .Write(resource::Penumbras, frame.WindowTexture(GL_RGBA16F, layers), "penumbras")
+    .Write(resource::VisibilityReach, frame.WindowTexture(GL_RGBA16F, layers), "reach")
     .Offer(rays.ShaderArguments())
     .Offer(lights.InWorld(rays.Origin()))
     .Compute("ray_traced_shadows/mask.comp", rays.ShaderDefines(),

@@ -211,6 +211,7 @@ void vtkGIScreenSpaceReflections::Contribute(FrameBuilder& frame)
     .Read(Rays, "rayTexture")
     .Read(FoundLight, "foundTexture")
     .Write(resource::Reflection, frame.WindowTexture(GL_RGBA16F))
+    .Write(resource::ReflectionReach, frame.WindowTexture(GL_R16F))
     .Draw("screen_space_reflections/reuse.frag", reflections.Variant,
       Arguments().Set("neighbours", this->Filter ? Neighbours : 0));
   const bool keep = this->Fallback != None;
