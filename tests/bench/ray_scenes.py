@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
+MANY = 10000  # emitters
 SKIPPED = 4  # the path tracer's first paths are left out of truths: one in so many
 
 
@@ -124,10 +125,14 @@ def squares(count, area=0.09, gap=1e-4):
 
 
 def glowing_room(count):
-    """The room from its ceiling, lit by a number of squares. Only the floor and what stands on it is in the picture."""
+    """The room from its ceiling, lit by a number of squares. Only the floor and what stands on it is in the picture.
+
+    The room of one square has the others, too, but dark, so that rays meet the same surfaces."""
     room = Room()
     room.renderer.RemoveAllLights()
     keep_lit(room.renderer)
+    if count == 1:
+        room.renderer.AddActor(glowing(squares(MANY), (0, 0, 0)))
     room.renderer.AddActor(glowing(squares(count), (10, 10, 10)))
     camera = room.renderer.GetActiveCamera()
     camera.SetPosition(0.5, 0.5, 0.97)

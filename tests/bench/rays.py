@@ -25,7 +25,7 @@ from cornell_rays import penumbra as command
 from indirect_light import kept, write
 from isosurface_ddgi import blocks
 from PIL import Image
-from ray_scenes import Cornell, Film, Report, Room, TwoLamps, glowing_room, keep_lit, metal_room, scene, tracer, truths
+from ray_scenes import MANY, Cornell, Film, Report, Room, TwoLamps, glowing_room, keep_lit, metal_room, scene, tracer, truths
 from sky_light import compared
 
 EQUAL_TIME = {0.5: 1 / 8, 2: 1 / 4, 8: 1 / 2}  # seconds: limit of the ratio
@@ -220,7 +220,7 @@ def ghost(args, report):
 
 def emitters(args, report):
     """Emitters are not in the picture itself. Frames are timed while the camera turns."""
-    films = {count: Film(glowing_room(count), args.size, "high", smooth=True) for count in (1, 10000)}
+    films = {count: Film(glowing_room(count), args.size, "high", smooth=True) for count in (1, MANY)}
     for film in films.values():
         report.going_on("emitters")
         film.picture(WARM)
