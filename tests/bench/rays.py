@@ -40,12 +40,6 @@ SCENES = ("cornell", "isosurface", "head", "terrain", "protein")
 BRIGHT = 3   # brighter pixels show the Cornell box's panel
 
 
-def relative(picture, truth, where=True):
-    """relMSE of some of the pixels."""
-    epsilon = 0.01 * truth.mean(where=where) ** 2
-    return ((picture - truth) ** 2 / (truth ** 2 + epsilon)).mean(where=where)
-
-
 def equal_time(args, report):
     """Films take turns, each with its own clock, so that other programs disturb all of them alike."""
     for name in args.scenes or SCENES[:4]:
@@ -108,7 +102,7 @@ def orbit(args, report):
             write(args.pictures, f"orbit_{name}_{frame:03d}.png", ours, single, converged, truth.mean(axis=0))
             coarse = np.stack([blocks(picture) for picture in truth])
             errors.append([compared(blocks(picture), coarse)[0] for picture in (ours, single, converged)] +
-                          [relative(picture, converged) for picture in (ours, single)])
+                          [penumbra.relative_error(picture, converged)[0] for picture in (ours, single)])
         ours, single, converged, noise, of_single = np.mean(errors, axis=0)
         report.figure(f"orbit, {name}: against the path tracer (means of 4x4 pixels)", ours / single,
                       more=f"{ours:.5f}, single frames {single:.5f}, converged {converged:.5f}")
@@ -272,7 +266,7 @@ def first_frame(args, report):
         report.going_on(f"first-frame, {name}: many frames")
         truth = films[1].picture(2 * LONG)
         where = np.broadcast_to(truth.max(axis=2, keepdims=True) < BRIGHT, truth.shape)
-        with_filter, without = (np.mean([relative(picture, truth, where) for picture in some]) for some in pictures)
+        with_filter, without = (np.mean([penumbra.relative_error(picture[where], truth[where])[0] for picture in some]) for some in pictures)
         write(args.pictures, f"first_frame_{name.replace(' ', '_')}.png", pictures[1][0], pictures[0][0], truth)
         report.figure(f"first-frame, {name}: relMSE filtered / unfiltered", with_filter / without, FIRST_FRAME.get(name),
                       more=f"{with_filter:.5f}, {without:.5f}")

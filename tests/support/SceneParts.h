@@ -11,6 +11,10 @@
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
+#include <vtkOpenGLRenderer.h>
+#include <vtkPBRIrradianceTexture.h>
+#include <vtkPBRLUTTexture.h>
+#include <vtkPBRPrefilterTexture.h>
 #include <vtkPlaneSource.h>
 #include <vtkProperty.h>
 #include <vtkTexture.h>
@@ -75,5 +79,22 @@ inline vtkSmartPointer<vtkTexture> EnvironmentTexture(vtkImageData* image)
   texture->InterpolateOn();
   texture->MipmapOn();
   return texture;
+}
+
+/// Light a scene by an environment, with z up.
+inline void ShineFrom(vtkRenderer* renderer, vtkTexture* sky)
+{
+  auto* gl = static_cast<vtkOpenGLRenderer*>(renderer);
+  gl->SetEnvironmentTexture(sky);
+  gl->SetEnvironmentUp(0.0, 0.0, 1.0);
+  gl->SetEnvironmentRight(1.0, 0.0, 0.0);
+  gl->UseImageBasedLightingOn();
+  // VTK's default tables are large and slow to compute on a CPU.
+  gl->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
+  gl->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
+  gl->GetEnvMapIrradiance()->SetIrradianceSize(8);
+  gl->GetEnvMapIrradiance()->SetIrradianceStep(0.3f);
+  gl->GetEnvMapLookupTable()->SetLUTSize(8);
+  gl->GetEnvMapLookupTable()->SetLUTSamples(8);
 }
 }

@@ -120,6 +120,18 @@ protected:
     return sum / static_cast<double>(values.size());
   }
 
+  /// Mean of squared errors relative to the truth, as of penumbra.relative_error().
+  static double RelativeSquaredError(const Values& values, const Values& truth)
+  {
+    const double epsilon = 0.01 * Mean(truth) * Mean(truth);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      sum += std::pow(values[i] - truth[i], 2.0) / (truth[i] * truth[i] + epsilon);
+    }
+    return sum / static_cast<double>(values.size());
+  }
+
   /// Largest relative error against the same value everywhere.
   static double LargestError(const Values& values, double expected)
   {

@@ -52,17 +52,6 @@ protected:
     return this->After(paths);
   }
 
-  static double RelativeSquaredError(const Values& values, const Values& truth)
-  {
-    const double epsilon = 0.01 * Mean(truth) * Mean(truth);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      sum += std::pow(values[i] - truth[i], 2.0) / (truth[i] * truth[i] + epsilon);
-    }
-    return sum / static_cast<double>(values.size());
-  }
-
   static constexpr int Width = 96;
   static constexpr int Height = 72;
 };

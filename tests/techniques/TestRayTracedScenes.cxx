@@ -6,10 +6,6 @@
  */
 #include "RoomStage.h"
 
-#include <vtkOpenGLRenderer.h>
-#include <vtkPBRIrradianceTexture.h>
-#include <vtkPBRLUTTexture.h>
-#include <vtkPBRPrefilterTexture.h>
 
 #include <cstdio>
 #include <limits>
@@ -73,18 +69,7 @@ protected:
           i % 64, i / 64, 0, c, isSun ? ofSun : (i / 64 < 16 ? 0.5 : 1.0) * radiance);
       }
     }
-    auto* renderer = static_cast<vtkOpenGLRenderer*>(this->Scene.Renderer.Get());
-    renderer->SetEnvironmentTexture(EnvironmentTexture(image));
-    renderer->SetEnvironmentUp(0.0, 0.0, 1.0);
-    renderer->SetEnvironmentRight(1.0, 0.0, 0.0);
-    renderer->UseImageBasedLightingOn();
-    // VTK's default tables are large and slow to compute on a CPU.
-    renderer->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
-    renderer->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
-    renderer->GetEnvMapIrradiance()->SetIrradianceSize(8);
-    renderer->GetEnvMapIrradiance()->SetIrradianceStep(0.3f);
-    renderer->GetEnvMapLookupTable()->SetLUTSize(8);
-    renderer->GetEnvMapLookupTable()->SetLUTSamples(8);
+    ShineFrom(this->Scene.Renderer, EnvironmentTexture(image));
   }
 
   Values Drawn(int frames = 64)
@@ -124,17 +109,6 @@ protected:
       coarse[i / width / 6 * (width / 6) + i % width / 6] += values[i] / 36.0;
     }
     return coarse;
-  }
-
-  static double RelativeSquaredError(const Values& values, const Values& truth)
-  {
-    const double epsilon = 0.01 * Mean(truth) * Mean(truth);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      sum += std::pow(values[i] - truth[i], 2.0) / (truth[i] * truth[i] + epsilon);
-    }
-    return sum / static_cast<double>(values.size());
   }
 
   /// Expect a relative squared error of coarse pixels below a limit, and a mean within a share of the true one.
@@ -294,6 +268,26 @@ TEST_F(RayTracedScenes, NothingLeaksThroughThickWalls)
 {
   this->AddClosedRoom(0.1);
   this->ExpectDarkness();
+}
+
+// A small lamp near the floor among many that are far above: rays must find it by its distance, or it is all noise.
+TEST_F(RayTracedScenes, ANearEmitterAmongManyIsFound)
+{
+  Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), 0.8);
+  this->LookFrom(0.0, -0.9, 0.5, 0.0, 0.0, 0.0);
+  vtkNew<vtkPlaneSource> many;
+  many->SetOrigin(-4.0, -4.0, 6.0);
+  many->SetPoint1(4.0, -4.0, 6.0);
+  many->SetPoint2(-4.0, 4.0, 6.0);
+  many->SetResolution(64, 64);
+  Paint(this->Scene.Add(many), 0.0)->GetProperty()->SetAmbient(0.05);
+  this->AddPanel({ -0.02, -0.02, 0.1 }, { 0.02, -0.02, 0.1 }, { -0.02, 0.02, 0.1 }, 20.0);
+  this->Pass->GetTechnique("ddgi")->EnabledOff();
+  const Values first = this->After(4);
+  const Values truth = this->After(400);
+  const double error = RelativeSquaredError(first, truth);
+  std::printf("relMSE after four frames %.4f\n", error);
+  EXPECT_LT(error, 0.04);
 }
 
 TEST_F(RayTracedScenes, AMillionTrianglesShineAsOneSquare)

@@ -14,10 +14,6 @@
 #include <vtkCubeSource.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkOpenGLRenderer.h>
-#include <vtkPBRIrradianceTexture.h>
-#include <vtkPBRLUTTexture.h>
-#include <vtkPBRPrefilterTexture.h>
 #include <vtkPointData.h>
 #include <vtkSphereSource.h>
 
@@ -54,22 +50,6 @@ vtkSmartPointer<vtkTexture> MakeSky(const std::function<double(double)>& radianc
   return EnvironmentTexture(image);
 }
 
-void SetSky(vtkRenderer* renderer, vtkTexture* sky)
-{
-  auto* gl = static_cast<vtkOpenGLRenderer*>(renderer);
-  gl->SetEnvironmentTexture(sky);
-  gl->SetEnvironmentUp(0.0, 0.0, 1.0);
-  gl->SetEnvironmentRight(1.0, 0.0, 0.0);
-  gl->UseImageBasedLightingOn();
-  // VTK's default tables are large and slow to compute on a CPU.
-  gl->GetEnvMapPrefiltered()->SetPrefilterMaxSamples(2);
-  gl->GetEnvMapPrefiltered()->SetPrefilterLevels(2);
-  gl->GetEnvMapIrradiance()->SetIrradianceSize(8);
-  gl->GetEnvMapIrradiance()->SetIrradianceStep(0.3f);
-  gl->GetEnvMapLookupTable()->SetLUTSize(8);
-  gl->GetEnvMapLookupTable()->SetLUTSamples(8);
-}
-
 class SkyLight : public ::testing::Test
 {
 protected:
@@ -78,7 +58,7 @@ protected:
     this->Scene.Window->SetSize(Side, Side);
     this->Scene.Renderer->SetBackground(0.0, 0.0, 0.0);
     AddFaintLight(this->Scene.Renderer);
-    SetSky(this->Scene.Renderer, MakeSky([](double) { return 1.0; }));
+    ShineFrom(this->Scene.Renderer, MakeSky([](double) { return 1.0; }));
     this->Pass = this->Scene.SetPasses().front();
     this->Pass->KeepRadianceOn();
     this->Technique = vtkGISkyLight::SafeDownCast(this->Pass->GetTechnique("sky-light"));
@@ -311,7 +291,7 @@ TEST_F(SkyLight, DrawsMapsOnlyWhilePropsChange)
 TEST_F(SkyLight, FollowsTheEnvironmentsOrientation)
 {
   Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0), 0.5);
-  SetSky(this->Scene.Renderer, MakeSky([](double height) { return height > 0.0 ? 1.0 : 0.0; }));
+  ShineFrom(this->Scene.Renderer, MakeSky([](double height) { return height > 0.0 ? 1.0 : 0.0; }));
   this->Look({ { 0.0, -9.0, 9.0 } }, { { 0.0, 0.0, 0.0 } }, 1.0);
   this->Draw(1);
   EXPECT_NEAR(this->Mean(), 0.5, 0.005);
@@ -435,7 +415,7 @@ TEST_F(SkyLight, SurvivesReleasedResourcesAndSecondRenderers)
   vtkRenderer* second = this->Scene.AddRenderer();
   second->SetBackground(0.0, 0.0, 0.0);
   AddFaintLight(second);
-  SetSky(second, MakeSky([](double) { return 0.5; }));
+  ShineFrom(second, MakeSky([](double) { return 0.5; }));
   second->AddActor(this->Scene.Renderer->GetActors()->GetLastActor());
   second->SetActiveCamera(this->Scene.Renderer->GetActiveCamera());
   this->Scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);

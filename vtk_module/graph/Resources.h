@@ -43,7 +43,8 @@ constexpr const char* LitRadiance = "radiance.lit"; ///< linear, with direct lig
 constexpr const char* LitShown = "radiance.shown";
 constexpr const char* LitEncoded = "radiance.encoded"; ///< of those that VTK encodes for display (PBR)
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
-constexpr const char* ReflectionReach = "reflection.reach"; ///< the same of reflections
+/// How far a filter of reflections may reach, in scene units; 0 if unknown, negative where nothing reflects.
+constexpr const char* ReflectionReach = "reflection.reach";
 constexpr const char* Color = "color";              ///< the picture, encoded for display
 constexpr const char* Radiance = "radiance";        ///< the picture, linear
 }
@@ -57,13 +58,13 @@ inline std::string SamplerOf(const std::string& resource)
     { Normal, "normalTexture" }, { Facet, "facetTexture" }, { DepthCopy, "depthTexture" },
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
-      { VisibilityReach, "reachTexture" },
+    { VisibilityReach, "reachTexture" },
     { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
     { Irradiance, "irradianceTexture" },
     { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
     { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
     { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" },
-      { ReflectionReach, "reachTexture" }, { Color, "colorTexture" },
+    { ReflectionReach, "reachTexture" }, { Color, "colorTexture" },
     { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
@@ -79,14 +80,14 @@ struct NoisyResource
   /// Light on surfaces: does not depend on the camera, unless it carries lights. Its first frames after a change are wrong,
   /// as it relies on what takes some frames itself. a of its mean is the number of frames.
   bool Light;
-  /// How far the spatial filter may reach, in scene units, for each channel; "" for light, which may be filtered as far as
-  /// the surface goes on; nullptr for what its own technique filters.
+  /// Resource with the reach of the spatial filter, in scene units, for each channel. nullptr: light may be filtered as far as
+  /// its surface goes on, and other results are filtered by their own techniques.
   const char* Reach;
 };
 namespace resource
 {
 constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr },
   { DirectVisibility, true, false, false, VisibilityReach }, { Reflection, false, true, false, ReflectionReach },
-  { TracedIrradiance, false, true, true, "" } };
+  { TracedIrradiance, false, true, true, nullptr } };
 }
 }

@@ -6,6 +6,8 @@
 #include "rays/EmitterTree.h"
 #include "rays/RayGeometry.h"
 
+#include <algorithm>
+
 namespace penumbra
 {
 namespace
@@ -30,42 +32,50 @@ double Strength(const shared::RaySurface& surface, const glm::vec3& picture)
 }
 }
 
+bool RayEmitters::EmittingPart::HasTrianglesOf(const EmittingPart& other) const
+{
+  return this->Part == other.Part && this->Surface == other.Surface &&
+    this->Strength == other.Strength && this->MeshKey == other.MeshKey &&
+    this->CellTime == other.CellTime && this->PointTime == other.PointTime &&
+    this->ToWorld == other.ToWorld && this->Places == other.Places;
+}
+
 void RayEmitters::Update(const std::vector<RayPart>& parts,
   std::vector<shared::RaySurface>& surfaces, const std::vector<std::int32_t>& indices,
-  const std::vector<glm::vec3>& meanColors, bool changed, const glm::dvec3& origin)
+  const std::vector<glm::vec3>& meanColors, const glm::dvec3& origin)
 {
   std::vector<EmittingPart> emitting;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
+    const RayPart& part = parts[i];
     shared::RaySurface& surface = surfaces[indices[i]];
     const double strength = Strength(surface, meanColors[i]);
     surface.Emission.w = 0.0f;
     // Points on the back of a surface with another material there are not sampled.
-    if (strength > 0.0 && !parts[i].HasBack)
+    if (strength > 0.0 && !part.HasBack)
     {
-      emitting.push_back({ i, strength, 0.0f, 0.0f });
+      emitting.push_back({ i, indices[i], strength, part.MeshKey, part.CellTime, part.PointTime,
+        part.ToWorld, part.Places });
     }
   }
-  for (std::size_t i = 0; i < emitting.size() && !changed; ++i)
-  {
-    changed = i >= this->Parts.size() || emitting[i].Part != this->Parts[i].Part ||
-      emitting[i].Strength != this->Parts[i].Strength;
-  }
-  if (changed || !this->Built || emitting.size() != this->Parts.size())
+  const bool same = this->Built && this->Origin == origin &&
+    std::equal(emitting.begin(), emitting.end(), this->Parts.begin(), this->Parts.end(),
+      [](const EmittingPart& a, const EmittingPart& b) { return a.HasTrianglesOf(b); });
+  if (!same)
   {
     this->Built = true;
+    this->Origin = origin;
     this->Parts = std::move(emitting);
-    this->Build(parts, indices, origin);
+    this->Build(parts, origin);
   }
   for (const EmittingPart& part : this->Parts)
   {
-    surfaces[indices[part.Part]].Emission.w = part.Density;
-    surfaces[indices[part.Part]].Clip.z = glm::floatBitsToInt(part.Fineness);
+    surfaces[part.Surface].Emission.w = part.Density;
+    surfaces[part.Surface].Clip.z = glm::floatBitsToInt(part.Fineness);
   }
 }
 
-void RayEmitters::Build(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices,
-  const glm::dvec3& origin)
+void RayEmitters::Build(const std::vector<RayPart>& parts, const glm::dvec3& origin)
 {
   std::vector<EmittingTriangle> triangles;
   double total = 0.0;
@@ -76,7 +86,6 @@ void RayEmitters::Build(const std::vector<RayPart>& parts, const std::vector<std
     const RayGeometry geometry = source.MakeGeometry();
     const std::vector<RayPlace> single(1);
     const std::vector<RayPlace>& places = source.Places ? *source.Places : single;
-    part.Fineness = 0.0f;
     // Only triangles can be sampled.
     if (geometry.Triangles.size() != geometry.Size() ||
       triangles.size() + places.size() * geometry.Triangles.size() > MaxEmitters)
@@ -97,7 +106,7 @@ void RayEmitters::Build(const std::vector<RayPart>& parts, const std::vector<std
       toScene[3] = toScene * glm::dvec4(geometry.Origin, 1.0) - glm::dvec4(origin, 0.0);
       for (std::size_t t = 0; t < geometry.Triangles.size(); ++t)
       {
-        EmittingTriangle triangle{ {}, 0.0, indices[part.Part], static_cast<int>(t) };
+        EmittingTriangle triangle{ {}, 0.0, part.Surface, static_cast<int>(t) };
         for (int c = 0; c < 3; ++c)
         {
           triangle.Corners[c] =

@@ -12,6 +12,7 @@
 #include "ray_surface.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace penumbra
@@ -20,11 +21,10 @@ class RayEmitters
 {
 public:
   /// Find the parts that emit light, and mark their surfaces. indices: the surface of each part;
-  /// meanColors: of the image that scales its emission. changed: whether any geometry may differ from the call before.
-  /// origin: of the scene.
+  /// meanColors: of the image that scales its emission; origin: of the scene. Only changes of emitters cost time.
   void Update(const std::vector<RayPart>& parts, std::vector<shared::RaySurface>& surfaces,
     const std::vector<std::int32_t>& indices, const std::vector<glm::vec3>& meanColors,
-    bool changed, const glm::dvec3& origin);
+    const glm::dvec3& origin);
 
   std::size_t Count() const { return this->Triangles; }
   /// Effective area: the square of the sum of the emitters' powers, divided by the sum of their areas times the squares
@@ -34,22 +34,29 @@ public:
   void ReleaseGraphicsResources();
 
 private:
-  /// A part that emits light, with its strength, the density of a choice of its points by their power, and its number of
-  /// triangles per area.
+  /// A part that emits light, and all that its triangles depend on.
   struct EmittingPart
   {
     std::size_t Part;
+    std::int32_t Surface;
     double Strength;
-    float Density;
-    float Fineness;
+    std::uint64_t MeshKey;
+    vtkMTimeType CellTime;
+    vtkMTimeType PointTime;
+    glm::dmat4 ToWorld;
+    std::shared_ptr<const std::vector<RayPlace>> Places;
+    float Density = 0.0f;  ///< of a choice of its points by their power
+    float Fineness = 0.0f; ///< triangles per area
+
+    bool HasTrianglesOf(const EmittingPart& other) const;
   };
-  void Build(const std::vector<RayPart>& parts, const std::vector<std::int32_t>& indices,
-    const glm::dvec3& origin);
+  void Build(const std::vector<RayPart>& parts, const glm::dvec3& origin);
 
   std::vector<EmittingPart> Parts;
   Buffer Storage;
   std::size_t Triangles = 0;
   double WholeArea = 0.0;
+  glm::dvec3 Origin{ 0.0 };
   bool Built = false;
 };
 }

@@ -35,9 +35,8 @@ void RayProps::Update(vtkRenderer* renderer, const std::vector<RayPart>& others)
     center = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
       0.5 * (bounds[4] + bounds[5]) };
   }
-  bool changed = center != this->Scene.Origin();
   this->Scene.SetOrigin(center);
-  changed |= this->UpdateMeshes(parts);
+  this->UpdateMeshes(parts);
   this->UpdateAttributes(parts);
 
   std::vector<shared::RaySurface> surfaces;
@@ -68,16 +67,9 @@ void RayProps::Update(vtkRenderer* renderer, const std::vector<RayPart>& others)
   }
   this->Pictures.Sweep();
   this->Sky.Update(renderer);
-  changed |= this->Places.size() != parts.size();
-  for (std::size_t i = 0; i < parts.size() && !changed; ++i)
-  {
-    const Place& place = this->Places[i];
-    changed = place.Mesh != parts[i].MeshKey || place.ToWorld != parts[i].ToWorld ||
-      place.Surface != indices[i] || place.Many != parts[i].Places;
-  }
   this->UpdateClipping(parts, surfaces, indices);
   this->UpdatePlaces(parts, indices);
-  this->Emitters.Update(parts, surfaces, indices, meanColors, changed, this->Scene.Origin());
+  this->Emitters.Update(parts, surfaces, indices, meanColors, this->Scene.Origin());
   if (surfaces.empty())
   {
     surfaces.emplace_back(); // an empty buffer cannot be bound
@@ -93,9 +85,8 @@ void RayProps::Update(vtkRenderer* renderer, const std::vector<RayPart>& others)
   this->Scene.Update();
 }
 
-bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
+void RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
 {
-  bool changed = false;
   for (auto& shape : this->Shapes)
   {
     shape.second.Used = false;
@@ -115,7 +106,6 @@ bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
       shape.Size = geometry.Size();
       shape.CellTime = part.CellTime;
       shape.PointTime = part.PointTime;
-      changed = true;
     }
     shape.Used = true;
   }
@@ -130,9 +120,7 @@ bool RayProps::UpdateMeshes(const std::vector<RayPart>& parts)
     }
     this->Scene.RemoveMesh(it->first);
     it = this->Shapes.erase(it);
-    changed = true;
   }
-  return changed;
 }
 
 void RayProps::UpdateAttributes(const std::vector<RayPart>& parts)

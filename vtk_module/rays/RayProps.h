@@ -80,7 +80,7 @@ private:
     RayScene::Places Many;
   };
 
-  bool UpdateMeshes(const std::vector<RayPart>& parts);
+  void UpdateMeshes(const std::vector<RayPart>& parts);
   void UpdateAttributes(const std::vector<RayPart>& parts);
   /// Set the images of a part's surfaces. Returns the mean colour of the image that scales their emission.
   glm::vec3 UpdatePictures(const RayPart& part, shared::RaySurface* surfaces, std::size_t count);

@@ -78,7 +78,7 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
                  .ModifyIfPresent(noisy.Name, Order, "current")
                  .Write(signal, frame.WindowTexture(GL_RGBA32UI))
                  .Write(next, frame.WindowTexture(GL_RGBA32UI));
-  if (!noisy.Light)
+  if (noisy.Reach)
   {
     pass.Read(noisy.Reach);
   }

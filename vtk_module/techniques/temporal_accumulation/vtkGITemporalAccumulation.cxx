@@ -224,9 +224,8 @@ struct Accumulator
     }
     ScopedState scope(context.State());
     this->Begin(scope);
-    const Texture* reach = noisy.Reach && !noisy.Light && context.Input(noisy.Reach)
-      ? context.Output(noisy.Reach)
-      : nullptr;
+    const Texture* reach =
+      noisy.Reach && context.Input(noisy.Reach) ? context.Output(noisy.Reach) : nullptr;
     if (reach)
     {
       variant["GI_REACH"] = "1";
@@ -291,7 +290,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
                    .Read(Reprojection, "reprojection")
                    .Read(resource::Depth)
                    .ModifyIfPresent(noisy.Name, Order, "current");
-    if (noisy.Reach && !noisy.Light)
+    if (noisy.Reach)
     {
       pass.ModifyIfPresent(noisy.Reach, Order, "reachTexture");
     }
