@@ -34,6 +34,8 @@ uniform int rays;
 #ifndef GI_BLEND_DISTANCE
 uniform int emitterRays;
 #endif
+uniform int parts; // one in so many rays counts, from number `part` on
+uniform int part;
 uniform int update;
 uniform float least;   // minimum weight of an update
 uniform float most;    // maximum number of earlier updates that count
@@ -97,7 +99,7 @@ void main()
     directions[x] = giDecodeOctahedral((vec2(x, row) + 0.5) / float(TEXELS)) * turn;
     sums[x] = vec4(0.0);
   }
-  for (int i = 0; i < rays; ++i)
+  for (int i = part; i < rays; i += parts)
   {
     vec3 toward = fieldDirection(i);
     vec4 found = texelFetch(foundTexture, ivec2(FIRST_COLUMN + i, probe), 0);
@@ -129,7 +131,7 @@ void main()
     sums[x] /= max(sums[x].w, 1e-6);
   }
 #ifndef GI_BLEND_DISTANCE
-  for (int i = rays; i < rays + emitterRays; ++i)
+  for (int i = rays + part; i < rays + emitterRays; i += parts)
   {
     vec4 found = texelFetch(foundTexture, ivec2(i, probe), 0);
     vec3 toward = fieldUnpackDirection(found.a) * turn;

@@ -20,6 +20,7 @@
 #endif
 #include "rays/hit_light.glsl"
 #include "ddgi/field.glsl"
+#include "ddgi/seen_field.glsl"
 #include "ddgi/directions.glsl"
 #include "ddgi/packed_direction.glsl"
 #include "ddgi/states.glsl"
@@ -33,6 +34,8 @@ layout(rgba32f, binding = 0) uniform writeonly image2D found;
 
 uniform int rays;
 uniform int emitterRays; // in addition
+uniform int parts;       // of both, one in so many is traced, from number `part` on
+uniform int part;
 uniform bool keepsEmitted;
 uniform int update;
 uniform int firstProbe;
@@ -70,7 +73,7 @@ vec4 emitterLight(vec3 origin, int probe, int number, inout uint state)
   {
     EmitterPoint point = emitterPoint(emitterCandidate(u, i), origin, vec3(0.0), state);
     bool sought = point.density > 0.0 && emitterIsSought(point.perArea, point.path);
-    emitterConsider(choice, point.path, sought ? point.emission / (PI * float(emitterRays) * point.density) : vec3(0.0));
+    emitterConsider(choice, point.path, sought ? point.emission / (PI * float(emitterRays / parts) * point.density) : vec3(0.0));
   }
   bool arrives = choice.sum > 0.0 && !blocked(Ray(origin, 0.0, choice.path, 1.0 - 1e-4), state);
   return vec4(arrives ? emitterArriving(choice) : vec3(0.0), fieldPackDirection(normalize(choice.path)));
@@ -78,9 +81,9 @@ vec4 emitterLight(vec3 origin, int probe, int number, inout uint state)
 
 void main()
 {
-  int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x) +
-    firstProbe * (rays + emitterRays);
-  int probe = index / (rays + emitterRays);
+  int traced = (rays + emitterRays) / parts; // by each probe
+  int index = int(gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x + gl_GlobalInvocationID.x);
+  int probe = firstProbe + index / traced;
   if (probe >= lastProbe)
   {
     return;
@@ -89,8 +92,8 @@ void main()
   {
     return;
   }
-  int number = index - probe * (rays + emitterRays);
-  uint state = giHash(uint(index) ^ giHash(uint(update) * 0x9e3779b9u));
+  int number = part + parts * (index % traced);
+  uint state = giHash(uint(probe * (rays + emitterRays) + number) ^ giHash(uint(update) * 0x9e3779b9u));
   vec3 start = fieldPosition(fieldGridWith(probe), probe);
   if (number >= rays)
   {
@@ -109,9 +112,10 @@ void main()
   {
     bool sought = emitterIsSought(raySurfaces[at.surface].Emission.w, at.position - start);
     result.a = length(at.position - start);
-    vec3 indirect = lit ? fieldIrradiance(at.position, at.normal, at.normal, -direction, result.a) : vec3(0.0);
+    vec3 light = hitStraightLight(at, state);
+    light += lit ? fieldSeenIrradiance(at, state) : vec3(0.0);
     vec3 emitted = sought ? vec3(0.0) : at.emission;
-    result.rgb = emitted + hitReflected(at, indirect, state);
+    result.rgb = emitted + hitReflectance(at) * light;
     straight.rgb = raySurfaces[at.surface].Emission.w > 0.0 ? emitted : vec3(0.0);
   }
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)

@@ -25,6 +25,7 @@
 #include "rays/hit_light.glsl"
 #ifdef GI_LIVE_FIELD
 #include "ddgi/field.glsl"
+#include "ddgi/seen_field.glsl"
 #endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -69,20 +70,6 @@ vec3 fromSky(RaySurfacePoint at, vec2 u, inout uint state)
 }
 #endif
 
-#ifdef GI_LIVE_FIELD
-// Light that arrives where a ray ends. Probes are asked at a point off the surface, back along the ray. Where the ray is too
-// short for that, the point lies further along the path, toward the eye.
-vec3 fromField(RaySurfacePoint found, vec3 origin)
-{
-  vec3 back = origin - found.position;
-  vec3 toEye = view.Scene.y > 0.5 ? viewToScene[2] : normalize(eye - origin);
-  float room = view.Scene.y > 0.5 ? RAY_FAR : length(eye - origin);
-  back += toEye * clamp(fieldBias * fieldCellSize(fieldGridOf(0)) - length(back), 0.0, room);
-  float reach = max(length(back), 1e-20);
-  return fieldIrradiance(found.position, found.normal, found.normal, back / reach, reach);
-}
-#endif
-
 // Light from the surface, or the sky, in a direction that was chosen with a density of cosine / pi.
 vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
 {
@@ -106,11 +93,11 @@ vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
 #endif
   }
   float sampled = emitterMisDensity(raySurfaces[found.surface], at.position, found.position, found.geometric);
-  vec3 indirect = vec3(0.0);
+  vec3 light = hitStraightLight(found, state);
 #ifdef GI_LIVE_FIELD
-  indirect = fromField(found, origin);
+  light += fieldSeenIrradiance(found, state);
 #endif
-  return found.emission * giPowerHeuristic(density, sampled) + hitReflected(found, indirect, state);
+  return found.emission * giPowerHeuristic(density, sampled) + hitReflectance(found) * light;
 }
 
 // Black instead of a colour that is no number.

@@ -1,4 +1,4 @@
-// Diffuse light that a surface reflects where a ray ends. Needs shared/light.h, rays/surface.glsl, rays/passage.glsl,
+// Diffuse light on a surface where a ray ends, and what it reflects of it. Needs shared/light.h, rays/surface.glsl, rays/passage.glsl,
 // rays/toward_light.glsl, rays/sky.glsl, lib/lights.glsl, lib/light_points.glsl. Variants: GI_RAY_SKY (the environment
 // shines), GI_SKY_AT_HITS (the given indirect light leaves out what arrives straight from it), GI_SEEK_EMITTERS (it leaves
 // out what arrives straight from emitters; needs rays/emitters.glsl).
@@ -72,30 +72,30 @@ vec3 hitEmitterLight(RaySurfacePoint at, inout uint state)
 #endif
 
 // Share of the light that a surface reflects; all reflection is diffuse here.
-vec3 hitReflectance(RaySurfacePoint at, bool pbr)
-{
-  vec3 albedo = pbr
-    ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
-    : at.color.rgb;
-  return min(albedo, vec3(1.0));
-}
-
-// Radiance that a surface reflects. indirect: irradiance from what other surfaces reflect or emit, divided by pi, and
-// from the environment unless GI_SKY_AT_HITS.
-vec3 hitReflected(RaySurfacePoint at, vec3 indirect, inout uint state)
+vec3 hitReflectance(RaySurfacePoint at)
 {
   int model = raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL;
   if (model == GI_SURFACE_UNLIT)
   {
     return vec3(0.0);
   }
-  bool pbr = model == GI_SURFACE_PBR;
-  vec3 light = indirect + hitDirectLight(at, pbr, state);
+  vec3 albedo = model == GI_SURFACE_PBR
+    ? at.occlusion * mix(at.color.rgb * (1.0 - at.specular.w) + at.specular.w, at.color.rgb, at.metallic)
+    : at.color.rgb;
+  return min(albedo, vec3(1.0));
+}
+
+// Irradiance that arrives straight from lights, divided by pi; from the environment if GI_SKY_AT_HITS, and from emitters if
+// GI_SEEK_EMITTERS.
+vec3 hitStraightLight(RaySurfacePoint at, inout uint state)
+{
+  bool pbr = (raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL) == GI_SURFACE_PBR;
+  vec3 light = hitDirectLight(at, pbr, state);
 #if defined(GI_RAY_SKY) && defined(GI_SKY_AT_HITS)
   light += hitSkyLight(at, state);
 #endif
 #ifdef GI_SEEK_EMITTERS
   light += hitEmitterLight(at, state);
 #endif
-  return hitReflectance(at, pbr) * light;
+  return light;
 }

@@ -263,10 +263,18 @@ TEST_F(RayTracedScenes, SkyWithASmallSun)
   this->ExpectNear("sky", drawn, this->Traced(), 0.0016, 0.006);
 }
 
-// 0.09 % of the light outside.
+// No light at all.
 TEST_F(RayTracedScenes, NothingLeaksThroughThickWalls)
 {
   this->AddClosedRoom(0.1);
+  this->ExpectDarkness();
+}
+
+TEST_F(RayTracedScenes, NothingLeaksThroughWallsOfOneSheet)
+{
+  this->AddClosedRoom(0.0);
+  this->ExpectDarkness();
+  this->Pass->GetTechnique("sky-light")->EnabledOn();
   this->ExpectDarkness();
 }
 

@@ -21,13 +21,23 @@ constexpr int InitialDistanceUpdates = 8;
 constexpr int DistanceStride = 4;
 constexpr int MaximumDistanceUpdates = InitialDistanceUpdates + 64 * DistanceStride;
 
-// Number of updates after a change in which the share of each stays as large as hysteresis allows: light
-// bounces once per update, so a change takes several updates to arrive.
-constexpr int AdaptationUpdates = 48;
+// Number of updates after a change in which the share of each stays as large as hysteresis allows. Light bounces once
+// per part of an update, so a change takes several parts to arrive. These updates consist of as many parts as there are, of
+// at least this many rays.
+constexpr int AdaptationUpdates = 6;
+constexpr int MaximumParts = 8;
+constexpr int LeastRays = 16;
 
-// Meanwhile probes are relocated in one of this many updates, from the given one on.
+// Number of updates that count at most when a grid moves: the others hear what its new probes find.
+constexpr int UpdatesOnTheMove = 12;
+
+// Number of updates in a frame that stands alone.
+constexpr int LoneUpdates = 24;
+
+// Probes are relocated in one of this many updates, from the given one on, until so many are done after a change.
 constexpr int RelocationInterval = 8;
 constexpr int FirstRelocation = 3;
+constexpr int LastRelocation = 48;
 
 // Share of the next update in the probes' light, after a number of updates since a change.
 double BlendShare(int updates, double hysteresis)
@@ -136,6 +146,7 @@ void LiveField::Follow(Frame& frame)
     {
       this->Update.Scroll(frame, this->ProbeMaps, number, rescaled ? grid.Counts : moved);
       this->UpdatesSinceChange = 0;
+      this->UpdatesSinceSceneChange = std::min(this->UpdatesSinceSceneChange, UpdatesOnTheMove);
       this->DistanceUpdatesSinceMove =
         std::min(this->DistanceUpdatesSinceMove, InitialDistanceUpdates);
       this->UnconnectedProbes = this->Grids().Size();
@@ -165,24 +176,16 @@ void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights, boo
     this->DistanceUpdates = this->DistanceUpdatesSinceMove = 0;
     this->UnconnectedProbes = size;
   }
-  this->Trace(frame, rays, lights);
-  if (!frame.GetView().StandsAlone)
+  // Light has to arrive within a frame that stands alone.
+  const int updates =
+    frame.GetView().StandsAlone ? std::min(this->Current.Updates, LoneUpdates) : 1;
+  do
   {
-    this->Blend(frame);
-    return;
-  }
-  // Light has to arrive within this frame. Updates beyond these would only average noise.
-  const int updates = std::min(this->Current.Updates, AdaptationUpdates);
-  while (this->UpdatesSinceChange < updates - 1 ||
-    (this->UpdatesSinceChange < updates && !this->ReachesLastProbe()))
-  {
-    this->Blend(frame);
-    this->Trace(frame, rays, lights);
-  }
-  this->Blend(frame);
+    this->AddUpdate(frame, rays, lights);
+  } while (this->UpdatesSinceChange < updates && frame.GetView().StandsAlone);
 }
 
-void LiveField::Trace(Frame& frame, RayProps& rays, LightTable& lights)
+void LiveField::AddUpdate(Frame& frame, RayProps& rays, LightTable& lights)
 {
   const int size = this->Grids().Size();
   LiveProbeUpdate& update = this->Update;
@@ -196,13 +199,13 @@ void LiveField::Trace(Frame& frame, RayProps& rays, LightTable& lights)
   update.Last = this->NextProbe + this->Current.ProbesPerFrame(size - this->NextProbe);
   this->Follow(frame);
   this->Uninitialized = false;
-  if (this->IsResting())
+  if (this->UpdatesSinceChange >= this->Current.Updates)
   {
-    return;
+    return; // the probes rest
   }
   const bool relocates = this->NextProbe == 0 && this->CompleteRayResults > 0 &&
     this->TotalUpdates % RelocationInterval == FirstRelocation &&
-    this->UpdatesSinceChange < AdaptationUpdates && this->Current.Relocate;
+    this->UpdatesSinceChange < LastRelocation && this->Current.Relocate;
   if (relocates)
   {
     update.Relocate(frame, this->ProbeMaps, this->GeometryMoved);
@@ -215,15 +218,22 @@ void LiveField::Trace(Frame& frame, RayProps& rays, LightTable& lights)
     update.Connect(frame, this->ProbeMaps, update.First, update.Last);
     this->UnconnectedProbes -= update.Last - update.First;
   }
-  update.Trace(frame, this->ProbeMaps);
+  // The first update ever only finds distances, and what lights and emitters send straight.
+  const bool adapts = this->TotalUpdates > 0 && this->UpdatesSinceSceneChange < AdaptationUpdates;
+  const int mostParts = adapts ? std::min(this->Current.Rays / LeastRays, MaximumParts) : 1;
+  update.Parts = update.PartsUpTo(mostParts);
+  const double share = BlendShare(this->UpdatesSinceSceneChange, this->Current.Hysteresis);
+  for (update.Part = 0; update.Part < update.Parts; ++update.Part)
+  {
+    update.Trace(frame, this->ProbeMaps);
+    update.BlendLight(frame, this->ProbeMaps, share);
+  }
+  this->BlendDistances(frame);
+  this->Advance();
 }
 
-void LiveField::Blend(Frame& frame)
+void LiveField::BlendDistances(Frame& frame)
 {
-  if (this->IsResting())
-  {
-    return;
-  }
   // After the first updates only some probes at a time, because blending distances is expensive.
   const bool all = this->DistanceUpdates < InitialDistanceUpdates;
   const int previousUpdates = all
@@ -232,9 +242,6 @@ void LiveField::Blend(Frame& frame)
   const int stride =
     all ? 1 : (this->DistanceUpdatesSinceMove < MaximumDistanceUpdates ? DistanceStride : 0);
   this->Update.BlendDistances(frame, this->ProbeMaps, previousUpdates, stride);
-  this->Update.BlendLight(
-    frame, this->ProbeMaps, BlendShare(this->UpdatesSinceSceneChange, this->Current.Hysteresis));
-  this->Advance();
 }
 
 // Continue with the probes after those of this frame. The last probe completes the update.

@@ -50,10 +50,8 @@ public:
   int UpdatesDone() const { return this->UpdatesSinceChange; }
 
 private:
-  bool IsResting() const { return this->UpdatesSinceChange >= this->Current.Updates; }
-  bool ReachesLastProbe() const { return this->Update.Last >= this->Grids().Size(); }
-  void Trace(Frame& frame, RayProps& rays, LightTable& lights);
-  void Blend(Frame& frame);
+  void AddUpdate(Frame& frame, RayProps& rays, LightTable& lights);
+  void BlendDistances(Frame& frame);
   void CreateGrids(const View& view);
   void Follow(Frame& frame);
   void Advance();

@@ -57,6 +57,17 @@ int LiveProbeUpdate::EmitterRays() const
   return this->Rays->HasEmitters() ? EmitterRaysOf(this->RayCount) : 0;
 }
 
+int LiveProbeUpdate::PartsUpTo(int most) const
+{
+  int parts = 1;
+  while (2 * parts <= most && this->RayCount % (2 * parts) == 0 &&
+    this->EmitterRays() % (2 * parts) == 0)
+  {
+    parts *= 2;
+  }
+  return parts;
+}
+
 LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
 {
   const int columns = ProbeUniforms::Columns(probes);
@@ -166,13 +177,15 @@ void LiveProbeUpdate::Trace(Frame& frame, const LiveProbeMaps& maps) const
       Arguments()
         .Set("rays", this->RayCount)
         .Set("emitterRays", this->EmitterRays())
+        .Set("parts", this->Parts)
+        .Set("part", this->Part)
         .Set("keepsEmitted", this->KeepsEmitted)
         .Set("update", this->UpdateNumber)
         .Set("firstProbe", this->First)
         .Set("lastProbe", this->Last)
         .Set("lit", this->UpdateNumber > 0),
-      Work::ItemsInRows(
-        std::size_t(this->RayCount + this->EmitterRays()) * std::size_t(this->Last - this->First)));
+      Work::ItemsInRows(std::size_t((this->RayCount + this->EmitterRays()) / this->Parts) *
+        std::size_t(this->Last - this->First)));
 }
 
 void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geometryMoves) const
@@ -215,6 +228,8 @@ void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double
 {
   const Arguments arguments = Arguments()
                                 .Set("emitterRays", this->EmitterRays())
+                                .Set("parts", this->Parts)
+                                .Set("part", this->Part)
                                 .Set("least", leastShare)
                                 .Set("most", static_cast<double>(std::numeric_limits<int>::max()))
                                 .Set("stride", 0);
@@ -230,6 +245,8 @@ void LiveProbeUpdate::BlendDistances(
 {
   this->Blend(frame, maps, "GI_BLEND_DISTANCE",
     Arguments()
+      .Set("parts", 1)
+      .Set("part", 0)
       .Set("least", 0.0)
       .Set("most", static_cast<double>(mostUpdates))
       .Set("stride", stride),

@@ -48,11 +48,17 @@ struct LiveProbeUpdate
   bool KeepsEmitted = false;  ///< the second maps of light are kept up to date
   int RayCount = 0;     ///< per probe
   int UpdateNumber = 0; ///< selects the rotation of the rays' directions
+  /// The rays are traced in so many parts, each evenly distributed, so that light bounces as often in an update.
+  int Parts = 1;
+  int Part = 0; ///< the part that Trace() and BlendLight() add
   int First = 0;        ///< first probe that this frame updates
   int Last = 0;         ///< one past the last
 
   /// Number of rays of a probe that go to points of emitters, in addition to RayCount.
   int EmitterRays() const;
+
+  /// The largest power of two up to a number that divides the numbers of rays.
+  int PartsUpTo(int most) const;
 
   void Trace(Frame& frame, const LiveProbeMaps& maps) const;
 
@@ -66,7 +72,7 @@ struct LiveProbeUpdate
   /// Move the probes in [first, last) to their new offsets, and find which neighbours they see from there.
   void Connect(Frame& frame, const LiveProbeMaps& maps, int first, int last) const;
 
-  /// Blend the rays' radiance into the maps of light. leastShare: minimum share of this update.
+  /// Blend the radiance of a part's rays into the maps of light. leastShare: minimum share of this part.
   void BlendLight(Frame& frame, const LiveProbeMaps& maps, double leastShare) const;
 
   /// Blend the rays' distances into the maps of distances. mostUpdates: number of previous updates that are taken
