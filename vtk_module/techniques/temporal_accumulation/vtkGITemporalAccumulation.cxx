@@ -44,8 +44,8 @@ struct Ages
   int Accumulation = 0;    ///< since accumulation began
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
-  /// In the means of light on surfaces: since looks, techniques or lights changed, but for lights that the camera carries.
-  int Lit = 0;
+  int Lit = 0;         ///< in the means of light on surfaces; few when it changes
+  int Lighting = 0;    ///< since looks or lights changed, but for lights that the camera carries; 0 in that frame
   bool Carried = false; ///< the camera moved, and a light with it
   std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
   std::vector<LightGeometry> CarriedGeometries; ///< of the lights that the camera carries
@@ -67,10 +67,10 @@ struct Ages
     }
     this->Carried = carried != this->CarriedGeometries;
     this->CarriedGeometries = carried;
-    const bool restarts = !continued || view.Changes.Appearance || view.Changes.Techniques ||
-      (view.Changes.Lights && !this->Carried);
-    this->Lit = restarts ? 1 : this->Lit + 1;
-    this->Lit = this->Carried ? std::min(this->Lit, changeFrames) : this->Lit;
+    const bool changes = view.Changes.Appearance || (view.Changes.Lights && !this->Carried);
+    this->Lighting = changes ? 0 : this->Lighting + 1;
+    this->Lit = continued && !view.Changes.Techniques ? this->Lit + 1 : 1;
+    this->Lit = changes || this->Carried ? std::min(this->Lit, changeFrames) : this->Lit;
     std::vector<LightGeometry> geometries;
     for (const Light& light : lights.Lights())
     {
@@ -217,7 +217,9 @@ struct Accumulator
     {
       variant["GI_STILL"] = "1";
     }
-    const bool clamps = noisy.Light ? this->Age->Carried : view.StillFrames == 0;
+    const bool clamps = noisy.Light
+      ? this->Age->Carried || this->Age->Lighting < SettlingFrames
+      : view.StillFrames == 0;
     if (clamps || this->Age->IsSettling())
     {
       variant["GI_CLAMP"] = "1";
