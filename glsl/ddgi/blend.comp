@@ -31,11 +31,15 @@ layout(binding = 0) uniform sampler2D foundTexture; // see trace.comp
 uniform int firstProbe;
 uniform int stride; // one in `stride` probes with settled distances is updated; 0: none
 uniform int rays;
-#ifndef GI_BLEND_DISTANCE
+#ifdef GI_BLEND_DISTANCE
+#define FIRST_RAY 0
+#define NEXT_RAY 1
+#else
+#define FIRST_RAY part
+#define NEXT_RAY parts
 uniform int emitterRays;
+uniform int part; // whose rays are blended
 #endif
-uniform int parts; // one in so many rays counts, from number `part` on
-uniform int part;
 uniform int update;
 uniform float least;   // minimum weight of an update
 uniform float most;    // maximum number of earlier updates that count
@@ -99,7 +103,7 @@ void main()
     directions[x] = giDecodeOctahedral((vec2(x, row) + 0.5) / float(TEXELS)) * turn;
     sums[x] = vec4(0.0);
   }
-  for (int i = part; i < rays; i += parts)
+  for (int i = FIRST_RAY; i < rays; i += NEXT_RAY)
   {
     vec3 toward = fieldDirection(i);
     vec4 found = texelFetch(foundTexture, ivec2(FIRST_COLUMN + i, probe), 0);

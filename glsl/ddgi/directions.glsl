@@ -1,6 +1,9 @@
 // Directions of a probe's rays in an update: a table of directions distributed evenly over the sphere,
 // with a random rotation for each probe and update. Needs lib/sampling.glsl.
+// Row 1 is for updates in parts: in each part the directions are evenly distributed, too.
 layout(binding = 3) uniform sampler2D fieldDirections;
+
+uniform int parts; // of the update that traces, or has traced, the rays; ray i belongs to part i % parts
 
 // Random rotation: a random z axis, and a random angle about it.
 mat3 fieldTurn(int probe, int update)
@@ -16,5 +19,5 @@ mat3 fieldTurn(int probe, int update)
 
 vec3 fieldDirection(int ray)
 {
-  return texelFetch(fieldDirections, ivec2(ray, 0), 0).xyz;
+  return texelFetch(fieldDirections, ivec2(ray, parts > 1 ? 1 : 0), 0).xyz;
 }

@@ -34,8 +34,7 @@ layout(rgba32f, binding = 0) uniform writeonly image2D found;
 
 uniform int rays;
 uniform int emitterRays; // in addition
-uniform int parts;       // of both, one in so many is traced, from number `part` on
-uniform int part;
+uniform int part;        // of both, these are traced: one in `parts`
 uniform bool keepsEmitted;
 uniform int update;
 uniform int firstProbe;

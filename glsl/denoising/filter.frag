@@ -1,16 +1,20 @@
 #version 430 core
-// One level of an a-trous filter: the mean of nine samples on the same surface, light weighted by its number of frames
-// (Dammertz, Sewtz, Hanika and Lensch 2010, Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering).
+// One level of an a-trous filter: the mean of nine samples on the same surface (Dammertz, Sewtz, Hanika and Lensch 2010,
+// Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering). Samples of light weigh by their number of
+// frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // Variants: those of denoising/signal.glsl.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/alike.glsl"
 #include "lib/filter_reach.glsl"
+#include "lib/luminance.glsl"
 #include "denoising/signal.glsl"
 layout(binding = 0) uniform usampler2D signalTexture;
 
 uniform int step;
+
+const float TOLERANCE = 2.5; // standard deviations of a difference after which a sample's weight falls to 1 / e
 
 layout(location = 0) out uvec4 result;
 
@@ -19,7 +23,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   result = texelFetch(signalTexture, pixel, 0);
   GiSignal signal = giUnpackSignal(result);
-#if !defined(GI_SHARES) && !defined(GI_LOBE)
+#ifdef GI_LIGHT
   if (giFilterShare(signal.reach, float(step)).x == 0.0)
   {
     return;
@@ -36,6 +40,13 @@ void main()
   float weights = 0.0;
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
+#ifdef GI_LIGHT
+  float light = giLuminance(signal.value.rgb);
+  float noise = signal.error * light;
+  bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
+  vec2 moments = vec2(0.0);
+  vec2 squares = vec2(0.0); // of weights, and of weighted noise
+#endif
   for (int i = 0; i < 9; ++i)
   {
     ivec2 offset = ivec2(i % 3, i / 3) - 1;
@@ -51,19 +62,38 @@ void main()
     {
       continue;
     }
+#ifdef GI_LIGHT
+    float otherLight = giLuminance(other.value.rgb);
+    float otherNoise = other.error * otherLight;
+    if (guided)
+    {
+      weight *= exp(-abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)) / TOLERANCE);
+    }
+    moments += weight * vec2(otherLight, otherLight * otherLight);
+    squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
+#endif
     sum += weight * other.value;
     weights += weight;
-#if defined(GI_SHARES) || defined(GI_LOBE)
+#ifndef GI_LIGHT
     // A penumbra reaches pixels whose own ray missed the occluder.
     vec4 hits = weight * vec4(greaterThan(other.reach, vec4(0.0)));
     reach += hits * other.reach;
     known += hits;
 #endif
   }
-#if defined(GI_SHARES) || defined(GI_LOBE)
+#ifndef GI_LIGHT
   signal.reach = reach / max(known, 1e-6);
 #endif
   vec4 share = weights > 0.0 ? giFilterShare(signal.reach, float(step)) : vec4(0.0);
   signal.value = mix(signal.value, sum / max(weights, 1e-6), share);
+#ifdef GI_LIGHT
+  if (!guided)
+  {
+    moments /= max(weights, 1e-6);
+    squares.y = squares.x * max(moments.y - moments.x * moments.x, 0.0);
+  }
+  noise = mix(noise, sqrt(squares.y) / max(weights, 1e-6), share.x);
+  signal.error = min(noise / max(giLuminance(signal.value.rgb), 1e-20), 1.0);
+#endif
   result = giPackSignal(signal);
 }

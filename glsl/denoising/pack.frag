@@ -13,8 +13,8 @@ uniform int layer;
 #define GI_TEXTURE sampler2D
 #define GI_AT(pixel) (pixel)
 #endif
-layout(binding = 0) uniform GI_TEXTURE current; // of light, a is the number of frames in the mean
-#if defined(GI_SHARES) || defined(GI_LOBE)
+layout(binding = 0) uniform GI_TEXTURE current; // a of light: see temporal_accumulation/accumulate.frag
+#ifndef GI_LIGHT
 layout(binding = 4) uniform GI_TEXTURE reachTexture;
 #endif
 layout(binding = 1) uniform sampler2D albedoTexture;
@@ -36,7 +36,7 @@ void main()
   signal.normal = texelFetch(normalTexture, pixel, 0).xy;
   vec4 value = texelFetch(current, GI_AT(pixel), 0);
   signal.value = exists ? min(value, vec4(BRIGHTEST)) : vec4(0.0);
-#if defined(GI_SHARES) || defined(GI_LOBE)
+#ifndef GI_LIGHT
   float size = distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), signal.depth),
     giViewPosition(gl_FragCoord.xy, signal.depth));
   signal.reach = min(texelFetch(reachTexture, GI_AT(pixel), 0) / max(size, 1e-30), vec4(radius));
@@ -44,7 +44,8 @@ void main()
   signal.reach = max(signal.reach, 0.0);
 #else
   signal.reach = vec4(0.0); // follows from the frames
-  signal.frames = exists ? max(value.a, float(stillFrames + 1)) : 0.0;
+  signal.frames = exists ? max(floor(value.a), float(stillFrames + 1)) : 0.0;
+  signal.error = fract(value.a);
 #endif
   result = giPackSignal(signal);
 }

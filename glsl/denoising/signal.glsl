@@ -1,11 +1,12 @@
 // A noisy result of a pixel with the surface that it belongs to, in one texel. Needs lib/octahedral.glsl and
 // lib/filter_reach.glsl. Variants: GI_SHARES (shares of four lights, each with a reach of its own), GI_LOBE (a colour and its
-// share, with a reach); otherwise light in all directions, whose reach follows from its frames.
+// share, with a reach), GI_LIGHT (light in all directions, whose reach follows from its frames and its noise).
 struct GiSignal
 {
   vec4 value;
   vec4 reach;   // of the filter, in pixels
-  float frames; // number of frames in the value's mean; 0 for no surface
+  float frames; // number of frames in the value's mean, 63 at most; 0 for no surface
+  float error;  // relative standard error of light's luminance; 0: unknown
   float depth;  // of the window
   vec2 normal;  // octahedral
 };
@@ -31,7 +32,8 @@ uvec4 giPackSignal(GiSignal signal)
   return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | packUnorm4x8(vec4(0.0, 0.0, last)), depth,
     n.x << 16 | n.y);
 #else
-  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, signal.frames)), depth, n.x << 16 | n.y);
+  uint known = uint(min(signal.frames, 63.0)) << 10 | uint(sqrt(signal.error) * 1023.0 + 0.5);
+  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | known << 16, depth, n.x << 16 | n.y);
 #endif
 }
 
@@ -51,10 +53,12 @@ GiSignal giUnpackSignal(uvec4 word)
   signal.reach = vec4(GI_WIDEST * last.y * last.y);
   signal.frames = signal.depth >= 0.0 ? 1.0 : 0.0;
 #else
-  vec2 last = unpackHalf2x16(word.y);
-  signal.value = vec4(unpackHalf2x16(word.x), last.x, 0.0);
-  signal.reach = vec4(radius) * giReachAfter(vec4(last.y));
-  signal.frames = last.y;
+  uint known = word.y >> 16;
+  float root = float(known & 1023u) / 1023.0;
+  signal.value = vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y).x, 0.0);
+  signal.error = root * root;
+  signal.frames = float(known >> 10);
+  signal.reach = vec4(radius) * giLightReachAfter(signal.frames);
 #endif
   return signal;
 }

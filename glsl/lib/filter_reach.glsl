@@ -5,3 +5,10 @@ vec4 giReachAfter(vec4 frames)
   const float last = 64.0;
   return clamp(2.0 - 2.0 * frames / last, 0.0, 1.0) / (1.0 + frames / 4.0);
 }
+
+// The same for light, whose filter knows the noise that is left and spares what stands out of it.
+float giLightReachAfter(float frames)
+{
+  const float last = 64.0;
+  return clamp(2.0 - 2.0 * frames / last, 0.0, 1.0) / (1.0 + frames / 16.0);
+}

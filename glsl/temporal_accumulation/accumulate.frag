@@ -5,6 +5,7 @@
 // Supersampling), GI_REACH (reduce the reach of the spatial filter that follows).
 #include "shared/view.h"
 #include "lib/filter_reach.glsl"
+#include "lib/luminance.glsl"
 
 #ifdef GI_LAYERS
 #define GI_TEXTURE sampler2DArray
@@ -24,7 +25,9 @@ uniform float clampWidth; // in standard deviations
 // Frame n of a mean has a weight proportional to the power `recency` of n: 0 for a plain mean; 1 lets the first frames fade
 // quickly, at 4 / 3 of its variance.
 uniform float recency;
-uniform bool counts; // show the number of frames as a
+// Show as a the number of frames, plus the relative standard error of the mean's luminance, which is below 1; 0: unknown. The
+// history's a is the mean square of the luminance.
+uniform bool counts;
 
 layout(location = 0) out vec4 mean;  // the next frame's history
 layout(location = 1) out vec4 shown;
@@ -32,6 +35,22 @@ layout(location = 1) out vec4 shown;
 layout(binding = 3) uniform GI_TEXTURE reachTexture;
 layout(location = 2) out vec4 reach;
 #endif
+
+vec4 valueAt(ivec2 pixel)
+{
+  vec4 value = texelFetch(current, GI_AT(pixel), 0);
+  float light = giLuminance(value.rgb);
+  return counts ? vec4(value.rgb, light * light) : value;
+}
+
+// Relative standard error of a mean's luminance, from the spread of a few frames at least.
+float errorOf(vec4 mean, float frames)
+{
+  const float least = 4.0;
+  float light = giLuminance(mean.rgb);
+  float variance = max(mean.a - light * light, 0.0) * (1.0 + recency / 3.0) / frames;
+  return frames < least ? 0.0 : min(sqrt(variance) / max(light, 1e-20), 0.99);
+}
 
 vec4 historyAt(ivec2 pixel, vec4 moved)
 {
@@ -62,7 +81,7 @@ vec4 historyAt(ivec2 pixel, vec4 moved)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 currentValue = texelFetch(current, GI_AT(pixel), 0);
+  vec4 currentValue = valueAt(pixel);
   vec4 moved = texelFetch(reprojection, pixel, 0);
   mean = currentValue;
   vec4 frames = vec4(1.0);
@@ -80,7 +99,7 @@ void main()
       ivec2 at = clamp(pixel + ivec2(i % 3 - 1, i / 3 - 1), low, high);
       if (texelFetch(reprojection, at, 0).z > 0.0) // a surface
       {
-        vec4 near = texelFetch(current, GI_AT(at), 0);
+        vec4 near = valueAt(at);
         moment1 += near;
         moment2 += near * near;
         count += 1.0;
@@ -96,5 +115,5 @@ void main()
 #ifdef GI_REACH
   reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0);
 #endif
-  shown = counts ? vec4(mean.rgb, frames.r) : mean;
+  shown = counts ? vec4(mean.rgb, floor(frames.r) + errorOf(mean, frames.r)) : mean;
 }

@@ -22,11 +22,8 @@ constexpr int DistanceStride = 4;
 constexpr int MaximumDistanceUpdates = InitialDistanceUpdates + 64 * DistanceStride;
 
 // Number of updates after a change in which the share of each stays as large as hysteresis allows. Light bounces once
-// per part of an update, so a change takes several parts to arrive. These updates consist of as many parts as there are, of
-// at least this many rays.
+// per part of an update, so a change takes several parts to arrive. Only these updates are done in parts.
 constexpr int AdaptationUpdates = 6;
-constexpr int MaximumParts = 8;
-constexpr int LeastRays = 16;
 
 // Number of updates that count at most when a grid moves: the others hear what its new probes find.
 constexpr int UpdatesOnTheMove = 12;
@@ -220,8 +217,7 @@ void LiveField::AddUpdate(Frame& frame, RayProps& rays, LightTable& lights)
   }
   // The first update ever only finds distances, and what lights and emitters send straight.
   const bool adapts = this->TotalUpdates > 0 && this->UpdatesSinceSceneChange < AdaptationUpdates;
-  const int mostParts = adapts ? std::min(this->Current.Rays / LeastRays, MaximumParts) : 1;
-  update.Parts = update.PartsUpTo(mostParts);
+  update.Parts = adapts ? LiveProbeUpdate::MaximumParts(this->Current.Rays) : 1;
   const double share = BlendShare(this->UpdatesSinceSceneChange, this->Current.Hysteresis);
   for (update.Part = 0; update.Part < update.Parts; ++update.Part)
   {

@@ -6,6 +6,7 @@
 #include "technique/FrameBuilder.h"
 
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include <limits>
 
@@ -18,17 +19,37 @@ constexpr int DistanceTexels = GI_FIELD_DISTANCE;
 
 // Directions along a spiral, so that neighbours in the table are neighbours on the sphere (Bauer 2000, Distribution
 // of Points on a Sphere with Application to Star Catalogs).
-std::vector<glm::vec4> EvenDirections(int count)
+std::vector<glm::dvec3> EvenDirections(int count)
 {
-  std::vector<glm::vec4> directions;
+  std::vector<glm::dvec3> directions;
   for (int i = 0; i < count; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / count;
     const double angle = std::sqrt(glm::pi<double>() * count) * std::acos(z);
     const double radius = std::sqrt(1.0 - z * z);
-    directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z, 0.0);
+    directions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
   }
   return directions;
+}
+
+// The rows of the table of directions, see glsl/ddgi/directions.glsl.
+std::vector<glm::vec4> DirectionTable(int rays, int parts)
+{
+  std::vector<glm::vec4> table;
+  for (const glm::dvec3& direction : EvenDirections(rays))
+  {
+    table.emplace_back(direction, 0.0);
+  }
+  const std::vector<glm::dvec3> ofPart = EvenDirections(rays / parts);
+  for (int i = 0; i < rays; ++i)
+  {
+    // Any rotations will do, as long as they differ.
+    const double angle = glm::two_pi<double>() * (i % parts) / parts;
+    const glm::dmat4 once = glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(1.0, 0.0, 0.0));
+    const glm::dmat4 twice = glm::rotate(once, angle, glm::dvec3(0.0, 1.0, 0.0));
+    table.emplace_back(glm::dmat3(twice) * ofPart[i / parts], 0.0);
+  }
+  return table;
 }
 
 void Fill(const Texture& texture, const std::vector<glm::vec4>& texels)
@@ -52,20 +73,22 @@ void FillAll(const Texture& texture, const glm::vec4& value)
 }
 }
 
-int LiveProbeUpdate::EmitterRays() const
+int LiveProbeUpdate::MaximumParts(int rays)
 {
-  return this->Rays->HasEmitters() ? EmitterRaysOf(this->RayCount) : 0;
-}
-
-int LiveProbeUpdate::PartsUpTo(int most) const
-{
+  constexpr int most = 8;
+  constexpr int leastRays = 16;
   int parts = 1;
-  while (2 * parts <= most && this->RayCount % (2 * parts) == 0 &&
-    this->EmitterRays() % (2 * parts) == 0)
+  while (2 * parts <= std::min(most, rays / leastRays) && rays % (2 * parts) == 0 &&
+    EmitterRaysOf(rays) % (2 * parts) == 0)
   {
     parts *= 2;
   }
   return parts;
+}
+
+int LiveProbeUpdate::EmitterRays() const
+{
+  return this->Rays->HasEmitters() ? EmitterRaysOf(this->RayCount) : 0;
 }
 
 LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
@@ -78,7 +101,7 @@ LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
   LiveProbeMaps maps;
   maps.RayResults =
     &frame.Keep("ddgi.rays", { GL_RGBA32F, 2 * rays + EmitterRaysOf(rays), probes, 0 });
-  maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 1, 0 });
+  maps.Directions = &frame.Keep("ddgi.directions", { GL_RGBA32F, rays, 2, 0 });
   maps.Light =
     keep("ddgi.light", GL_RGBA32F, LightTexels + 2, ProbeUniforms::Rows(2 * probes, columns));
   // A second map per probe, for the grid point that a relocated probe left.
@@ -92,7 +115,7 @@ LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
     frame.AddPass("ddgi-directions")
       .WriteHistory(*maps.Directions)
       .Execute([map = &maps.Directions->Storage, rays](
-                 FrameContext&) { Fill(*map, EvenDirections(rays)); });
+                 FrameContext&) { Fill(*map, DirectionTable(rays, LiveProbeUpdate::MaximumParts(rays))); });
   }
   return maps;
 }
@@ -202,6 +225,7 @@ void LiveProbeUpdate::Relocate(Frame& frame, const LiveProbeMaps& maps, bool geo
       Arguments()
         .Set("probeCount", probes)
         .Set("rays", this->RayCount)
+        .Set("parts", this->Parts)
         .Set("update", this->UpdateNumber - 1)
         .Set("geometryMoves", geometryMoves),
       Work::Items(probes));
@@ -228,7 +252,6 @@ void LiveProbeUpdate::BlendLight(Frame& frame, const LiveProbeMaps& maps, double
 {
   const Arguments arguments = Arguments()
                                 .Set("emitterRays", this->EmitterRays())
-                                .Set("parts", this->Parts)
                                 .Set("part", this->Part)
                                 .Set("least", leastShare)
                                 .Set("most", static_cast<double>(std::numeric_limits<int>::max()))
@@ -245,8 +268,6 @@ void LiveProbeUpdate::BlendDistances(
 {
   this->Blend(frame, maps, "GI_BLEND_DISTANCE",
     Arguments()
-      .Set("parts", 1)
-      .Set("part", 0)
       .Set("least", 0.0)
       .Set("most", static_cast<double>(mostUpdates))
       .Set("stride", stride),
@@ -263,6 +284,7 @@ void LiveProbeUpdate::Blend(Frame& frame, const LiveProbeMaps& maps, const char*
     .UpdateHistory(*maps.States, "states")
     .Compute("ddgi/blend.comp", variant ? Defines{ { variant, "1" } } : Defines{},
       arguments.Set("rays", this->RayCount)
+        .Set("parts", this->Parts)
         .Set("update", this->UpdateNumber)
         .Set("firstProbe", this->First),
       Work::Groups(this->Last - this->First));

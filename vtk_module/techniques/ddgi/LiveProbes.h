@@ -18,7 +18,7 @@ struct History;
 /// The textures of the probes, which are histories of a view.
 struct LiveProbeMaps
 {
-  History* Directions = nullptr; ///< directions of the rays, before an update's rotation
+  History* Directions = nullptr; ///< directions of the rays, see glsl/ddgi/directions.glsl
   /// Radiance and distance found by the last update, a row per probe.
   History* RayResults = nullptr;
   History* Light = nullptr;    ///< two maps per probe, see glsl/ddgi/field.glsl
@@ -48,7 +48,7 @@ struct LiveProbeUpdate
   bool KeepsEmitted = false;  ///< the second maps of light are kept up to date
   int RayCount = 0;     ///< per probe
   int UpdateNumber = 0; ///< selects the rotation of the rays' directions
-  /// The rays are traced in so many parts, each evenly distributed, so that light bounces as often in an update.
+  /// The rays are traced in so many parts, so that light bounces as often in an update: 1, or MaximumParts().
   int Parts = 1;
   int Part = 0; ///< the part that Trace() and BlendLight() add
   int First = 0;        ///< first probe that this frame updates
@@ -57,8 +57,8 @@ struct LiveProbeUpdate
   /// Number of rays of a probe that go to points of emitters, in addition to RayCount.
   int EmitterRays() const;
 
-  /// The largest power of two up to a number that divides the numbers of rays.
-  int PartsUpTo(int most) const;
+  /// Largest number of parts of an update with a number of rays per probe.
+  static int MaximumParts(int rays);
 
   void Trace(Frame& frame, const LiveProbeMaps& maps) const;
 
@@ -66,7 +66,8 @@ struct LiveProbeUpdate
   void Scroll(
     Frame& frame, const LiveProbeMaps& maps, int number, const glm::ivec3& moved) const;
 
-  /// Choose the offset of each probe, and give light from a neighbour to those that will move.
+  /// Choose the offset of each probe from the last update's rays, and give light from a neighbour to those that will move.
+  /// Parts is still that of the last update.
   void Relocate(Frame& frame, const LiveProbeMaps& maps, bool geometryMoves) const;
 
   /// Move the probes in [first, last) to their new offsets, and find which neighbours they see from there.

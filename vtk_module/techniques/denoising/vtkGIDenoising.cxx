@@ -43,11 +43,7 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   scope.Set(GL_DEPTH_TEST, false);
   const Texture* signal = context.Output(names.Signal.c_str());
   const Texture* next = context.Output(names.Next.c_str());
-  Defines variant;
-  if (!manner.Kind.empty())
-  {
-    variant[manner.Kind] = "1";
-  }
+  const Defines variant = { { manner.Kind, "1" } };
   context.BindTarget({ { signal, -1 } }, {});
   context.DrawBound("denoising/pack.frag", variant,
     Arguments()
@@ -112,7 +108,8 @@ void vtkGIDenoising::Contribute(FrameBuilder& frame)
     {
       if (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach)))
       {
-        AddFilter(last, noisy, { radius, averaged, noisy.PerLight ? "GI_SHARES" : noisy.Light ? "" : "GI_LOBE" });
+        const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
+        AddFilter(last, noisy, { radius, averaged, kind });
       }
     }
   });

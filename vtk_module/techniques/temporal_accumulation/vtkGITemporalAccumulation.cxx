@@ -97,6 +97,13 @@ struct Ages
     return this->Props < SettlingFrames && this->Props + 1 < this->Accumulation;
   }
 
+  /// The same for light on surfaces, and changes of what lights them.
+  bool IsLightSettling() const
+  {
+    const bool changed = this->Lighting < SettlingFrames && this->Lighting + 1 < this->Lit;
+    return changed || this->Carried || this->IsSettling();
+  }
+
   int Of(const NoisyResource& noisy, std::size_t channel) const
   {
     const int age = noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1)
@@ -217,10 +224,9 @@ struct Accumulator
     {
       variant["GI_STILL"] = "1";
     }
-    const bool clamps = noisy.Light
-      ? this->Age->Carried || this->Age->Lighting < SettlingFrames
-      : view.StillFrames == 0;
-    if (clamps || this->Age->IsSettling())
+    const bool clamps =
+      noisy.Light ? this->Age->IsLightSettling() : view.StillFrames == 0 || this->Age->IsSettling();
+    if (clamps)
     {
       variant["GI_CLAMP"] = "1";
     }
