@@ -1,7 +1,7 @@
-// Diffuse light on a surface where a ray ends, and what it reflects of it. Needs shared/light.h, rays/surface.glsl, rays/passage.glsl,
-// rays/toward_light.glsl, rays/sky.glsl, lib/lights.glsl, lib/light_points.glsl. Variants: GI_RAY_SKY (the environment
-// shines), GI_SKY_AT_HITS (the given indirect light leaves out what arrives straight from it), GI_SEEK_EMITTERS (it leaves
-// out what arrives straight from emitters; needs rays/emitters.glsl).
+// Diffuse light on a surface where a ray ends, and the share of it that the surface reflects. Needs shared/light.h,
+// rays/surface.glsl, rays/passage.glsl, rays/toward_light.glsl, rays/sky.glsl, lib/lights.glsl, lib/light_points.glsl.
+// Variants: GI_RAY_SKY (the environment shines), GI_SKY_AT_HITS (and is looked for here), GI_SEEK_EMITTERS (emitters are
+// looked for here; needs rays/emitters.glsl).
 uniform int lightCount;
 uniform vec3 eye; // relative to the scene's origin, for headlights
 

@@ -158,8 +158,8 @@ TEST_F(DDGI, APictureThatStandsAloneIgnoresTheBudget)
     pictures.push_back(this->After(1));
     const std::string statistics = this->Pass->GetStatistics();
     int updates = 0;
-    for (std::size_t at = 0; (at = statistics.find("\"ddgi-blend-distances\"", at)) != std::string::npos;
-         ++at)
+    for (std::size_t at = 0;
+         (at = statistics.find("\"ddgi-blend-distances\"", at)) != std::string::npos; ++at)
     {
       ++updates;
     }

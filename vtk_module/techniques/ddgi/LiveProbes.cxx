@@ -114,8 +114,9 @@ LiveProbeMaps LiveProbeMaps::Keep(Frame& frame, int probes, int rays)
   {
     frame.AddPass("ddgi-directions")
       .WriteHistory(*maps.Directions)
-      .Execute([map = &maps.Directions->Storage, rays](
-                 FrameContext&) { Fill(*map, DirectionTable(rays, LiveProbeUpdate::MaximumParts(rays))); });
+      .Execute([map = &maps.Directions->Storage, rays](FrameContext&) {
+        Fill(*map, DirectionTable(rays, LiveProbeUpdate::MaximumParts(rays)));
+      });
   }
   return maps;
 }

@@ -50,7 +50,7 @@ struct LiveProbeUpdate
   int UpdateNumber = 0; ///< selects the rotation of the rays' directions
   /// The rays are traced in so many parts, so that light bounces as often in an update: 1, or MaximumParts().
   int Parts = 1;
-  int Part = 0; ///< the part that Trace() and BlendLight() add
+  int Part = 0;         ///< the part that Trace() and BlendLight() add
   int First = 0;        ///< first probe that this frame updates
   int Last = 0;         ///< one past the last
 

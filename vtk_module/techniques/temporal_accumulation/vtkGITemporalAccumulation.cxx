@@ -44,8 +44,9 @@ struct Ages
   int Accumulation = 0;    ///< since accumulation began
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
-  int Lit = 0;         ///< in the means of light on surfaces; few when it changes
-  int Lighting = 0;    ///< since looks or lights changed, but for lights that the camera carries; 0 in that frame
+  int Lit = 0;             ///< in the means of light on surfaces; few when it changes
+  int Lighting =
+    0; ///< since looks or lights changed, but for lights that the camera carries; 0 in that frame
   bool Carried = false; ///< the camera moved, and a light with it
   std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
   std::vector<LightGeometry> CarriedGeometries; ///< of the lights that the camera carries
