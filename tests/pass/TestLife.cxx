@@ -368,8 +368,8 @@ TEST(Life, FramesStandAloneOnlyOnceAfterARestart)
     scene.Window->Render();
     const std::string statistics = pass->GetStatistics();
     int updates = 0;
-    for (std::size_t at = 0; (at = statistics.find("\"ddgi-trace\"", at)) != std::string::npos;
-         ++at)
+    for (std::size_t at = 0;
+         (at = statistics.find("\"ddgi-blend-distances\"", at)) != std::string::npos; ++at)
     {
       ++updates;
     }
