@@ -26,7 +26,7 @@ int fieldSeenProbe(fieldGrid grid, RaySurfacePoint at, inout uint state)
   float left = 0.0;
   for (int i = 0; i < 8; ++i)
   {
-    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    ivec3 corner = fieldCorner(i);
     ivec3 cell = min(base + corner, grid.counts - 1);
     vec3 offset = texelFetch(fieldProbes, fieldTile(fieldIndex(grid, cell)), 0).xyz;
     vec3 shares = mix(1.0 - share, share, vec3(corner));
@@ -44,7 +44,7 @@ int fieldSeenProbe(fieldGrid grid, RaySurfacePoint at, inout uint state)
       chosen = weights[i] > 0.0 && u >= 0.0 ? i : chosen;
       u -= weights[i];
     }
-    int probe = fieldIndex(grid, min(base + ivec3(chosen & 1, (chosen >> 1) & 1, chosen >> 2), grid.counts - 1));
+    int probe = fieldIndex(grid, min(base + fieldCorner(chosen), grid.counts - 1));
     vec3 toProbe = fieldPosition(grid, probe) - at.position;
     // A probe whose distances are unknown has no light yet.
     bool known = fieldFetch(fieldDistance, probe, -normalize(toProbe), float(GI_FIELD_DISTANCE)).x > 0.0;
@@ -75,21 +75,31 @@ bool fieldSeenLight(RaySurfacePoint at, out vec3 light, inout uint state)
   return false;
 }
 
-// Irradiance divided by pi, apart from what arrives straight from lights and whatever else hitStraightLight() finds. If no
-// probe sees the point, a path goes on to one that a probe sees.
-vec3 fieldSeenIrradiance(RaySurfacePoint at, inout uint state)
+// Radiance that a surface reflects where a ray ended: what hitStraightLight() finds, and what a probe knows. If no probe sees
+// the surface, a path goes on to one that a probe sees.
+vec3 fieldReflected(RaySurfacePoint at, inout uint state)
 {
   vec3 sum = vec3(0.0);
   vec3 weight = vec3(1.0);
-  vec3 light;
-  for (int i = 0; !fieldSeenLight(at, light, state); ++i)
+  for (int i = 0; i <= FIELD_STEPS; ++i)
   {
+    weight *= hitReflectance(at);
+    if (weight == vec3(0.0))
+    {
+      break;
+    }
+    sum += weight * hitStraightLight(at, state);
+    vec3 light;
+    if (fieldSeenLight(at, light, state))
+    {
+      return sum + weight * light;
+    }
     vec3 L = giBasis(at.normal) * giSampleCosine(vec2(giRandom(state), giRandom(state)));
     bool closed;
     Ray ray = Ray(rayArrive(at, L, closed), 0.0, L, RAY_FAR);
     if (closed || i == FIELD_STEPS)
     {
-      return sum;
+      break;
     }
     float first;
     if (traceThrough(ray, at, first, state).instance < 0)
@@ -97,7 +107,7 @@ vec3 fieldSeenIrradiance(RaySurfacePoint at, inout uint state)
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_AT_HITS)
       sum += weight * FIELD_SKY(L);
 #endif
-      return sum;
+      break;
     }
 #ifdef GI_SEEK_EMITTERS
     bool sought = raySurfaces[at.surface].Emission.w > 0.0;
@@ -105,8 +115,6 @@ vec3 fieldSeenIrradiance(RaySurfacePoint at, inout uint state)
     const bool sought = false;
 #endif
     sum += sought ? vec3(0.0) : weight * at.emission;
-    weight *= hitReflectance(at);
-    sum += weight * hitStraightLight(at, state);
   }
-  return sum + weight * light;
+  return sum;
 }

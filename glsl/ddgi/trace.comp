@@ -111,10 +111,8 @@ void main()
   {
     bool sought = emitterIsSought(raySurfaces[at.surface].Emission.w, at.position - start);
     result.a = length(at.position - start);
-    vec3 light = hitStraightLight(at, state);
-    light += lit ? fieldSeenIrradiance(at, state) : vec3(0.0);
     vec3 emitted = sought ? vec3(0.0) : at.emission;
-    result.rgb = emitted + hitReflectance(at) * light;
+    result.rgb = emitted + (lit ? fieldReflected(at, state) : hitReflected(at, state));
     straight.rgb = raySurfaces[at.surface].Emission.w > 0.0 ? emitted : vec3(0.0);
   }
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)

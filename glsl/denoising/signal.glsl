@@ -13,6 +13,8 @@ struct GiSignal
 
 uniform float radius; // the greatest reach, in pixels
 
+const float LIGHT_HALVED = 16.0; // frames after which the reach is half; the filter of light spares what stands out of the noise
+
 // Share of a filter's level, whose samples are `step` pixels apart. As the reach falls, the largest steps end first.
 vec4 giFilterShare(vec4 reach, float step)
 {
@@ -58,7 +60,7 @@ GiSignal giUnpackSignal(uvec4 word)
   signal.value = vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y).x, 0.0);
   signal.error = root * root;
   signal.frames = float(known >> 10);
-  signal.reach = vec4(radius) * giLightReachAfter(signal.frames);
+  signal.reach = radius * giReachAfter(vec4(signal.frames), LIGHT_HALVED);
 #endif
   return signal;
 }

@@ -67,6 +67,12 @@ ivec3 fieldCell(fieldGrid grid, int probe)
   return cell + grid.counts * ivec3(lessThan(cell, ivec3(0)));
 }
 
+// One of a cell's corners, 0 to 7.
+ivec3 fieldCorner(int number)
+{
+  return ivec3(number & 1, (number >> 1) & 1, number >> 2);
+}
+
 ivec2 fieldTile(int probe)
 {
   return ivec2(probe % fieldColumns, probe / fieldColumns);
@@ -220,7 +226,7 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
   int relocated = 0; // mask of the relocated probes
   for (int i = 0; i < 8; ++i)
   {
-    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    ivec3 corner = fieldCorner(i);
     ivec3 at = min(base + corner, grid.counts - 1);
     int probe = fieldIndex(grid, at);
     probes[i] = probe;
@@ -237,7 +243,7 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
   for (; relocated != 0; relocated &= relocated - 1)
   {
     int i = findLSB(relocated);
-    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    ivec3 corner = fieldCorner(i);
     vec3 shares = mix(1.0 - share, share, vec3(corner));
     vec3 home = grid.origin + grid.spacing * vec3(min(base + corner, grid.counts - 1));
     float vacatedWeight =
@@ -257,12 +263,12 @@ void fieldWeights(inout fieldWalk walk, vec3 P, vec3 N, vec3 V, float reach, boo
   float all = vacatedSum * fieldAgreement(vacatedSquares / squareSum);
   for (int i = 0; i < 8; ++i)
   {
-    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    ivec3 corner = fieldCorner(i);
     float agreed = 0.0;
     for (int j = 0; j < 8; ++j)
     {
       int low = min(i, j);
-      ivec3 offset = ivec3(j & 1, (j >> 1) & 1, j >> 2) - corner;
+      ivec3 offset = fieldCorner(j) - corner;
       offset = j < i ? -offset : offset;
       bool sees = i == j || (seen[low] >> fieldNeighbourBit(offset) & 1) != 0;
       agreed += sees ? weights[j] * weights[j] : 0.0;

@@ -26,6 +26,9 @@
 #ifdef GI_LIVE_FIELD
 #include "ddgi/field.glsl"
 #include "ddgi/seen_field.glsl"
+#define REFLECTED fieldReflected
+#else
+#define REFLECTED hitReflected
 #endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -93,11 +96,7 @@ vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
 #endif
   }
   float sampled = emitterMisDensity(raySurfaces[found.surface], at.position, found.position, found.geometric);
-  vec3 light = hitStraightLight(found, state);
-#ifdef GI_LIVE_FIELD
-  light += fieldSeenIrradiance(found, state);
-#endif
-  return found.emission * giPowerHeuristic(density, sampled) + hitReflectance(found) * light;
+  return found.emission * giPowerHeuristic(density, sampled) + REFLECTED(found, state);
 }
 
 // Black instead of a colour that is no number.

@@ -99,3 +99,10 @@ vec3 hitStraightLight(RaySurfacePoint at, inout uint state)
 #endif
   return light;
 }
+
+// Radiance that a surface reflects of that.
+vec3 hitReflected(RaySurfacePoint at, inout uint state)
+{
+  vec3 reflectance = hitReflectance(at);
+  return reflectance == vec3(0.0) ? vec3(0.0) : reflectance * hitStraightLight(at, state);
+}

@@ -113,7 +113,7 @@ void main()
     mean = mix(previousValue, currentValue, (1.0 + recency) / (frames + recency));
   }
 #ifdef GI_REACH
-  reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0);
+  reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0, 4.0);
 #endif
   shown = counts ? vec4(mean.rgb, floor(frames.r) + errorOf(mean, frames.r)) : mean;
 }

@@ -34,7 +34,8 @@ protected:
     // A room lit by the ceiling, with a block that hides a part of it.
     this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
     this->AddBox(-0.7, -0.2, -0.6, -0.1, -1.0, 0.1, 0.6);
-    Paint(AddFloor(this->Scene, -0.3, 0.3, -0.3, 0.3, 0.999), 0.0)->GetProperty()->SetAmbient(1.0);
+    this->Panel = Paint(AddFloor(this->Scene, -0.3, 0.3, -0.3, 0.3, 0.999), 0.0)->GetProperty();
+    this->Panel->SetAmbient(1.0);
     this->LookFrom(0.9, 0.8, 0.3, -0.5, -0.5, -0.6);
   }
 
@@ -63,12 +64,51 @@ protected:
   static constexpr int Width = 160;
   static constexpr int Height = 120;
   vtkGITechnique* Filter = nullptr;
+  vtkProperty* Panel = nullptr; ///< shines from the ceiling
 };
 }
 
 TEST_F(Denoising, TakesMostNoiseOffTheFirstFrame)
 {
   this->ExpectLittleNoise(0.1, 0.03);
+}
+
+// What the filter blurs must be noise: after some frames contacts and edges of light are sharper than neighbours' means.
+TEST_F(Denoising, SparesWhatStandsOutOfTheNoise)
+{
+  this->First(false);
+  const Values raw = this->After(15);
+  this->First(true);
+  const Values filtered = this->After(15);
+  this->Filter->EnabledOff();
+  this->Pass->Restart();
+  const Values truth = this->After(400);
+  const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
+  std::printf("after 16 frames relMSE %.5f, filtered %.5f, %.3f of it\n", SquaredError(raw, truth),
+    SquaredError(filtered, truth), share);
+  EXPECT_LT(share, 0.2);
+}
+
+// A small change leaves most of the history, so that there is little noise; of a great one nothing stays.
+TEST_F(Denoising, HistoryOfLightIsClampedWhenItChanges)
+{
+  this->Filter->EnabledOff();
+  this->Panel->SetAmbient(0.95);
+  const Values truth = this->After(400);
+  this->Panel->SetAmbient(1.0);
+  const Values fresh = this->First(false);
+  const double noise = SquaredError(fresh, truth);
+  this->After(30);
+  this->Panel->SetAmbient(0.95);
+  const double error = SquaredError(this->After(1), truth);
+  const double before = Mean(this->After(30));
+  this->Panel->SetAmbient(0.0);
+  const double after = Mean(this->After(1));
+  std::printf("relMSE of a frame %.4f, with the history of another light %.4f; left of light that "
+              "went out %.4f\n",
+    noise, error, after / before);
+  EXPECT_LT(error, 0.3 * noise);
+  EXPECT_LT(after, 0.05 * before);
 }
 
 TEST_F(Denoising, EndsInAStillPicture)

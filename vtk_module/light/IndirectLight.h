@@ -40,7 +40,7 @@ inline bool IsEverywhere(IndirectKind kind)
   return kind == IndirectKind::Rays;
 }
 
-/// Light in space for shaders that trace rays, as a function fieldIrradiance(), see ddgi/field.glsl.
+/// Light in space for shaders that trace rays, as a function fieldReflected(), see ddgi/seen_field.glsl.
 struct LightField
 {
   Defines Variant; ///< tells the shaders which field to include
