@@ -25,9 +25,20 @@ RayShear rayShear(vec3 direction)
   return result;
 }
 
+// Twice the signed area between the origin and an edge. Exactly negated if the ends are exchanged, even if the compiler
+// fuses one product of a difference, and zero if they are equal. `precise`, which forbids that, makes shaders with several
+// traversals four times as slow with NVIDIA's driver 580.
+float rayEdge(vec2 p, vec2 q)
+{
+  bool ordered = p.x < q.x || (p.x == q.x && p.y < q.y);
+  vec2 first = ordered ? p : q;
+  vec2 last = ordered ? q : p;
+  float area = first.x * last.y - first.y * last.x;
+  return p == q ? 0.0 : (ordered ? area : -area);
+}
+
 // Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection" (JCGT 2:1). Both triangles at an
-// edge compute the same products for it, so no ray passes between them. `precise` keeps a compiler
-// from fusing one product of a difference, which would break that. The paper's fallback to doubles where
+// edge compute the same value for it, so no ray passes between them. The paper's fallback to doubles where
 // an edge function is zero is left out: zero counts as inside on both sides, so the fallback would only
 // choose between the neighbours.
 bool rayTriangle(
@@ -36,12 +47,12 @@ bool rayTriangle(
   vec3 a = rayPermute(v0 - origin, ray.axis);
   vec3 b = rayPermute(v1 - origin, ray.axis);
   vec3 c = rayPermute(v2 - origin, ray.axis);
-  precise vec2 pa = a.xy - ray.shear.xy * a.z;
-  precise vec2 pb = b.xy - ray.shear.xy * b.z;
-  precise vec2 pc = c.xy - ray.shear.xy * c.z;
-  precise float u = pc.x * pb.y - pc.y * pb.x;
-  precise float v = pa.x * pc.y - pa.y * pc.x;
-  precise float w = pb.x * pa.y - pb.y * pa.x;
+  vec2 pa = a.xy - ray.shear.xy * a.z;
+  vec2 pb = b.xy - ray.shear.xy * b.z;
+  vec2 pc = c.xy - ray.shear.xy * c.z;
+  float u = rayEdge(pc, pb);
+  float v = rayEdge(pa, pc);
+  float w = rayEdge(pb, pa);
   bool inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
   float area = u + v + w;
   // Divide before multiplying: for a tiny triangle the products would underflow.

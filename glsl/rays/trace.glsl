@@ -29,15 +29,15 @@ struct RayHit
 
 vec4 rayNode(int texel)
 {
-  return uintBitsToFloat(imageLoad(rayNodes, texel));
+  return uintBitsToFloat(GI_RAY_TEXEL(rayNodes, texel));
 }
 vec4 rayPrimitive(int texel)
 {
-  return uintBitsToFloat(imageLoad(rayPrimitives, texel));
+  return uintBitsToFloat(GI_RAY_TEXEL(rayPrimitives, texel));
 }
 vec4 rayInstance(int texel)
 {
-  return uintBitsToFloat(imageLoad(rayInstances, texel));
+  return uintBitsToFloat(GI_RAY_TEXEL(rayInstances, texel));
 }
 
 // 1 / direction, finite where a component is zero. A slab's faces are then far away on either side of the origin, since
@@ -65,7 +65,7 @@ RayHit rayTrace(Ray ray, const bool any)
   stack[0] = GI_RAY_DONE;
   stack[1] = GI_RAY_DONE;
   int size = 2;
-  int current = int(imageLoad(rayInstances, GI_RAY_INSTANCE_TEXELS - 1).x);
+  int current = int(GI_RAY_TEXEL(rayInstances, GI_RAY_INSTANCE_TEXELS - 1).x);
 
   while (current != GI_RAY_DONE)
   {
@@ -76,10 +76,10 @@ RayHit rayTrace(Ray ray, const bool any)
       vec4 upper0 = rayNode(at + 1);
       vec3 lower1 = rayNode(at + 2).xyz;
       vec3 upper1 = rayNode(at + 3).xyz;
-      precise vec3 p0 = (lower0.xyz - origin) * inverse;
-      precise vec3 q0 = (upper0.xyz - origin) * inverse;
-      precise vec3 p1 = (lower1 - origin) * inverse;
-      precise vec3 q1 = (upper1 - origin) * inverse;
+      vec3 p0 = (lower0.xyz - origin) * inverse;
+      vec3 q0 = (upper0.xyz - origin) * inverse;
+      vec3 p1 = (lower1 - origin) * inverse;
+      vec3 q1 = (upper1 - origin) * inverse;
       // Floats of equal sign compare like integers, and mixed signs do no harm: the
       // entry is never before `nearest`, and an exit before that is a miss whatever its value.
       ivec3 enter0 = min(floatBitsToInt(p0), floatBitsToInt(q0));

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The acceleration structure that rays are traced in: two levels of binary trees over triangles, spheres and cylinders.
-// Compiled as C++ and as GLSL. The shader reads these records as texels of image buffers, not as storage blocks,
-// because of software GL. It gathers a 16-byte texel in two instructions per lane but loads each float of a storage
-// block in a branch of its own, and it allows 2 GiB per image buffer but 128 MiB per storage block.
+// Compiled as C++ and as GLSL. The shader reads these records as texels of buffers, not as storage blocks, because of
+// software GL. It gathers a 16-byte texel in two instructions per lane but loads each float of a storage block in a
+// branch of its own, and it allows 2 GiB per texture buffer but 128 MiB per storage block. Variant: GI_RAY_TEXTURES
+// (the buffers are textures, which GPUs cache better, instead of images, which software GL reads faster).
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -18,6 +19,10 @@ namespace shared
 #define GI_RAY_NODE_UNIT 5
 #define GI_RAY_PRIMITIVE_UNIT 6
 #define GI_RAY_INSTANCE_UNIT 7
+// Texture units, past the 16 that other textures share. Every implementation has 96.
+#define GI_RAY_NODE_TEXTURE 16
+#define GI_RAY_PRIMITIVE_TEXTURE 17
+#define GI_RAY_INSTANCE_TEXTURE 18
 
 // Texels per record.
 #define GI_RAY_NODE_TEXELS 4
@@ -32,10 +37,17 @@ namespace shared
 #define GI_RAY_LEAVE (-2147483647)
 
 // Maximum depths of the trees. The shader's stack of GI_RAY_STACK entries holds one entry per level and three marks:
-// two for the end, one between the levels.
+// two for the end, one between the levels. Variant: GI_RAY_SHALLOW (a short stack is enough, which halves the time on
+// GPUs whose threads keep it in memory).
 #define GI_RAY_MESH_DEPTH 40
 #define GI_RAY_TOP_DEPTH 22
+#define GI_RAY_MARKS 3
+#define GI_RAY_SHORT_STACK 34
+#ifdef GI_RAY_SHALLOW
+#define GI_RAY_STACK GI_RAY_SHORT_STACK
+#else
 #define GI_RAY_STACK 65
+#endif
 
 #define GI_RAY_TRIANGLE 0
 #define GI_RAY_SPHERE 1
@@ -81,8 +93,14 @@ static_assert(sizeof(RayPrimitive) == GI_RAY_PRIMITIVE_TEXELS * 16, "texels");
 static_assert(sizeof(RayInstance) == GI_RAY_INSTANCE_TEXELS * 16, "texels");
 }
 }
+#elif defined(GI_RAY_TEXTURES)
+layout(binding = GI_RAY_NODE_TEXTURE) uniform usamplerBuffer rayNodes;
+layout(binding = GI_RAY_PRIMITIVE_TEXTURE) uniform usamplerBuffer rayPrimitives;
+layout(binding = GI_RAY_INSTANCE_TEXTURE) uniform usamplerBuffer rayInstances;
+#define GI_RAY_TEXEL(buffer, texel) texelFetch(buffer, texel)
 #else
 layout(rgba32ui, binding = GI_RAY_NODE_UNIT) readonly uniform uimageBuffer rayNodes;
 layout(rgba32ui, binding = GI_RAY_PRIMITIVE_UNIT) readonly uniform uimageBuffer rayPrimitives;
 layout(rgba32ui, binding = GI_RAY_INSTANCE_UNIT) readonly uniform uimageBuffer rayInstances;
+#define GI_RAY_TEXEL(buffer, texel) imageLoad(buffer, texel)
 #endif

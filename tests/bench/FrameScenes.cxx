@@ -188,6 +188,11 @@ Stage::~Stage() = default;
 double Stage::DrawFrame()
 {
   this->Renderer->GetActiveCamera()->Azimuth(1.0);
+  return this->RepeatFrame();
+}
+
+double Stage::RepeatFrame()
+{
   this->Drawing.Touch(this->Actor);
   const auto begin = std::chrono::steady_clock::now();
   this->Window->Render();

@@ -52,6 +52,9 @@ public:
   /// Draw the next view of an orbit and wait for the GPU. Returns the seconds that this took.
   double DrawFrame();
 
+  /// The same without turning the camera.
+  double RepeatFrame();
+
 private:
   Variant Drawing;
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -6,6 +6,7 @@
  * shaders in the first frames, and reading back. Subcommands measure other costs.
  */
 #include "FrameScenes.h"
+#include "PassCost.h"
 #include "ProbeCost.h"
 #include "Report.h"
 #include "SceneCost.h"
@@ -68,6 +69,19 @@ CLI::App* Declare(CLI::App& app, bench::ProbeCostOptions& options)
     ->check(CLI::PositiveNumber);
   ddgi->add_option("--plot", options.Plot, "plot the cost over triangles to this PNG file");
   return ddgi;
+}
+
+CLI::App* Declare(CLI::App& app, bench::PassCostOptions& options)
+{
+  CLI::App* passes = app.add_subcommand("passes",
+    "Measures each pass of a preset's frames instead, by timer queries on a GPU, or by the clock "
+    "with software OpenGL. The options --volume, --isovalue, --repetitions, --width and --height "
+    "come before the subcommand.");
+  passes->add_option("--preset", options.Preset, "preset")->capture_default_str();
+  passes->add_option(
+    "--technique", options.Techniques, "switch a technique on, or off with a minus");
+  passes->add_flag("--still", options.Still, "keep the camera still instead of turning it");
+  return passes;
 }
 
 struct SceneOptions
@@ -157,16 +171,21 @@ int main(int argc, char* argv[])
   CLI::App app;
   Declare(app, frames);
   const CLI::App* ddgi = Declare(app, probes);
+  bench::PassCostOptions passes;
+  const CLI::App* ofPasses = Declare(app, passes);
   SceneOptions scenes;
   Declare(app, scenes);
   CLI11_PARSE(app, argc, argv);
   try
   {
     const bool good = ddgi->parsed() ? bench::ReportProbeCost(probes)
-      : scenes.Lightmap->parsed()    ? bench::ReportLightmapCost(scenes.Turns)
-      : scenes.Volumes->parsed()     ? bench::ReportVolumeCost(scenes.Turns)
-      : scenes.Glyphs->parsed()      ? bench::ReportGlyphCost()
-                                     : Run(frames);
+      : ofPasses->parsed()
+      ? bench::ReportPassCost(passes, *bench::ReadHead(frames.Volume, frames.Isovalue),
+          frames.Width, frames.Height, frames.Repetitions)
+      : scenes.Lightmap->parsed() ? bench::ReportLightmapCost(scenes.Turns)
+      : scenes.Volumes->parsed()  ? bench::ReportVolumeCost(scenes.Turns)
+      : scenes.Glyphs->parsed()   ? bench::ReportGlyphCost()
+                                  : Run(frames);
     return good ? 0 : 1;
   }
   catch (const std::exception& error)

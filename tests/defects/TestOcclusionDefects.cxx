@@ -284,7 +284,7 @@ Picture BehindFog(By by)
   return Shoot(stage.Window);
 }
 
-// VTK's pass draws creases of the boxes onto the fog.
+// With Mesa, VTK's pass draws creases of the boxes onto the fog. NVIDIA's driver 580 draws none.
 TEST(OcclusionDefects, VolumesHideSurfacesBehind)
 {
   const Picture plain = BehindFog(By::None);
@@ -293,7 +293,7 @@ TEST(OcclusionDefects, VolumesHideSurfacesBehind)
   const Difference ours = Compare(plain, BehindFog(By::Ours), 2);
   std::printf(
     "fog in front of creases within 2/255: stock %.4f, ours %.4f\n", stock.Within, ours.Within);
-  if (StockIsDefective(9, 4))
+  if (StockIsDefective(9, 4) && IsSoftware(Stage().Window))
   {
     EXPECT_LT(stock.Within, 0.95);
   }

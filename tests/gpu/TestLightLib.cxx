@@ -180,6 +180,57 @@ TEST_F(LightLib, HarmonicsEqualThoseOfTheCPU)
   }
 }
 
+// Share of a highlight that the fitted lobe puts elsewhere, 0 to 1. fit: x, y, z, w of the matrix to the cosine's
+// directions, see highlight_table.comp.
+double MisplacedShare(double cosine, double roughness, const glm::dvec4& fit)
+{
+  const glm::dvec3 V(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+  const double determinant = std::abs(fit.y * (fit.w - fit.x * fit.z));
+  constexpr int steps = 300;
+  std::vector<double> lobe, fitted;
+  double sum = 0.0;
+  for (int i = 0; i < steps * steps; ++i)
+  {
+    const double z = (i % steps + 0.5) / steps;
+    const double angle = 2.0 * glm::pi<double>() * (i / steps + 0.5) / steps;
+    const double side = std::sqrt(1.0 - z * z);
+    const glm::dvec3 L(side * std::cos(angle), side * std::sin(angle), z);
+    lobe.push_back(ReflectPBR({ 0.0, 0.0, 1.0 }, V, L, 0.0, 1.0, roughness, 1.0, 1.0));
+    sum += lobe.back();
+    const glm::dvec3 c(L.x + fit.x * L.z, fit.y * L.y, fit.z * L.x + fit.w * L.z);
+    fitted.push_back(
+      determinant * std::max(c.z, 0.0) / std::pow(glm::dot(c, c), 2.0) * 2.0 / (steps * steps));
+  }
+  double share = 0.0;
+  for (std::size_t i = 0; i < lobe.size(); ++i)
+  {
+    share += 0.5 * std::abs(lobe[i] / sum - fitted[i]);
+  }
+  return share;
+}
+
+TEST_F(LightLib, HighlightsAreFitted)
+{
+  std::vector<glm::vec4> inputs; // the table's, except grazing and sharp ones
+  for (int i = 3; i <= 15; ++i)
+  {
+    for (int k = 2; k <= 15; ++k)
+    {
+      inputs.emplace_back(k / 15.0f, i / 15.0f, 0.0f, 0.0f);
+    }
+  }
+  const auto fits =
+    this->Run({ "lib/pbr.glsl", "lib/sampling.glsl", "direct_light/highlight_fit.glsl" },
+      "RESULT = fitHighlight(IN(0).xy)[0];", 1, inputs);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    const double share = MisplacedShare(inputs[i].x, inputs[i].y, fits[i]);
+    EXPECT_LT(share, 0.05 + 0.25 * (1.0 - inputs[i].x))
+      << "cosine " << inputs[i].x << ", roughness " << inputs[i].y << ": " << fits[i].x << " "
+      << fits[i].y << " " << fits[i].z << " " << fits[i].w;
+  }
+}
+
 TEST_F(LightLib, IncidentLight)
 {
   using penumbra::shared::LightData;

@@ -64,8 +64,10 @@ TEST_P(Materials, EqualTheRasterizers)
   const Picture raster = Shoot(stage.Window);
   const Difference found = Compare(rays, raster, 3);
   std::printf("%-50s %.4f %s\n", GetParam().Name, found.Within, notes.c_str());
-  // The rest are pixels on edges, and highlights of metal, because the G-buffer keeps eight bits of roughness.
-  EXPECT_GE(found.Within, 0.992);
+  // The rest are pixels on edges, and highlights of metal, because the G-buffer keeps eight bits of roughness. Drivers
+  // disagree about a pixel or two on edges, which is more than that share of a tiny picture.
+  const double pixels = static_cast<double>(raster.Width) * raster.Height;
+  EXPECT_LE((1.0 - found.Within) * pixels, std::max(0.008 * pixels, 2.5));
   if (testing::Test::HasFailure())
   {
     Save(raster, GetParam().Id() + "-raster");

@@ -227,11 +227,11 @@ RayWorld FarAway()
   return Single("coordinates near 1e6", std::move(moved));
 }
 
-RayWorld Glyphs(int count)
+RayWorld Scattered(const std::string& name, RayGeometry mesh, int count)
 {
   RayWorld world;
-  world.Name = "instanced glyphs";
-  world.Meshes.push_back(ClosedSphere(12));
+  world.Name = name;
+  world.Meshes.push_back(std::move(mesh));
   world.Meshes.push_back(Slivers(50));
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -249,6 +249,11 @@ RayWorld Glyphs(int count)
   return world;
 }
 
+RayWorld Glyphs(int count)
+{
+  return Scattered("instanced glyphs", ClosedSphere(12), count);
+}
+
 std::vector<RayWorld> AllWorlds()
 {
   std::vector<RayWorld> worlds;
@@ -258,6 +263,7 @@ std::vector<RayWorld> AllWorlds()
   worlds.push_back(Single("degenerate input", Degenerate(60)));
   worlds.push_back(Glyphs(1000));
   worlds.push_back(Single("isosurface", Isosurface(60)));
+  worlds.push_back(Scattered("deep trees", SphereField(160, 18), 4000));
   return worlds;
 }
 }

@@ -46,7 +46,9 @@ penumbra::RayGeometry Isosurface(int resolution);
 RayWorld Single(const std::string& name, penumbra::RayGeometry geometry);
 /// The sphere field a million units away along each axis, as doubles.
 RayWorld FarAway();
-/// Many rotated and stretched instances of two glyphs.
+/// Many rotated and stretched instances of a mesh, and of slivers.
+RayWorld Scattered(const std::string& name, penumbra::RayGeometry mesh, int count);
+/// The same of small spheres.
 RayWorld Glyphs(int count);
 /// A world of each kind.
 std::vector<RayWorld> AllWorlds();

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
@@ -35,6 +36,8 @@ RayStage::RayStage()
   {
     this->Window->MakeCurrent();
   }
+  const char* folder = std::getenv("PENUMBRA_SHADER_PATH");
+  this->Library.SetOverrideFolder(folder ? folder : "");
 }
 
 RayStage::~RayStage()
@@ -57,6 +60,11 @@ const char* RayStage::Description() const
 bool RayStage::IsSoftware() const
 {
   return std::strstr(this->Description(), "llvmpipe") != nullptr;
+}
+
+bool RayStage::IsShallow() const
+{
+  return this->Scene.ShaderDefines().count("GI_RAY_SHALLOW") != 0;
 }
 
 void RayStage::Show(const RayWorld& world)

@@ -38,6 +38,8 @@ public:
   bool IsReady() const { return this->Ready; }
   const char* Description() const;
   bool IsSoftware() const;
+  /// Whether the scene's trees fit the short stack (shared/ray_scene.h).
+  bool IsShallow() const;
 
   /// Replace the scene by a world. Instances and meshes are named by their indices.
   void Show(const RayWorld& world);

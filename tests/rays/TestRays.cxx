@@ -48,6 +48,7 @@ TEST_F(RayTest, AgreesWithEmbree)
     // scenes have few such triangles.
     const bool hard = world.Name == "thin slivers" || world.Name == "degenerate input";
     EXPECT_GT(result.Same, count / 100 * (hard ? 90 : 99)) << world.Name;
+    EXPECT_EQ(this->Stage.IsShallow(), world.Name != "deep trees") << world.Name;
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include "vtkAlgorithm.h"
 
+#include <cstring>
+
 namespace penumbra_test
 {
 namespace
@@ -101,5 +103,11 @@ bool HasBackend(int backend)
   const bool available = window->SupportsOpenGL() != 0;
   TakeMessages();
   return known[backend] = available;
+}
+
+bool IsSoftware(vtkHeadlessRenderWindow* window)
+{
+  window->Render();
+  return std::strstr(window->GetDescription(), "llvmpipe") != nullptr;
 }
 }

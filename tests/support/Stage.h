@@ -47,4 +47,7 @@ public:
 
 /// Whether a context can be created with the given backend, by default the one that the environment chooses.
 bool HasBackend(int backend = vtkHeadlessRenderWindow::AUTO);
+
+/// Whether Mesa draws on the CPU. Renders the window.
+bool IsSoftware(vtkHeadlessRenderWindow* window);
 }

@@ -176,7 +176,9 @@ TEST_F(AreaLights, HighlightsMatchThePathTracer)
     const auto traced = Blocks(this->ShineBy("path-tracing", 96), 4, 4);
     const double difference = LargestDifference(drawn, traced);
     std::printf("highlight, %s: %.4f\n", name, difference);
-    EXPECT_LT(difference, limit) << name;
+    EXPECT_LT(difference, limit) << name << "\n"
+                                 << testing::PrintToString(drawn) << "\n"
+                                 << testing::PrintToString(traced);
   };
   property->SetDiffuse(0.2);
   property->SetSpecular(1.0);

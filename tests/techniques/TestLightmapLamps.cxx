@@ -16,6 +16,8 @@ protected:
   {
     LightmapTechnique::SetUp();
     this->Lamp->SetIntensity(0.8); // differs from its light in the map, to tell the two apart
+    this->Wall->GetProperty()->SetDiffuse(
+      Half); // drivers do not agree on how to round 0.5 to 8 bits
   }
 
   // Light that the wall reflects, with a reflectance of one half in 8 bits: of lamps in the map, of the frame's lamp,

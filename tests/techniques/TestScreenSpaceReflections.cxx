@@ -282,7 +282,8 @@ TEST_F(ScreenSpaceReflections, EveryPixelHasAReason)
 
   this->Reflections->SetParameterFromText("fallback", "rays");
   const auto traced = count();
-  EXPECT_EQ(traced[GI_REFLECTION_HIT], counts[GI_REFLECTION_HIT]);
+  // Two programs, which a compiler may round differently.
+  EXPECT_NEAR(traced[GI_REFLECTION_HIT], counts[GI_REFLECTION_HIT], 1e-4 * sum);
   EXPECT_GT(traced[GI_REFLECTION_RAY], 0);
   this->Reflections->SetParameterFromText("fallback", "environment");
 

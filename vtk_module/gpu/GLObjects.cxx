@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gpu/GLObjects.h"
 
+#include <string>
+
 namespace penumbra
 {
+bool IsSoftwareContext()
+{
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string renderer = name ? name : "";
+  return renderer.find("llvmpipe") != std::string::npos ||
+    renderer.find("softpipe") != std::string::npos;
+}
+
 namespace gl
 {
 void DeleteTexture(GLuint name)

@@ -13,6 +13,9 @@
 
 namespace penumbra
 {
+/// Whether the current context draws on the CPU, with Mesa's llvmpipe or softpipe.
+bool IsSoftwareContext();
+
 /// Name of an OpenGL object of one kind, freed by Delete.
 template <void (*Delete)(GLuint)>
 class Handle

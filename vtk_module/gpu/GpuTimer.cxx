@@ -4,20 +4,9 @@
 
 namespace penumbra
 {
-namespace
-{
 // Mesa's software renderers run compute shaders at once but rasterize later, so a query does not enclose a dispatch.
-bool IsSoftware()
-{
-  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-  const std::string renderer = name ? name : "";
-  return renderer.find("llvmpipe") != std::string::npos ||
-    renderer.find("softpipe") != std::string::npos;
-}
-}
-
 GpuTimer::GpuTimer()
-  : UsesClock(IsSoftware())
+  : UsesClock(IsSoftwareContext())
 {
 }
 

@@ -332,6 +332,11 @@ private:
 GLuint CompileShader(GLenum stage, const std::string& source, std::string& problem)
 {
   const GLuint shader = glCreateShader(stage);
+  if (source.find("main") == std::string::npos)
+  {
+    problem = "it has no function main()."; // Some drivers link it, and draw nothing.
+    return shader;
+  }
   const char* text = source.c_str();
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);

@@ -313,6 +313,7 @@ void RayScene::UpdateTop()
 
   RayTree top;
   top.Build(bounds, 1, GI_RAY_TOP_DEPTH);
+  this->TopDepth = top.Depth;
   if (top.Nodes.size() > this->TopCount)
   {
     this->Nodes.Free(this->TopFirst, this->TopCount);
@@ -347,17 +348,27 @@ void RayScene::UpdateTop()
 Arguments RayScene::ShaderArguments() const
 {
   Arguments arguments;
-  this->Nodes.AddImage(arguments, "rayNodes");
-  this->Primitives.AddImage(arguments, "rayPrimitives");
-  this->Instances.AddImage(arguments, "rayInstances");
+  for (const auto& [buffer, name] :
+    { std::pair{ &this->Nodes, "rayNodes" }, std::pair{ &this->Primitives, "rayPrimitives" },
+      std::pair{ &this->Instances, "rayInstances" } })
+  {
+    buffer->AddImage(arguments, name);
+    buffer->AddSampler(arguments, name);
+  }
   return arguments;
 }
 
 Defines RayScene::ShaderDefines() const
 {
   Defines defines;
+  if (!IsSoftwareContext())
+  {
+    defines["GI_RAY_TEXTURES"] = "1";
+  }
+  int depth = 0;
   for (const auto& mesh : this->Meshes)
   {
+    depth = std::max(depth, mesh.second->Mesh.Tree().Depth);
     if (mesh.second->Mesh.HasSpheres())
     {
       defines["GI_RAY_SPHERES"] = "1";
@@ -366,6 +377,10 @@ Defines RayScene::ShaderDefines() const
     {
       defines["GI_RAY_CYLINDERS"] = "1";
     }
+  }
+  if (this->TopDepth + depth + GI_RAY_MARKS <= GI_RAY_SHORT_STACK)
+  {
+    defines["GI_RAY_SHALLOW"] = "1";
   }
   return defines;
 }

@@ -85,6 +85,7 @@ private:
   glm::dvec3 Center{ 0.0 };
   std::size_t TopFirst = 0, TopCount = 0;
   std::size_t InstancesCount = 0;
+  int TopDepth = 0;
   std::size_t DroppedInstanceCount = 0;
   bool TopChanged = true;
 };
