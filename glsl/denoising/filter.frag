@@ -13,6 +13,7 @@
 layout(binding = 0) uniform usampler2D signalTexture;
 
 uniform int step;
+uniform int sharing; // number of pixels that share a sample in one frame
 
 const float TOLERANCE = 2.5; // standard deviations of a difference after which a sample's weight falls to 1 / e
 
@@ -90,7 +91,7 @@ void main()
   if (!guided)
   {
     moments /= max(weights, 1e-6);
-    squares.y = squares.x * max(moments.y - moments.x * moments.x, 0.0);
+    squares.y = float(sharing) * squares.x * max(moments.y - moments.x * moments.x, 0.0);
   }
   noise = mix(noise, sqrt(squares.y) / max(weights, 1e-6), share.x);
   signal.error = min(noise / max(giLuminance(signal.value.rgb), 1e-20), 1.0);

@@ -21,7 +21,7 @@ layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 layout(binding = 3) uniform sampler2D normalTexture;
 
-uniform int stillFrames; // that another mean of the picture has
+uniform int stillSamples; // of each pixel in another mean of the picture
 
 const float BRIGHTEST = 6e4; // what half floats hold
 
@@ -44,7 +44,7 @@ void main()
   signal.reach = max(signal.reach, 0.0);
 #else
   signal.reach = vec4(0.0); // follows from the frames
-  signal.frames = exists ? max(floor(value.a), float(stillFrames + 1)) : 0.0;
+  signal.frames = exists ? max(floor(value.a), float(stillSamples + 1)) : 0.0;
   signal.error = fract(value.a);
 #endif
   result = giPackSignal(signal);

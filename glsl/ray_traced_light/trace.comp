@@ -33,13 +33,14 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rgba32f, binding = 0) uniform writeonly image2D traced;
+layout(rgba32f, binding = 0) uniform writeonly image2D samples; // one for each block of pixels; a: whether there is one
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 
 uniform int rays;
+#include "ray_traced_light/turn.glsl"
 #include "rays/pixel_surface.glsl"
 
 const float PI = 3.14159265;
@@ -107,14 +108,16 @@ vec3 sound(vec3 light)
 
 void main()
 {
-  ivec2 window = ivec2(gl_GlobalInvocationID.xy) + ivec2(view.Viewport.xy);
-  if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), ivec2(view.Viewport.zw))))
+  ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = block * stride + turnPlace();
+  ivec2 window = pixel + ivec2(view.Viewport.xy);
+  if (any(greaterThanEqual(block, imageSize(samples))))
   {
     return;
   }
-  if (texelFetch(albedoTexture, window, 0).a == 0.0)
+  if (any(greaterThanEqual(pixel, ivec2(view.Viewport.zw))) || texelFetch(albedoTexture, window, 0).a == 0.0)
   {
-    imageStore(traced, window, vec4(0.0));
+    imageStore(samples, block, vec4(0.0));
     return;
   }
   RaySurfacePoint at = rayPixelSurface(window);
@@ -124,7 +127,7 @@ void main()
   vec3 sum = vec3(0.0);
   for (int i = 0; i < rays; ++i)
   {
-    uint number = uint(view.Frame.x * rays + i);
+    uint number = uint(turnNumber() * rays + i);
     sum += sound(fromDirection(at, basis * giSampleCosine(giSample2D(number, seed)), state));
     if (emitterCount > 0)
     {
@@ -135,5 +138,5 @@ void main()
 #endif
   }
   sum /= float(rays);
-  imageStore(traced, window, vec4(sound(sum), 1.0));
+  imageStore(samples, block, vec4(sound(sum), 1.0));
 }

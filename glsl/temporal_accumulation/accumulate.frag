@@ -25,8 +25,9 @@ uniform float clampWidth; // in standard deviations
 // Frame n of a mean has a weight proportional to the power `recency` of n: 0 for a plain mean; 1 lets the first frames fade
 // quickly, at 4 / 3 of its variance.
 uniform float recency;
-// Show as a the number of frames, plus the relative standard error of the mean's luminance, which is below 1; 0: unknown. The
-// history's a is the mean square of the luminance.
+// Show as a the number of samples, plus the relative standard error of the mean's luminance, which is below 1; 0: unknown. The
+// history's a is the mean square of the luminance, the current value's a the number of pixels that share a sample, negative
+// if this one is another pixel's (ray_traced_light/spread.frag).
 uniform bool counts;
 
 layout(location = 0) out vec4 mean;  // the next frame's history
@@ -43,13 +44,29 @@ vec4 valueAt(ivec2 pixel)
   return counts ? vec4(value.rgb, light * light) : value;
 }
 
-// Relative standard error of a mean's luminance, from the spread of a few frames at least.
-float errorOf(vec4 mean, float frames)
+// Relative standard error of a mean's luminance, from the spread of a few samples at least.
+float errorOf(vec4 mean, float samples)
 {
   const float least = 4.0;
   float light = giLuminance(mean.rgb);
-  float variance = max(mean.a - light * light, 0.0) * (1.0 + recency / 3.0) / frames;
-  return frames < least ? 0.0 : min(sqrt(variance) / max(light, 1e-20), 0.99);
+  float variance = max(mean.a - light * light, 0.0) * (1.0 + recency / 3.0) / samples;
+  return samples < least ? 0.0 : min(sqrt(variance) / max(light, 1e-20), 0.99);
+}
+
+// Weight of the current value in the mean of a number of frames. If pixels share a sample, they use those of others in the
+// first frames only, in which each gets one of its own; together those count as one sample.
+vec4 currentShare(vec4 frames, float sharing)
+{
+  float turns = abs(sharing);
+  vec4 plain = (1.0 + recency) / (frames + recency);
+  if (turns <= 1.0)
+  {
+    return plain;
+  }
+  vec4 samples = ceil(frames / turns);
+  vec4 ownShare = 1.0 / ((samples + recency) / (1.0 + recency) + pow(samples, vec4(-recency)));
+  vec4 othersShare = mix(vec4(0.0), 1.0 / frames, lessThanEqual(frames, vec4(turns)));
+  return sharing > 0.0 ? ownShare : othersShare;
 }
 
 vec4 historyAt(ivec2 pixel, vec4 moved)
@@ -85,6 +102,7 @@ void main()
   vec4 moved = texelFetch(reprojection, pixel, 0);
   mean = currentValue;
   vec4 frames = vec4(1.0);
+  float sharing = counts ? texelFetch(current, GI_AT(pixel), 0).a : 1.0;
   if (int(moved.w) != 0)
   {
     vec4 previousValue = historyAt(pixel, moved);
@@ -110,10 +128,11 @@ void main()
     previousValue = clamp(previousValue, moment1 - width, moment1 + width);
 #endif
     frames = max(min(vec4(moved.z), most), 1.0);
-    mean = mix(previousValue, currentValue, (1.0 + recency) / (frames + recency));
+    mean = mix(previousValue, currentValue, currentShare(frames, sharing));
   }
 #ifdef GI_REACH
   reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0, 4.0);
 #endif
-  shown = counts ? vec4(mean.rgb, floor(frames.r) + errorOf(mean, frames.r)) : mean;
+  float samples = max(floor(frames.r / max(abs(sharing), 1.0)), 1.0);
+  shown = counts ? vec4(mean.rgb, samples + errorOf(mean, samples)) : mean;
 }

@@ -64,6 +64,15 @@ public:
   void AverageStillFrames() { this->StillFramesAveraged = true; }
   bool AveragesStillFrames() const { return this->StillFramesAveraged; } ///< for AddLast()
 
+  /// Tell that so many pixels share a sample of a noisy resource in each frame, and take turns.
+  void ShareSamples(const std::string& noisy, int pixels) { this->Sharing[noisy] = pixels; }
+  /// Number of pixels that share a sample: 1 unless told otherwise. For AddLast().
+  int PixelsPerSample(const std::string& noisy) const
+  {
+    const auto found = this->Sharing.find(noisy);
+    return found == this->Sharing.end() ? 1 : found->second;
+  }
+
   /// Shift this frame's picture by a fraction of a pixel.
   void SetJitter(const glm::dvec2& pixels);
 
@@ -121,6 +130,7 @@ private:
   bool TracedSceneReady = false;
   bool MotionReady = false;
   bool LitRadianceRequested = false;
+  std::map<std::string, int> Sharing;
   bool StillFramesAveraged = false;
   std::vector<std::function<void(FrameBuilder&)>> Last;
   ForwardPart Visibility;

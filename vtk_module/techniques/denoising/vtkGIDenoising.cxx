@@ -17,8 +17,8 @@ namespace
 // Order among the passes that modify a noisy resource: after the mean over frames.
 constexpr int Order = 600;
 
-// Still frames after which no pixel is filtered, see glsl/denoising/signal.glsl.
-constexpr int LastFrame = 64;
+// Number of samples in still frames after which no pixel is filtered, see glsl/denoising/signal.glsl.
+constexpr int LastSample = 64;
 
 /// Resources of a filter: what it filters, and two copies of that with the surfaces.
 struct Names
@@ -31,7 +31,8 @@ struct Names
 struct Manner
 {
   double Radius;
-  int StillFrames;  ///< number of earlier frames in a mean of the picture
+  int StillSamples; ///< number of earlier samples of each pixel in a mean of the picture
+  int Sharing;      ///< number of pixels that share a sample
   std::string Kind; ///< variant of the shaders, see denoising/signal.glsl
 };
 
@@ -47,14 +48,18 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   context.BindTarget({ { signal, -1 } }, {});
   context.DrawBound("denoising/pack.frag", variant,
     Arguments()
-      .Set("stillFrames", manner.StillFrames)
+      .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
       .Set("layer", layer));
   for (int step = 1; step < 2.0 * manner.Radius; step *= 2)
   {
     context.BindTarget({ { next, -1 } }, {});
     context.DrawBound("denoising/filter.frag", variant,
-      Arguments().Sample("signalTexture", signal).Set("step", step).Set("radius", manner.Radius));
+      Arguments()
+        .Sample("signalTexture", signal)
+        .Set("step", step)
+        .Set("radius", manner.Radius)
+        .Set("sharing", manner.Sharing));
     std::swap(signal, next);
   }
   context.BindTarget({ { context.Output(names.Result.c_str()), layer } }, {});
@@ -100,16 +105,14 @@ void vtkGIDenoising::Contribute(FrameBuilder& frame)
   // Not every technique that writes visibility writes the reach of its noise.
   frame.AddLast([radius = this->Radius](FrameBuilder& last) {
     const int averaged = last.AveragesStillFrames() ? last.GetView().StillFrames : 0;
-    if (averaged >= LastFrame)
-    {
-      return;
-    }
     for (const NoisyResource& noisy : resource::Noisy)
     {
-      if (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach)))
+      const int sharing = last.PixelsPerSample(noisy.Name);
+      const bool isNoisy = averaged / sharing < LastSample;
+      if (isNoisy && (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach))))
       {
         const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
-        AddFilter(last, noisy, { radius, averaged, kind });
+        AddFilter(last, noisy, { radius, averaged / sharing, sharing, kind });
       }
     }
   });

@@ -9,6 +9,12 @@ vtkStandardNewMacro(vtkGIRayTracedLight);
 
 using namespace penumbra;
 
+namespace
+{
+// Light at the pixels from which rays went in this frame, one for each block of pixels.
+constexpr const char* Samples = "ray-traced-light.samples";
+}
+
 vtkGIRayTracedLight::vtkGIRayTracedLight() = default;
 vtkGIRayTracedLight::~vtkGIRayTracedLight() = default;
 
@@ -26,6 +32,7 @@ void vtkGIRayTracedLight::Contribute(FrameBuilder& frame)
   {
     return;
   }
+  frame.ShareSamples(resource::TracedIrradiance, this->Stride() * this->Stride());
   IndirectLight light;
   light.Kind = IndirectKind::Rays;
   light.Declare = [this](PassDeclaration& pass) {
@@ -41,8 +48,16 @@ void vtkGIRayTracedLight::Contribute(FrameBuilder& frame)
   frame.AddLast([this](FrameBuilder& last) { this->AddTrace(last); });
 }
 
+int vtkGIRayTracedLight::Stride() const
+{
+  return 1 << this->Resolution;
+}
+
 void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
 {
+  const int stride = this->Stride();
+  const View& view = frame.GetView();
+  const glm::ivec2 blocks = (glm::ivec2(view.Viewport.z, view.Viewport.w) + stride - 1) / stride;
   RayProps& rays = frame.Rays("they send no indirect light");
   Defines variant = rays.ShaderDefines();
   if (frame.Plan().LightsSky())
@@ -67,10 +82,18 @@ void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
   pass.Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::DepthCopy)
-    .Write(resource::TracedIrradiance, frame.WindowTexture(GL_RGBA32F), "traced")
+    .Write(Samples, { GL_RGBA32F, blocks.x, blocks.y, 0 }, "samples")
     .Offer(this->GetShaderParameters())
     .Offer(rays.ShaderArguments())
     .Offer(frame.Lights().InWorld(rays.Origin()))
-    .Compute("ray_traced_light/trace.comp", variant, frame.GetView().ToScene(rays.Origin()),
-      Work::Items(frame.GetView().Viewport.z, frame.GetView().Viewport.w));
+    .Compute("ray_traced_light/trace.comp", variant,
+      Arguments(view.ToScene(rays.Origin())).Set("stride", stride),
+      Work::Items(blocks.x, blocks.y));
+  frame.AddPass("ray-traced-light-spread")
+    .Read(Samples, "samples")
+    .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Read(resource::DepthCopy)
+    .Write(resource::TracedIrradiance, frame.WindowTexture(GL_RGBA32F))
+    .Draw("ray_traced_light/spread.frag", {}, Arguments().Set("stride", stride));
 }
