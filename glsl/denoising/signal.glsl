@@ -5,7 +5,7 @@ struct GiSignal
 {
   vec4 value;
   vec4 reach;   // of the filter, in pixels
-  float frames; // number of frames in the value's mean, 63 at most; 0 for no surface
+  float frames; // number of frames in the value's mean, 255 at most; 0 for no surface
   float error;  // relative standard error of light's luminance; 0: unknown
   float depth;  // of the window
   vec2 normal;  // octahedral
@@ -13,7 +13,9 @@ struct GiSignal
 
 uniform float radius; // the greatest reach, in pixels
 
-const float LIGHT_HALVED = 16.0; // frames after which the reach is half; the filter of light spares what stands out of the noise
+// Frames after which the reach of light is half, and nothing. That filter spares what stands out of the noise, so it may last.
+const float LIGHT_HALVED = 32.0;
+const float LIGHT_LAST = 256.0;
 
 // Share of a filter's level, whose samples are `step` pixels apart. As the reach falls, the largest steps end first.
 vec4 giFilterShare(vec4 reach, float step)
@@ -34,7 +36,8 @@ uvec4 giPackSignal(GiSignal signal)
   return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | packUnorm4x8(vec4(0.0, 0.0, last)), depth,
     n.x << 16 | n.y);
 #else
-  uint known = uint(min(signal.frames, 63.0)) << 10 | uint(sqrt(signal.error) * 1023.0 + 0.5);
+  uint error = signal.error > 0.0 ? max(uint(sqrt(signal.error) * 255.0 + 0.5), 1u) : 0u;
+  uint known = uint(min(signal.frames, 255.0)) << 8 | error;
   return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | known << 16, depth, n.x << 16 | n.y);
 #endif
 }
@@ -56,11 +59,11 @@ GiSignal giUnpackSignal(uvec4 word)
   signal.frames = signal.depth >= 0.0 ? 1.0 : 0.0;
 #else
   uint known = word.y >> 16;
-  float root = float(known & 1023u) / 1023.0;
+  float root = float(known & 255u) / 255.0;
   signal.value = vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y).x, 0.0);
   signal.error = root * root;
-  signal.frames = float(known >> 10);
-  signal.reach = radius * giReachAfter(vec4(signal.frames), LIGHT_HALVED);
+  signal.frames = float(known >> 8);
+  signal.reach = radius * giReachAfter(vec4(signal.frames), LIGHT_HALVED, LIGHT_LAST);
 #endif
   return signal;
 }

@@ -131,7 +131,7 @@ void main()
     mean = mix(previousValue, currentValue, currentShare(frames, sharing));
   }
 #ifdef GI_REACH
-  reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0, 4.0);
+  reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0, 4.0, 64.0);
 #endif
   float samples = max(floor(frames.r / max(abs(sharing), 1.0)), 1.0);
   shown = counts ? vec4(mean.rgb, samples + errorOf(mean, samples)) : mean;

@@ -10,6 +10,7 @@ flicker      deviation over still frames after a lamp has moved; change from fra
 ghost        light that remains of a lamp or a ball that has gone
 emitters     cost and relMSE with 10,000 glowing squares and with one
 first-frame  relMSE of the first frame after a cut with the filter, divided by that without it
+seams        relMSE at half and quarter resolution, divided by that at full resolution after as many samples of each pixel
 """
 import argparse
 import json
@@ -34,6 +35,7 @@ FLICKER, FLIP, FLIP_MORE = 0.01, 1.1, 0.005
 GHOST = {"direct": {1: 0.05, 4: 0.01, 16: 0.001}, "indirect": {1: 0.2, 4: 0.05, 16: 0.01}}  # frames: share
 EMITTERS = 1.3
 FIRST_FRAME = {"GI": 0.10, "AO": 0.15, "glossy": 0.20, "shadow": 0.20}
+SEAMS, SEAM = 1.3, 0.1  # ratio; difference of a pixel
 WARM = 48    # frames that settle the probes
 LONG = 128   # frames of a converged picture
 SCENES = ("cornell", "isosurface", "head", "terrain", "protein")
@@ -272,8 +274,43 @@ def first_frame(args, report):
                       more=f"{with_filter:.5f}, {without:.5f}")
 
 
+def seams(args, report):
+    """Still frames after a cut, then frames of a turning camera, whose cost is measured, too."""
+    sharing = {"full": 1, "half": 4, "quarter": 16}
+    count = 16 if args.quick else 64
+    for name in args.scenes or ("cornell", "head"):
+        films = {key: Film(scene(name), args.size, "high", off=("anti-aliasing",), **{"ray-traced-light.resolution": key})
+                 for key in sharing}
+        best = Film(scene(name), args.size, "high", off=("anti-aliasing",), **{"ray-traced-light.rays": 8})
+        pictures, turning, times = {}, {}, {key: [] for key in films}
+        for key, film in films.items():
+            report.going_on(f"seams, {name}: {key}")
+            film.picture(WARM)
+            film.cut()
+            pictures[key] = film.picture(count * sharing[key])
+        report.going_on(f"seams, {name}: converged")
+        truth = best.picture(2 * LONG)
+        list(turned(best, name, 12))
+        truth_turned = best.picture(2 * LONG)
+        for steps in zip(*(turned(film, name, 12) for film in films.values())):
+            report.going_on(f"seams, {name}: turned {steps[0]} times")
+            for key, film in films.items():
+                times[key].append(film.frame())
+        turning = {key: penumbra.relative_error(film.picture(), truth_turned)[0] for key, film in films.items()}
+        write(args.pictures, f"seams_{name}.png", *pictures.values(), truth)
+        errors = {key: penumbra.relative_error(picture, truth)[0] for key, picture in pictures.items()}
+        off = {key: np.abs(picture - truth).max(axis=2) > SEAM for key, picture in pictures.items()}
+        for key in ("half", "quarter"):
+            report.figure(f"seams, {name}, {key}: relMSE after {count} samples / of full", errors[key] / errors["full"], SEAMS,
+                          more=f"{errors[key]:.5f}, {errors['full']:.5f}")
+            report.figure(f"seams, {name}, {key}: pixels off by more than {SEAM}", off[key].sum(), SEAMS * off["full"].sum())
+            report.figure(f"seams, {name}, {key}: relMSE of a turning frame / of full", turning[key] / turning["full"],
+                          more=f"{turning[key]:.5f}, {turning['full']:.5f}; time "
+                          f"{statistics.median(times[key]) / statistics.median(times['full']):.2f} of full")
+
+
 MEASURES = {"equal-time": equal_time, "orbit": orbit, "flicker": flicker, "ghost": ghost, "emitters": emitters,
-            "first-frame": first_frame}
+            "first-frame": first_frame, "seams": seams}
 
 
 def size_of(text):
@@ -298,7 +335,7 @@ def options():
     parser.add_argument("--size", default="128x128", type=size_of, metavar="WxH", help="size of the pictures (default %(default)s)")
     parser.add_argument("--spp", default=512, type=paths_of, help="paths per pixel of each of two references, whose noise cancels "
                         "(default %(default)s); half as many for each camera of the orbit")
-    parser.add_argument("--scenes", nargs="+", default=[], metavar="SCENE", help="of equal-time and orbit: " + ", ".join(SCENES))
+    parser.add_argument("--scenes", nargs="+", default=[], metavar="SCENE", help="of equal-time, orbit and seams: " + ", ".join(SCENES))
     parser.add_argument("--off", nargs="+", default=[], metavar="TECHNIQUE",
                         help="leave these out of high in equal-time and orbit; the path tracer shows all light")
     parser.add_argument("--quick", action="store_true", help="fewer frames")

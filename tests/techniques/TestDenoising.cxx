@@ -119,10 +119,43 @@ TEST_F(Denoising, EndsInAStillPicture)
   {
     this->First(filtered != 0);
     early[filtered] = this->After(20);
-    late[filtered] = this->After(60);
+    late[filtered] = this->After(240);
   }
   EXPECT_NE(early[0], early[1]);
   EXPECT_EQ(late[0], late[1]);
+}
+
+// Dark blue after the first frame, yellow after 64; then the filter still shows its signal, though it ends.
+TEST_F(Denoising, ShowsItsSignal)
+{
+  const auto picture = [this](const char* show, int frames) {
+    this->Filter->SetParameterFromText("show", show);
+    this->Filter->EnabledOn();
+    this->Pass->Restart();
+    for (int i = 1; i < frames; ++i)
+    {
+      this->Scene.Window->Render();
+    }
+    return Shoot(this->Scene.Window);
+  };
+  const auto expect = [](const Picture& shown, const std::array<int, 3>& color) {
+    const auto found = shown.At(Width / 2, Height / 2);
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(found[i], color[i], 2) << "channel " << i;
+    }
+  };
+  expect(picture("frames", 1), { { 26, 13, 89 } });
+  expect(picture("frames", 70), { { 255, 242, 77 } });
+  expect(picture("reach", 1), { { 236, 237, 78 } }); // radius / (1 + 1 / 32)
+  const Picture plain = picture("off", 1);
+  const Picture raw = picture("raw", 1);
+  const Picture filtered = picture("filtered", 1);
+  EXPECT_LT(Compare(raw, filtered, 2).Within, 0.5);
+  EXPECT_LT(Compare(plain, filtered, 2).Within, 0.9);
+  // Reflections are off, so there is no signal, and the picture is as without.
+  this->Filter->SetParameterFromText("signal", "reflections");
+  EXPECT_EQ(Compare(plain, picture("filtered", 1), 1).Within, 1.0);
 }
 
 // Where the light is the same everywhere, nothing may be added or lost, not even at edges.

@@ -32,6 +32,9 @@ constexpr const char* AmbientVisibility =
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
 constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays add to it; a: number of frames in the mean
 constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
+/// Where each pixel's surface was in the previous frame, and for how many frames it has been visible, see
+/// temporal_accumulation/reproject.frag.
+constexpr const char* Reprojection = "reprojection";
 /// A skybox behind everything, if there is one. rgb: output of its shader, unclamped; a: 1 if rgb is encoded for
 /// display.
 constexpr const char* Sky = "sky";
@@ -58,14 +61,13 @@ inline std::string SamplerOf(const std::string& resource)
     { Normal, "normalTexture" }, { Facet, "facetTexture" }, { DepthCopy, "depthTexture" },
     { Ambient, "ambientTexture" }, { Surface, "surfaceTexture" }, { Emission, "emissionTexture" },
     { Displacement, "displacementTexture" }, { DirectVisibility, "directVisibility" },
-    { VisibilityReach, "reachTexture" },
-    { Surroundings, "surroundingsTexture" }, { AmbientVisibility, "ambientVisibility" },
-    { Irradiance, "irradianceTexture" },
-    { TracedIrradiance, "tracedTexture" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
-    { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
-    { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" },
-    { ReflectionReach, "reachTexture" }, { Color, "colorTexture" },
-    { Radiance, "colorTexture" } };
+    { VisibilityReach, "reachTexture" }, { Surroundings, "surroundingsTexture" },
+    { AmbientVisibility, "ambientVisibility" }, { Irradiance, "irradianceTexture" },
+    { Reprojection, "reprojection" }, { TracedIrradiance, "tracedTexture" },
+    { LampLight, "lampLightTexture" }, { Sky, "skyTexture" }, { Backdrop, "backdropTexture" },
+    { LitRadiance, "litTexture" }, { LitShown, "shownTexture" }, { LitEncoded, "encodedTexture" },
+    { Reflection, "reflectionTexture" }, { ReflectionReach, "reachTexture" },
+    { Color, "colorTexture" }, { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
 }

@@ -19,6 +19,14 @@ constexpr int Order = 600;
 
 // Number of samples in still frames after which no pixel is filtered, see glsl/denoising/signal.glsl.
 constexpr int LastSample = 64;
+constexpr int LastSampleOfLight = 256;
+
+// Order of the picture of a signal: after everything else.
+constexpr int ShowOrder = 820;
+
+constexpr const char* View = "denoising.view";
+constexpr const char* Shown[] = { resource::TracedIrradiance, resource::DirectVisibility,
+  resource::Reflection }; // by the parameter
 
 /// Resources of a filter: what it filters, and two copies of that with the surfaces.
 struct Names
@@ -28,13 +36,32 @@ struct Names
   std::string Next;
 };
 
+// Values of the parameter "show".
+enum
+{
+  Off,
+  Raw,
+  Filtered
+};
+
 struct Manner
 {
   double Radius;
   int StillSamples; ///< number of earlier samples of each pixel in a mean of the picture
   int Sharing;      ///< number of pixels that share a sample
   std::string Kind; ///< variant of the shaders, see denoising/signal.glsl
+  int Show = Off;   ///< what is to be shown of the signal
 };
+
+void ShowSignal(FrameContext& context, const Texture* signal, const Manner& manner)
+{
+  context.BindTarget({ { context.Output(View), -1 } }, {});
+  context.DrawBound("denoising/view.frag", { { manner.Kind, "1" } },
+    Arguments()
+      .Sample("signalTexture", signal)
+      .Set("show", manner.Show)
+      .Set("radius", manner.Radius));
+}
 
 // layer: -1 for a result without layers.
 void Filter(FrameContext& context, const Names& names, int layer, const Manner& manner)
@@ -51,6 +78,11 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
       .Set("layer", layer));
+  const bool shows = manner.Show != Off && layer <= 0;
+  if (shows && manner.Show != Filtered)
+  {
+    ShowSignal(context, signal, manner);
+  }
   for (int step = 1; step < 2.0 * manner.Radius; step *= 2)
   {
     context.BindTarget({ { next, -1 } }, {});
@@ -61,6 +93,10 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
         .Set("radius", manner.Radius)
         .Set("sharing", manner.Sharing));
     std::swap(signal, next);
+  }
+  if (shows && manner.Show == Filtered)
+  {
+    ShowSignal(context, signal, manner);
   }
   context.BindTarget({ { context.Output(names.Result.c_str()), layer } }, {});
   context.DrawBound("denoising/unpack.frag", variant,
@@ -83,6 +119,11 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   {
     pass.Read(noisy.Reach);
   }
+  if (manner.Show != Off)
+  {
+    pass.ReadIfPresent(resource::Reprojection, "GI_REPROJECTED")
+      .Write(View, frame.WindowTexture(GL_RGBA16F));
+  }
   pass.Execute([name = noisy.Name, signal, next, manner](FrameContext& context) {
     const int layers = context.Output(name)->Desc().Layers;
     for (int layer = std::min(layers - 1, 0); layer < layers; ++layer)
@@ -90,6 +131,13 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
       Filter(context, { name, signal, next }, layer, manner);
     }
   });
+  if (manner.Show != Off)
+  {
+    frame.AddPass("denoising-show")
+      .Read(View, "viewTexture")
+      .DrawOver(resource::Color, ShowOrder)
+      .Draw("denoising/show.frag", {}, {});
+  }
 }
 }
 
@@ -103,17 +151,20 @@ void vtkGIDenoising::Contribute(FrameBuilder& frame)
     return;
   }
   // Not every technique that writes visibility writes the reach of its noise.
-  frame.AddLast([radius = this->Radius](FrameBuilder& last) {
-    const int averaged = last.AveragesStillFrames() ? last.GetView().StillFrames : 0;
-    for (const NoisyResource& noisy : resource::Noisy)
-    {
-      const int sharing = last.PixelsPerSample(noisy.Name);
-      const bool isNoisy = averaged / sharing < LastSample;
-      if (isNoisy && (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach))))
+  frame.AddLast(
+    [radius = this->Radius, show = this->Show, signal = this->Signal](FrameBuilder& last) {
+      const int averaged = last.AveragesStillFrames() ? last.GetView().StillFrames : 0;
+      for (const NoisyResource& noisy : resource::Noisy)
       {
-        const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
-        AddFilter(last, noisy, { radius, averaged / sharing, sharing, kind });
+        const int sharing = last.PixelsPerSample(noisy.Name);
+        const int shown = Shown[signal] == std::string(noisy.Name) ? show : Off;
+        const bool isNoisy = averaged / sharing < (noisy.Light ? LastSampleOfLight : LastSample);
+        if ((isNoisy || shown != Off) &&
+          (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach))))
+        {
+          const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
+          AddFilter(last, noisy, { radius, averaged / sharing, sharing, kind, shown });
+        }
       }
-    }
-  });
+    });
 }

@@ -15,8 +15,6 @@ using namespace penumbra;
 
 namespace
 {
-constexpr const char* Reprojection = "temporal-accumulation.reprojection";
-
 // Order among the passes that modify a noisy resource: before the filter of denoising.
 constexpr int Order = 500;
 
@@ -178,7 +176,8 @@ struct Accumulator
     this->Age->LastFrame = view.FrameNumber;
     ScopedState scope(context.State());
     this->Begin(scope);
-    context.BindTarget({ { context.Output(Reprojection), -1 }, { &surfaces.Current->Storage, -1 } },
+    context.BindTarget(
+      { { context.Output(resource::Reprojection), -1 }, { &surfaces.Current->Storage, -1 } },
       { context.Input(resource::Depth), -1 });
     const GLfloat nothing[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
     glClearBufferfv(GL_COLOR, 0, nothing);
@@ -286,7 +285,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     .Read(resource::DepthCopy)
     .Read(resource::Normal)
     .ReadIfPresent(resource::Displacement, "GI_DISPLACEMENT")
-    .Write(Reprojection, frame.WindowTexture(GL_RGBA16F))
+    .Write(resource::Reprojection, frame.WindowTexture(GL_RGBA16F))
     .ReadHistory(*surfaces.Previous, "surfaceTexture")
     .WriteHistory(*surfaces.Current)
     .Offer(frame.Capture().Materials().ShaderArguments())
@@ -296,7 +295,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
   for (const NoisyResource& noisy : resource::Noisy)
   {
     auto& pass = frame.AddPass(std::string("temporal-") + noisy.Name)
-                   .Read(Reprojection, "reprojection")
+                   .Read(resource::Reprojection)
                    .Read(resource::Depth)
                    .ModifyIfPresent(noisy.Name, Order, "current");
     if (noisy.Reach)
