@@ -15,7 +15,10 @@ layout(binding = 0) uniform usampler2D signalTexture;
 uniform int step;
 uniform int sharing; // number of pixels that share a sample in one frame
 
-const float TOLERANCE = 2.5; // standard deviations of a difference after which a sample's weight falls to 1 / e
+// Standard deviations of a difference after which a sample's weight falls to 1 / e, in the first frame and later: as many
+// deviations of little noise would let through more bias than there is noise.
+const float TOLERANCE = 2.5;
+const float TOLERANCE_FALLS = 16.0; // frames after which it falls with their root
 
 layout(location = 0) out uvec4 result;
 
@@ -44,6 +47,7 @@ void main()
 #ifdef GI_LIGHT
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
+  float tolerance = TOLERANCE * inversesqrt(1.0 + signal.frames / TOLERANCE_FALLS);
   bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
   vec2 moments = vec2(0.0);
   vec2 squares = vec2(0.0); // of weights, and of weighted noise
@@ -68,7 +72,7 @@ void main()
     float otherNoise = other.error * otherLight;
     if (guided)
     {
-      weight *= exp(-abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)) / TOLERANCE);
+      weight *= exp(-abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)) / tolerance);
     }
     moments += weight * vec2(otherLight, otherLight * otherLight);
     squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
