@@ -30,7 +30,7 @@ constexpr const char* VisibilityReach = "visibility.reach";
 constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
-constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays add to it; a: number of frames in the mean
+constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays add to it; a: see accumulate.frag
 constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 /// Where each pixel's surface was in the previous frame, and for how many frames it has been visible, see
 /// temporal_accumulation/reproject.frag.
