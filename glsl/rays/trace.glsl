@@ -11,6 +11,12 @@
 #include "shared/ray_scene.h"
 #include "rays/primitives.glsl"
 
+#ifdef GI_RAY_TEXTURES
+#define GI_RAY_TEXEL texelFetch
+#else
+#define GI_RAY_TEXEL imageLoad
+#endif
+
 struct Ray
 {
   vec3 origin;

@@ -97,10 +97,8 @@ static_assert(sizeof(RayInstance) == GI_RAY_INSTANCE_TEXELS * 16, "texels");
 layout(binding = GI_RAY_NODE_TEXTURE) uniform usamplerBuffer rayNodes;
 layout(binding = GI_RAY_PRIMITIVE_TEXTURE) uniform usamplerBuffer rayPrimitives;
 layout(binding = GI_RAY_INSTANCE_TEXTURE) uniform usamplerBuffer rayInstances;
-#define GI_RAY_TEXEL(buffer, texel) texelFetch(buffer, texel)
 #else
 layout(rgba32ui, binding = GI_RAY_NODE_UNIT) readonly uniform uimageBuffer rayNodes;
 layout(rgba32ui, binding = GI_RAY_PRIMITIVE_UNIT) readonly uniform uimageBuffer rayPrimitives;
 layout(rgba32ui, binding = GI_RAY_INSTANCE_UNIT) readonly uniform uimageBuffer rayInstances;
-#define GI_RAY_TEXEL(buffer, texel) imageLoad(buffer, texel)
 #endif
