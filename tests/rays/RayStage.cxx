@@ -37,7 +37,7 @@ RayStage::RayStage()
     this->Window->MakeCurrent();
   }
   const char* folder = std::getenv("PENUMBRA_SHADER_PATH");
-  this->Library.SetOverrideFolder(folder ? folder : "");
+  this->OverrideShaders(folder ? folder : "");
 }
 
 RayStage::~RayStage()
@@ -59,7 +59,7 @@ const char* RayStage::Description() const
 
 bool RayStage::IsSoftware() const
 {
-  return std::strstr(this->Description(), "llvmpipe") != nullptr;
+  return IsSoftwareContext();
 }
 
 bool RayStage::IsShallow() const

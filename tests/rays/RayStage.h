@@ -41,6 +41,8 @@ public:
   /// Whether the scene's trees fit the short stack (shared/ray_scene.h).
   bool IsShallow() const;
 
+  /// Take shaders from a folder where it has them.
+  void OverrideShaders(const std::string& folder) { this->Library.SetOverrideFolder(folder); }
   /// Replace the scene by a world. Instances and meshes are named by their indices.
   void Show(const RayWorld& world);
   /// Trace rays to the closest hit or to any hit. Hit.x of an answer is the index of the instance in the world.
