@@ -33,13 +33,14 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rgba32f, binding = 0) uniform writeonly image2D samples; // one for each block of pixels; a: whether there is one
+layout(rgba32f, binding = 0) uniform writeonly image2D samples; // one for each block of pixels; a: 1 if there is one
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 
 uniform int rays;
+uniform ivec2 corner; // texel of the first block's sample
 #include "ray_traced_light/turn.glsl"
 #include "rays/pixel_surface.glsl"
 
@@ -111,13 +112,13 @@ void main()
   ivec2 block = ivec2(gl_GlobalInvocationID.xy);
   ivec2 pixel = block * stride + turnPlace();
   ivec2 window = pixel + ivec2(view.Viewport.xy);
-  if (any(greaterThanEqual(block, imageSize(samples))))
+  if (any(greaterThanEqual(block * stride, ivec2(view.Viewport.zw))))
   {
     return;
   }
   if (any(greaterThanEqual(pixel, ivec2(view.Viewport.zw))) || texelFetch(albedoTexture, window, 0).a == 0.0)
   {
-    imageStore(samples, block, vec4(0.0));
+    imageStore(samples, corner + block, vec4(0.0));
     return;
   }
   RaySurfacePoint at = rayPixelSurface(window);
@@ -138,5 +139,5 @@ void main()
 #endif
   }
   sum /= float(rays);
-  imageStore(samples, block, vec4(sound(sum), 1.0));
+  imageStore(samples, corner + block, vec4(sound(sum), 1.0));
 }

@@ -34,6 +34,17 @@ namespace penumbra_test
 {
 using Values = std::vector<double>;
 
+/// Mean squared error relative to the truth.
+inline double SquaredError(const Values& values, const Values& truth)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    sum += std::pow(values[i] - truth[i], 2.0) / (truth[i] * truth[i] + 1e-4);
+  }
+  return sum / static_cast<double>(values.size());
+}
+
 class RoomStage : public ::testing::Test
 {
 protected:

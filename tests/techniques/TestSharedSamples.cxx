@@ -38,16 +38,6 @@ protected:
     return this->After(frames);
   }
 };
-
-double SquaredError(const Values& values, const Values& truth)
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    sum += std::pow(values[i] - truth[i], 2.0) / (truth[i] * truth[i] + 1e-4);
-  }
-  return sum / static_cast<double>(values.size());
-}
 }
 
 // With as many samples of each pixel the error is that of full resolution.

@@ -314,6 +314,7 @@ void RayScene::UpdateTop()
   RayTree top;
   top.Build(bounds, 1, GI_RAY_TOP_DEPTH);
   this->TopDepth = top.Depth;
+  this->ReadsTextures = !IsSoftwareContext();
   if (top.Nodes.size() > this->TopCount)
   {
     this->Nodes.Free(this->TopFirst, this->TopCount);
@@ -361,7 +362,7 @@ Arguments RayScene::ShaderArguments() const
 Defines RayScene::ShaderDefines() const
 {
   Defines defines;
-  if (!IsSoftwareContext())
+  if (this->ReadsTextures)
   {
     defines["GI_RAY_TEXTURES"] = "1";
   }

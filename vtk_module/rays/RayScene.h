@@ -86,6 +86,7 @@ private:
   std::size_t TopFirst = 0, TopCount = 0;
   std::size_t InstancesCount = 0;
   int TopDepth = 0;
+  bool ReadsTextures = false; ///< rather than images, see shared/ray_scene.h
   std::size_t DroppedInstanceCount = 0;
   bool TopChanged = true;
 };

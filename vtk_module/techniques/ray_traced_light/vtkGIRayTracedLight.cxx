@@ -56,6 +56,7 @@ int vtkGIRayTracedLight::Stride() const
 void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
 {
   const int stride = this->Stride();
+  const bool shared = stride > 1;
   const View& view = frame.GetView();
   const glm::ivec2 blocks = (glm::ivec2(view.Viewport.z, view.Viewport.w) + stride - 1) / stride;
   RayProps& rays = frame.Rays("they send no indirect light");
@@ -82,13 +83,21 @@ void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
   pass.Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::DepthCopy)
-    .Write(Samples, { GL_RGBA32F, blocks.x, blocks.y, 0 }, "samples")
+    .Write(shared ? Samples : resource::TracedIrradiance,
+      shared ? TextureDesc{ GL_RGBA32F, blocks.x, blocks.y, 0 } : frame.WindowTexture(GL_RGBA32F),
+      "samples")
     .Offer(this->GetShaderParameters())
     .Offer(rays.ShaderArguments())
     .Offer(frame.Lights().InWorld(rays.Origin()))
     .Compute("ray_traced_light/trace.comp", variant,
-      Arguments(view.ToScene(rays.Origin())).Set("stride", stride),
+      Arguments(view.ToScene(rays.Origin()))
+        .Set("stride", stride)
+        .Set("corner", shared ? glm::ivec2(0) : glm::ivec2(view.Viewport.x, view.Viewport.y)),
       Work::Items(blocks.x, blocks.y));
+  if (!shared)
+  {
+    return;
+  }
   frame.AddPass("ray-traced-light-spread")
     .Read(Samples, "samples")
     .Read(resource::Albedo)
