@@ -332,11 +332,6 @@ private:
 GLuint CompileShader(GLenum stage, const std::string& source, std::string& problem)
 {
   const GLuint shader = glCreateShader(stage);
-  if (source.find("main") == std::string::npos)
-  {
-    problem = "it has no function main()."; // Some drivers link it, and draw nothing.
-    return shader;
-  }
   const char* text = source.c_str();
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
@@ -347,6 +342,10 @@ GLuint CompileShader(GLenum stage, const std::string& source, std::string& probl
     char log[2048] = "";
     glGetShaderInfoLog(shader, sizeof(log), nullptr, log);
     problem = log;
+  }
+  else if (source.find("main") == std::string::npos)
+  {
+    problem = "it has no function main()."; // Some drivers link it, and draw nothing.
   }
   return shader;
 }
