@@ -20,7 +20,22 @@ uniform int sharing; // number of pixels that share a sample in one frame
 const float TOLERANCE = 2.5;
 const float TOLERANCE_FALLS = 16.0; // frames after which it falls with their root
 
+#ifdef GI_SHARES
+const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
+#else
+const int DIRECTIONS = 1;
+#endif
+
 layout(location = 0) out uvec4 result;
+
+// Length of a step on the surface at a pixel, divided by that on a surface that faces the eye. offset: the step, in pixels.
+float stretchOf(GiSurfel here, vec2 offset)
+{
+  vec3 P = giViewPosition(gl_FragCoord.xy, here.depth);
+  vec3 along = giViewPosition(gl_FragCoord.xy + offset, here.depth + dot(here.slope, offset)) - P;
+  vec3 across = giViewPosition(gl_FragCoord.xy + offset, here.depth) - P;
+  return max(length(along) / max(length(across), 1e-30), 1.0);
+}
 
 void main()
 {
@@ -40,7 +55,11 @@ void main()
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;
   GiSurfel here = giSurfel(gl_FragCoord.xy, signal.depth, signal.normal, float(step));
-  vec4 sum = vec4(0.0);
+  vec4 changes[DIRECTIONS];
+  for (int i = 0; i < DIRECTIONS; ++i)
+  {
+    changes[i] = vec4(0.0);
+  }
   float weights = 0.0;
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
@@ -77,7 +96,7 @@ void main()
     moments += weight * vec2(otherLight, otherLight * otherLight);
     squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
 #endif
-    sum += weight * other.value;
+    changes[min(min(i, 8 - i), DIRECTIONS - 1)] += weight * (other.value - signal.value);
     weights += weight;
 #ifndef GI_LIGHT
     // A penumbra reaches pixels whose own ray missed the occluder.
@@ -89,8 +108,13 @@ void main()
 #ifndef GI_LIGHT
   signal.reach = reach / max(known, 1e-6);
 #endif
-  vec4 share = weights > 0.0 ? giFilterShare(signal.reach, float(step)) : vec4(0.0);
-  signal.value = mix(signal.value, sum / max(weights, 1e-6), share);
+  vec4 share = vec4(0.0);
+  for (int i = 0; i < DIRECTIONS; ++i)
+  {
+    float stretch = DIRECTIONS == 1 ? 1.0 : stretchOf(here, vec2(i % 3, i / 3) - 1.0);
+    share = giFilterShare(signal.reach / stretch, float(step));
+    signal.value += share * changes[i] / max(weights, 1e-6);
+  }
 #ifdef GI_LIGHT
   if (!guided)
   {

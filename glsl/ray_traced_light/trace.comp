@@ -122,20 +122,20 @@ void main()
     return;
   }
   RaySurfacePoint at = rayPixelSurface(window);
-  uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
-  uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
+  uint state = giHash(giHash(uint(window.x) + (uint(window.y) << 16)) ^ giHash(uint(view.Frame.x)));
+  uint place = 4u * uint(turnPlace().y * stride + turnPlace().x); // pixels in the same place of their blocks share sequences
   mat3 basis = giBasis(at.normal);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < rays; ++i)
   {
     uint number = uint(turnNumber() * rays + i);
-    sum += sound(fromDirection(at, basis * giSampleCosine(giSample2D(number, seed)), state));
+    sum += sound(fromDirection(at, basis * giSampleCosine(giTileSample2D(number, block, place)), state));
     if (emitterCount > 0)
     {
-      sum += fromEmitter(at, giSample2D(number, giHash(seed + 1u)), state);
+      sum += fromEmitter(at, giTileSample2D(number, block, place + 1u), state);
     }
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)
-    sum += fromSky(at, giSample2D(number, giHash(seed + 2u)), state);
+    sum += fromSky(at, giTileSample2D(number, block, place + 2u), state);
 #endif
   }
   sum /= float(rays);

@@ -31,7 +31,7 @@ uniform vec2 size;     // of lights without a shape: tangent of half the angle, 
 
 #include "rays/pixel_surface.glsl"
 
-const float REACH = 0.4; // as a share of half the width of a penumbra; more blurs the edges
+const float REACH = 0.45; // as a share of half the width of a penumbra; more blurs the edges
 const int CELLS = 16; // parts of a light of which each ray chooses one
 
 // A point of a light, in one of its cells along a Z-order curve, and how much it contributes to the irradiance.
@@ -81,7 +81,7 @@ Shadow meanOf(Shadow sum, int rays)
 // Share of the light of a light with a shape that arrives. Each ray goes to a point of one of the light's cells, chosen
 // with the probability that it contributes to the irradiance (resampling: Talbot, Cline and Egbert 2005, "Importance
 // Resampling for Global Illumination").
-Shadow shapeShadow(LightData light, RaySurfacePoint at, uint seed, inout uint state)
+Shadow shapeShadow(LightData light, RaySurfacePoint at, ivec2 pixel, uint seed, inout uint state)
 {
   bool local = light.Kind.x == GI_LIGHT_POSITIONAL;
   float extent = extentOf(light);
@@ -89,13 +89,13 @@ Shadow shapeShadow(LightData light, RaySurfacePoint at, uint seed, inout uint st
   for (int i = 0; i < samples; ++i)
   {
     uint number = uint(view.Frame.x * samples + i);
-    vec2 within = giSample2D(number, giHash(seed));
+    vec2 within = giTileSample2D(number, pixel, giHash(seed));
     float sum = 0.0;
     for (int cell = 0; cell < CELLS; ++cell)
     {
       sum += cellPoint(light, at, cell, within).w;
     }
-    float left = giSample2D(number, seed).x * sum;
+    float left = giTileSample2D(number, pixel, seed).x * sum;
     vec4 point = vec4(0.0);
     for (int cell = 0; cell < CELLS && left >= 0.0 && sum > 0.0; ++cell)
     {
@@ -108,11 +108,12 @@ Shadow shapeShadow(LightData light, RaySurfacePoint at, uint seed, inout uint st
   return meanOf(shadow, samples);
 }
 
-Shadow lightShadow(LightData light, RaySurfacePoint at, uint seed, inout uint state)
+// seed: of the light's samples; state: of other random numbers.
+Shadow lightShadow(LightData light, RaySurfacePoint at, ivec2 pixel, uint seed, inout uint state)
 {
   if (giHasShape(light))
   {
-    return shapeShadow(light, at, seed, state);
+    return shapeShadow(light, at, pixel, seed, state);
   }
   vec4 toward = rayTowardLight(light, at.position, eye);
   mat3 across = giBasis(normalize(toward.xyz));
@@ -122,7 +123,7 @@ Shadow lightShadow(LightData light, RaySurfacePoint at, uint seed, inout uint st
   Shadow shadow = Shadow(0.0, 0.0);
   for (int i = 0; i < count; ++i)
   {
-    vec2 disc = radius * giSampleDisc(giSample2D(uint(view.Frame.x * count + i), seed));
+    vec2 disc = radius * giSampleDisc(giTileSample2D(uint(view.Frame.x * count + i), pixel, seed));
     vec4 direction = vec4(toward.xyz + across * vec3(disc, 0.0), toward.w);
     addRay(shadow, radius, dot(at.normal, direction.xyz) > 0.0, direction, at, state);
   }
@@ -131,15 +132,15 @@ Shadow lightShadow(LightData light, RaySurfacePoint at, uint seed, inout uint st
 
 void main()
 {
-  ivec2 window = ivec2(gl_GlobalInvocationID.xy) + ivec2(view.Viewport.xy);
-  if (any(greaterThanEqual(ivec2(gl_GlobalInvocationID.xy), ivec2(view.Viewport.zw))) ||
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 window = pixel + ivec2(view.Viewport.xy);
+  if (any(greaterThanEqual(pixel, ivec2(view.Viewport.zw))) ||
     texelFetch(albedoTexture, window, 0).a == 0.0)
   {
     return;
   }
   RaySurfacePoint at = rayPixelSurface(window);
-  uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
-  uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
+  uint state = giHash(giHash(uint(window.x) + (uint(window.y) << 16)) ^ giHash(uint(view.Frame.x)));
   for (int layer = 0; layer < layerCount; ++layer)
   {
     vec4 open = vec4(1.0);
@@ -149,7 +150,7 @@ void main()
       LightData light = lights[i];
       if (light.Kind.y >= 0 && light.Kind.y / 4 == layer)
       {
-        Shadow shadow = lightShadow(light, at, seed + uint(i) * 0x9e3779b9u, state);
+        Shadow shadow = lightShadow(light, at, pixel, uint(i), state);
         open[light.Kind.y & 3] = shadow.open;
         width[light.Kind.y & 3] = shadow.penumbra;
       }

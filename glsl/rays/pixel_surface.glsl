@@ -5,6 +5,8 @@ uniform mat3 viewToScene;
 const float RAY_DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
 const float RAY_REACH = 1e-3;         // half length of the ray that looks for the surface, as a share of the distance
 
+const float RAY_TOWARD_EYE = 4.0;     // errors of the position; see below
+
 // The surface that the rasterizer drew at a pixel. A ray that starts just in front of it finds it exactly.
 RaySurfacePoint rayPixelSurface(ivec2 window)
 {
@@ -26,6 +28,8 @@ RaySurfacePoint rayPixelSurface(ivec2 window)
   {
     at = raySurfaceAt(ray, hit);
     found = dot(at.geometric, N) > 0.1; // where two surfaces meet, the ray may find the other one
+    // In a corner of a room the point may lie behind the other wall by a rounding error. Toward the eye it is in the open.
+    at.position -= RAY_TOWARD_EYE * at.error * direction;
   }
   if (!found)
   {

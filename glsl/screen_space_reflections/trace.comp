@@ -77,11 +77,10 @@ void main()
         : isWeak(lobe) ? GI_REFLECTION_WEAK : GI_REFLECTION_ROUGH);
     return;
   }
-  uint seed = giHash(uint(window.x) + (uint(window.y) << 16));
-  uint state = giHash(seed ^ giHash(uint(view.Frame.x)));
+  uint state = giHash(giHash(uint(window.x) + (uint(window.y) << 16)) ^ giHash(uint(view.Frame.x)));
   for (int i = 0; i < samples; ++i)
   {
-    vec3 L = sampleLobe(lobe, giSample2D(uint(view.Frame.x * samples + i), seed));
+    vec3 L = sampleLobe(lobe, giTileSample2D(uint(view.Frame.x * samples + i), pixel, 0u));
     MarchResult result = MarchResult(GI_REFLECTION_HORIZON, P, vec2(-1.0), 1.0);
     vec3 radiance = vec3(0.0);
     if (dot(lobe.N, L) > 0.0)

@@ -16,3 +16,8 @@ vec2 giSample2D(uint index, uint seed)
   uint y = giHash(x ^ 0xa511e9b3u);
   return vec2(uvec2(x, y) >> 8) / 16777216.0;
 }
+
+vec2 giTileSample2D(uint index, ivec2 pixel, uint seed)
+{
+  return giSample2D(index, giHash(uint(pixel.x) + (uint(pixel.y) << 16)) + seed);
+}
