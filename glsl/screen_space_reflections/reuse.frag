@@ -51,6 +51,26 @@ void addRays(Lobe lobe, vec3 P, ivec2 window, inout vec4 sum, inout float weight
   }
 }
 
+// Mean distance of what the rays of the pixel and its eight neighbours hit, or of where the pixel's own ended. With the pixel's
+// ray alone the neighbours that count would depend on what it found, and pixels whose ray missed would lose light.
+float hitDistance(Lobe lobe, vec3 P, ivec2 window)
+{
+  float sum = 0.0;
+  float hits = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    ivec2 at = window + ivec2(i % 3, i / 3) - 1;
+    vec4 ray = texelFetch(rayTexture, ivec3(at, 0), 0);
+    if (ray.w > 0.0 && texelFetch(foundTexture, ivec3(at, 0), 0).a > 0.0)
+    {
+      sum += length(ray.xyz - P);
+      hits += 1.0;
+    }
+  }
+  vec4 own = texelFetch(rayTexture, ivec3(window, 0), 0);
+  return hits > 0.0 ? sum / hits : own.w > 0.0 ? length(own.xyz - P) : 0.0;
+}
+
 void main()
 {
   ivec2 window = ivec2(gl_FragCoord.xy);
@@ -70,8 +90,7 @@ void main()
   }
   float weights = 0.0;
   addRays(lobe, P, window, reflection, weights);
-  vec4 own = texelFetch(rayTexture, ivec3(window, 0), 0);
-  float distanceToHit = own.w > 0.0 ? length(own.xyz - P) : 0.0;
+  float distanceToHit = hitDistance(lobe, P, window);
   float radius = footprint(lobe, P, distanceToHit);
   reach = REACH * radius * pixelAt(view.Scene.y > 0.5 ? 1.0 : -P.z);
   float turn = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);
