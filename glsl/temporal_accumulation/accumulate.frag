@@ -69,6 +69,32 @@ vec4 currentShare(vec4 frames, float sharing)
   return sharing > 0.0 ? ownShare : othersShare;
 }
 
+#ifndef GI_STILL
+// Cubic interpolation, which keeps edges sharp over many frames of motion (Catmull and Rom 1974, A Class of Local Interpolating
+// Splines), within the range of the four nearest values.
+vec4 cubicHistoryAt(ivec2 corner, vec2 f)
+{
+  vec2 shares[4] = vec2[](f * (f * (1.0 - 0.5 * f) - 0.5), 1.0 + f * f * (1.5 * f - 2.5), f * (0.5 + f * (2.0 - 1.5 * f)),
+    f * f * (0.5 * f - 0.5));
+  ivec2 last = textureSize(history, 0).xy - 1;
+  vec4 sum = vec4(0.0);
+  vec4 least = vec4(1e30);
+  vec4 most = vec4(-1e30);
+  for (int i = 0; i < 16; ++i)
+  {
+    ivec2 place = ivec2(i & 3, i >> 2);
+    vec4 value = texelFetch(history, GI_AT(clamp(corner + place - 1, ivec2(0), last)), 0);
+    sum += shares[place.x].x * shares[place.y].y * value;
+    if (all(equal(place - 1, place - 1 & 1)))
+    {
+      least = min(least, value);
+      most = max(most, value);
+    }
+  }
+  return clamp(sum, least, most);
+}
+#endif
+
 vec4 historyAt(ivec2 pixel, vec4 moved)
 {
 #ifdef GI_STILL
@@ -77,6 +103,10 @@ vec4 historyAt(ivec2 pixel, vec4 moved)
   vec2 place = vec2(pixel) + moved.xy;
   vec2 corner = floor(place);
   vec2 weight = place - corner;
+  if (int(moved.w) == 15)
+  {
+    return cubicHistoryAt(ivec2(corner), weight);
+  }
   vec4 sum = vec4(0.0);
   float weights = 0.0;
   for (int i = 0; i < 4; ++i)

@@ -76,8 +76,8 @@ def picture(method):
     return penumbra.render(method[1])[:, :, 0].astype(float) / 255
 
 
-def surroundings():
-    """An environment texture of radiance 1."""
+def surround(renderer):
+    """Light a scene by an environment texture of radiance 1."""
     image = vtkImageData()
     image.SetDimensions(8, 4, 1)
     image.AllocateScalars(VTK_FLOAT, 3)
@@ -87,7 +87,15 @@ def surroundings():
     texture.SetColorModeToDirectScalars()
     texture.MipmapOn()
     texture.InterpolateOn()
-    return texture
+    renderer.SetEnvironmentTexture(texture)
+    renderer.UseImageBasedLightingOn()
+    # VTK's own tables, which rays do not use, are made as small as possible.
+    renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
+    renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
+    renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
+    renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
+    renderer.GetEnvMapLookupTable().SetLUTSize(8)
+    renderer.GetEnvMapLookupTable().SetLUTSamples(8)
 
 
 def traced(name, size, samples, folder=None):
@@ -97,15 +105,7 @@ def traced(name, size, samples, folder=None):
         result = np.load(kept)
     else:
         renderer = white(name, ambient=False)
-        renderer.SetEnvironmentTexture(surroundings())
-        renderer.UseImageBasedLightingOn()
-        # VTK's own tables, which the path tracer does not use, are made as small as possible.
-        renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
-        renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
-        renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
-        renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
-        renderer.GetEnvMapLookupTable().SetLUTSize(8)
-        renderer.GetEnvMapLookupTable().SetLUTSamples(8)
+        surround(renderer)
         window = penumbra.window(renderer, size=size, multisamples=0)
         gi = penumbra.enable(renderer, "reference")
         gi.KeepRadianceOn()

@@ -10,6 +10,7 @@ import penumbra
 from bench_scenes import SCENES
 from cornell_moving_light import SIDES, WHITE, Room, painted
 from cornell_rays import SCENE
+from openness_scenes import surround
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -148,6 +149,15 @@ def scene(name):
     renderer = Cornell().renderer if name == "cornell" else SCENES[name]()
     renderer.GradientBackgroundOff()
     renderer.SetBackground(0, 0, 0)
+    return renderer
+
+
+def in_white(name):
+    """One of the bench's scenes in white surroundings, without lamps: surfaces are as bright as they are open."""
+    renderer = scene(name)
+    renderer.RemoveAllLights()
+    keep_lit(renderer)
+    surround(renderer)
     return renderer
 
 

@@ -9,7 +9,8 @@ orbit        relMSE while the camera turns, divided by that of single frames aft
 flicker      deviation over still frames after a lamp has moved; change from frame to frame while it moves
 ghost        light that remains of a lamp or a ball that has gone
 emitters     cost and relMSE with 10,000 glowing squares and with one
-first-frame  relMSE of the first frame after a cut with the filter, divided by that without it
+first-frame  relMSE of the first frame after a cut with the filter, divided by that without it; pictures of twice the size, as
+             nothing can average the noise of penumbrae that are a pixel wide
 seams        relMSE at half and quarter resolution, divided by that at full resolution after as many samples of each pixel
 """
 import argparse
@@ -26,7 +27,7 @@ from cornell_rays import penumbra as command
 from indirect_light import kept, write
 from isosurface_ddgi import blocks
 from PIL import Image
-from ray_scenes import MANY, Cornell, Film, Report, Room, TwoLamps, glowing_room, keep_lit, metal_room, scene, tracer, truths
+from ray_scenes import MANY, Cornell, Film, Report, Room, TwoLamps, glowing_room, in_white, keep_lit, metal_room, scene, tracer, truths
 from sky_light import compared
 
 EQUAL_TIME = {0.5: 1 / 8, 2: 1 / 4, 8: 1 / 2}  # seconds: limit of the ratio
@@ -34,7 +35,7 @@ ORBIT = 0.25
 FLICKER, FLIP, FLIP_MORE = 0.01, 1.1, 0.005
 GHOST = {"direct": {1: 0.05, 4: 0.01, 16: 0.001}, "indirect": {1: 0.2, 4: 0.05, 16: 0.01}}  # frames: share
 EMITTERS = 1.3
-FIRST_FRAME = {"GI": 0.10, "AO": 0.15, "glossy": 0.20, "shadow": 0.20}
+FIRST_FRAME = {"GI": 0.10, "AO by rays": 0.15, "AO": 0.15, "glossy": 0.20, "shadow": 0.20}
 SEAMS, SEAM = 1.3, 0.1  # ratio; difference of a pixel
 WARM = 48    # frames that settle the probes
 LONG = 128   # frames of a converged picture
@@ -244,10 +245,12 @@ def emitters(args, report):
 
 def first_frame(args, report):
     """Each technique is alone, so that the only errors are noise and what the filter does. Means over three cuts."""
+    size = tuple(2 * side for side in args.size)
     plain = ["temporal-accumulation"]
     cases = {
         "GI": (lambda: Cornell().renderer, ["ray-traced-light"], {}, None),
         "GI with probes": (lambda: Cornell().renderer, ["ray-traced-light", "ddgi"], {}, None),
+        "AO by rays": (lambda: in_white("protein"), ["ray-traced-light"], {}, None),
         "AO": (lambda: scene("protein"), ["ambient-occlusion"], {"ambient-occlusion.ambient-share": 1}, "ambient-occlusion.filter"),
         "glossy": (lambda: metal_room().renderer, ["screen-space-reflections"], {}, "screen-space-reflections.filter"),
         "shadow": (lambda: TwoLamps().renderer, ["ray-traced-shadows"], {"ray-traced-shadows.light-radius": 0.06}, None)}
@@ -257,7 +260,7 @@ def first_frame(args, report):
             report.going_on(f"first-frame, {name}")
             extra = ["denoising"] if filtered and name != "AO" else []
             settings = {**settings, **({switch: float(filtered)} if switch else {})}
-            films.append(Film(make(), args.size, "off", on + plain + extra, **settings))
+            films.append(Film(make(), size, "off", on + plain + extra, **settings))
         pictures = []
         for film in films:
             film.picture(WARM if "ddgi" in on else 1)

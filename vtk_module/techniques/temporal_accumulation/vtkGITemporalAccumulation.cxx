@@ -21,6 +21,9 @@ constexpr int Order = 500;
 // Number of frames after a change in which outdated values may still be visible.
 constexpr int SettlingFrames = 8;
 
+// Number of frames in the mean of shadows with little noise while the camera moves. Each frame of motion blurs their edges.
+constexpr int MovingShadowFrames = 4;
+
 // Position, direction and cone of a light. As long as they stay the same, its visibility mask stays valid.
 using LightGeometry = std::array<double, 9>;
 
@@ -88,6 +91,15 @@ struct Ages
       this->Lights[i] = same ? this->Lights[i] + 1 : 1;
     }
     this->Geometries = geometries;
+  }
+
+  /// Let the means of lights' visibility go on from a number of frames at most.
+  void ShortenLights(int frames)
+  {
+    for (int& age : this->Lights)
+    {
+      age = std::min(age, frames);
+    }
   }
 
   /// Whether the means may still contain samples from before a change of props.
@@ -237,6 +249,10 @@ struct Accumulator
     if (reach)
     {
       variant["GI_REACH"] = "1";
+    }
+    else if (noisy.PerLight && view.StillFrames == 0)
+    {
+      this->Age->ShortenLights(MovingShadowFrames);
     }
     for (int layer = 0; layer < std::max(1, desc.Layers); ++layer)
     {
