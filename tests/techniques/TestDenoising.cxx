@@ -281,6 +281,13 @@ TEST_F(DenoisingShadows, LoseMostNoiseInTheFirstFrame)
   this->ExpectLittleNoise(0.2, 0.01);
 }
 
+// Nearly along the floor, where a penumbra is few pixels high: filtered as far as it is wide, it has 3 times the error of its noise.
+TEST_F(DenoisingShadows, AreForeshortenedLikeTheirSurface)
+{
+  this->LookFrom(-0.3, -1.3, 0.25, -0.2, 0.0, 0.1);
+  this->ExpectLittleNoise(0.35, 0.01);
+}
+
 TEST_F(DenoisingShadows, OfPointsStaySharp)
 {
   this->Pass->GetTechnique("ray-traced-shadows")->SetParameter("light-radius", 0.0);
@@ -360,8 +367,9 @@ TEST_F(DenoisingReflections, LoseMostNoiseInTheFirstFrame)
     Mean(filtered), Mean(reused), Mean(truth));
   EXPECT_LT(share, 0.06);
   EXPECT_LT(SquaredError(filtered, truth), 0.6 * SquaredError(reused, truth));
-  EXPECT_NEAR(Mean(filtered), Mean(reused), 0.03 * Mean(truth));
-  EXPECT_NEAR(Mean(reused), Mean(truth), 0.08 * Mean(truth)); // 4 to 6 % darker
+  // If the neighbours that count depend on what the pixel's own ray found, 5 % are missing.
+  EXPECT_NEAR(Mean(reused), Mean(truth), 0.03 * Mean(truth));
+  EXPECT_NEAR(Mean(filtered), Mean(truth), 0.03 * Mean(truth));
 }
 
 TEST_F(DenoisingReflections, KeepMirrors)

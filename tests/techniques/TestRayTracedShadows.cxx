@@ -9,6 +9,7 @@
 
 #include "vtkGITechnique.h"
 
+#include <vtkCamera.h>
 #include <vtkConeSource.h>
 #include <vtkCubeSource.h>
 
@@ -92,6 +93,32 @@ TEST(RayTracedShadows, NoAcneOnFlatReceivers)
     const Difference found = Compare(shoot(false), shoot(true), 0);
     EXPECT_EQ(found.Within, 1.0) << angle << " degrees";
   }
+}
+
+// Nothing in an empty room casts shadows, not even where its edges go through the centres of pixels.
+TEST(RayTracedShadows, NoneInTheCornersOfARoom)
+{
+  const auto shoot = [](bool shadows) {
+    Stage stage;
+    stage.Window->SetSize(128, 128);
+    vtkNew<vtkCubeSource> room;
+    room->SetBounds(0.0, 1.0, 0.0, 1.0, 0.0, 1.0);
+    stage.Add(room)->GetProperty()->SetInterpolationToFlat();
+    vtkLight* lamp = AddOnlyLight(stage, 0.15, 0.2, 0.9);
+    ShineAllRound(lamp);
+    lamp->SetFocalPoint(0.5, 0.5, 0.5);
+    vtkCamera* camera = stage.Renderer->GetActiveCamera();
+    camera->SetPosition(0.5, 0.01, 0.5);
+    camera->SetFocalPoint(0.5, 1.0, 0.5);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(100.0);
+    camera->SetClippingRange(0.001, 3.0);
+    vtkGITechnique* technique = stage.SetPasses().front()->GetTechnique("ray-traced-shadows");
+    technique->SetEnabled(shadows);
+    technique->SetParameter("light-radius", 0.06);
+    return Shoot(stage.Window);
+  };
+  EXPECT_EQ(Compare(shoot(false), shoot(true), 0).Within, 1.0);
 }
 
 // With both techniques on, rays draw the shadows, and a note says so.
