@@ -5,6 +5,11 @@ import argparse
 import os
 import sys
 
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkTexture
+
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples"))
 
 import scenes  # noqa: E402
@@ -13,6 +18,27 @@ from isosurface_ddgi import Room  # noqa: E402
 DEMO = list(scenes.SCENES)
 SCENES = {name: function for name, (_, function) in scenes.SCENES.items()}
 SCENES["isosurface"] = lambda: Room().renderer
+
+
+def surround(renderer, radiance):
+    """Light a scene by an equirectangular image of radiance, lowest row first."""
+    image = vtkImageData()
+    image.SetDimensions(radiance.shape[1], radiance.shape[0], 1)
+    image.GetPointData().SetScalars(numpy_to_vtk(radiance.reshape(-1, 3).astype(np.float32), deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    texture.SetColorModeToDirectScalars()
+    texture.MipmapOn()
+    texture.InterpolateOn()
+    renderer.SetEnvironmentTexture(texture)
+    renderer.UseImageBasedLightingOn()
+    # VTK's own tables, which only its highlights use, are made as small as possible.
+    renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
+    renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
+    renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
+    renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
+    renderer.GetEnvMapLookupTable().SetLUTSize(8)
+    renderer.GetEnvMapLookupTable().SetLUTSamples(8)
 
 
 class Parser(argparse.ArgumentParser):

@@ -7,10 +7,8 @@ import os
 import numpy as np
 import penumbra
 import scenes
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_FLOAT
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
+from bench_scenes import surround
+from vtkmodules.vtkRenderingCore import vtkLight
 
 BIAS = 0.001  # for vtkSSAOPass, in diagonals of the scene
 
@@ -76,28 +74,6 @@ def picture(method):
     return penumbra.render(method[1])[:, :, 0].astype(float) / 255
 
 
-def surround(renderer):
-    """Light a scene by an environment texture of radiance 1."""
-    image = vtkImageData()
-    image.SetDimensions(8, 4, 1)
-    image.AllocateScalars(VTK_FLOAT, 3)
-    vtk_to_numpy(image.GetPointData().GetScalars())[:] = 1
-    texture = vtkTexture()
-    texture.SetInputData(image)
-    texture.SetColorModeToDirectScalars()
-    texture.MipmapOn()
-    texture.InterpolateOn()
-    renderer.SetEnvironmentTexture(texture)
-    renderer.UseImageBasedLightingOn()
-    # VTK's own tables, which rays do not use, are made as small as possible.
-    renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
-    renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
-    renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
-    renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
-    renderer.GetEnvMapLookupTable().SetLUTSize(8)
-    renderer.GetEnvMapLookupTable().SetLUTSamples(8)
-
-
 def traced(name, size, samples, folder=None):
     """Path-traced openness at any distance, and whether a surface covers the whole pixel."""
     kept = folder and os.path.join(folder, f"{name}-{size[0]}x{size[1]}-{samples}.npy")
@@ -105,7 +81,7 @@ def traced(name, size, samples, folder=None):
         result = np.load(kept)
     else:
         renderer = white(name, ambient=False)
-        surround(renderer)
+        surround(renderer, np.ones((4, 8, 3)))
         window = penumbra.window(renderer, size=size, multisamples=0)
         gi = penumbra.enable(renderer, "reference")
         gi.KeepRadianceOn()

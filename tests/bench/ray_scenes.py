@@ -7,10 +7,9 @@ import time
 
 import numpy as np
 import penumbra
-from bench_scenes import SCENES
+from bench_scenes import SCENES, surround
 from cornell_moving_light import SIDES, WHITE, Room, painted
 from cornell_rays import SCENE
-from openness_scenes import surround
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -157,7 +156,7 @@ def in_white(name):
     renderer = scene(name)
     renderer.RemoveAllLights()
     keep_lit(renderer)
-    surround(renderer)
+    surround(renderer, np.ones((4, 8, 3)))
     return renderer
 
 

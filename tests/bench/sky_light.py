@@ -12,11 +12,9 @@ import time
 
 import numpy as np
 import penumbra
-from bench_scenes import SCENES, Parser
+from bench_scenes import SCENES, Parser, surround
 from indirect_light import FINER, kept, smaller, write
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkLight
 
 FRAMES = 32  # of a still picture
 TURN = 7  # degrees
@@ -58,19 +56,6 @@ def sky(name):
     return 0.5 * clear + clouds + disc(d, (-0.3, 0.75, -0.5), 1.5, (4000, 3800, 3500)) + disc(d, (0.9, 0.15, 0.2), 12, (9, 7, 5))
 
 
-def environment(radiance):
-    """A texture of an image of radiance."""
-    image = vtkImageData()
-    image.SetDimensions(radiance.shape[1], radiance.shape[0], 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(radiance.reshape(-1, 3).astype(np.float32), deep=True))
-    texture = vtkTexture()
-    texture.SetInputData(image)
-    texture.SetColorModeToDirectScalars()
-    texture.MipmapOn()
-    texture.InterpolateOn()
-    return texture
-
-
 def lit(scene, name):
     """A scene lit by a sky alone."""
     renderer = SCENES[scene]()
@@ -84,17 +69,9 @@ def lit(scene, name):
     renderer.AddLight(faint)
     renderer.GradientBackgroundOff()
     renderer.SetBackground(0, 0, 0)
-    renderer.SetEnvironmentTexture(environment(sky(name)))
+    surround(renderer, sky(name))
     renderer.SetEnvironmentUp(0, 0, 1)
     renderer.SetEnvironmentRight(1, 0, 0)
-    renderer.UseImageBasedLightingOn()
-    # VTK's own tables, which only its highlights use, are made as small as possible.
-    renderer.GetEnvMapPrefiltered().SetPrefilterMaxSamples(2)
-    renderer.GetEnvMapPrefiltered().SetPrefilterLevels(2)
-    renderer.GetEnvMapIrradiance().SetIrradianceSize(8)
-    renderer.GetEnvMapIrradiance().SetIrradianceStep(0.3)
-    renderer.GetEnvMapLookupTable().SetLUTSize(8)
-    renderer.GetEnvMapLookupTable().SetLUTSamples(8)
     return renderer
 
 

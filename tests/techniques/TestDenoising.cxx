@@ -281,7 +281,8 @@ TEST_F(DenoisingShadows, LoseMostNoiseInTheFirstFrame)
   this->ExpectLittleNoise(0.2, 0.01);
 }
 
-// Nearly along the floor, where a penumbra is few pixels high: filtered as far as it is wide, it has 3 times the error of its noise.
+// Nearly along the floor, where a penumbra is few pixels high. Filtered as far as it is wide, it has 3 times the error of its
+// noise.
 TEST_F(DenoisingShadows, AreForeshortenedLikeTheirSurface)
 {
   this->LookFrom(-0.3, -1.3, 0.25, -0.2, 0.0, 0.1);
