@@ -4,7 +4,6 @@ uniform mat3 viewToScene;
 
 const float RAY_DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
 const float RAY_REACH = 1e-3;         // half length of the ray that looks for the surface, as a share of the distance
-
 const float RAY_TOWARD_EYE = 4.0;     // errors of the position; see below
 
 // The surface that the rasterizer drew at a pixel. A ray that starts just in front of it finds it exactly.

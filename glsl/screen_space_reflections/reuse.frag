@@ -51,24 +51,28 @@ void addRays(Lobe lobe, vec3 P, ivec2 window, inout vec4 sum, inout float weight
   }
 }
 
-// Mean distance of what the rays of the pixel and its eight neighbours hit, or of where the pixel's own ended. With the pixel's
-// ray alone the neighbours that count would depend on what it found, and pixels whose ray missed would lose light.
-float hitDistance(Lobe lobe, vec3 P, ivec2 window)
+// Distances of what the rays of a pixel and its eight neighbours hit: of the nearest hit, and their harmonic mean; of where the
+// pixel's own ray ended if none hits. With the pixel's ray alone the neighbours that count would depend on what it found, and
+// pixels whose ray missed would lose light.
+vec2 hitDistances(vec3 P, ivec2 window, ivec2 low, ivec2 high)
 {
+  float nearest = 0.0; // inverse
   float sum = 0.0;
   float hits = 0.0;
   for (int i = 0; i < 9; ++i)
   {
-    ivec2 at = window + ivec2(i % 3, i / 3) - 1;
+    ivec2 at = clamp(window + ivec2(i % 3, i / 3) - 1, low, high);
     vec4 ray = texelFetch(rayTexture, ivec3(at, 0), 0);
     if (ray.w > 0.0 && texelFetch(foundTexture, ivec3(at, 0), 0).a > 0.0)
     {
-      sum += length(ray.xyz - P);
+      float near = 1.0 / max(length(ray.xyz - P), 1e-20);
+      nearest = max(nearest, near);
+      sum += near;
       hits += 1.0;
     }
   }
   vec4 own = texelFetch(rayTexture, ivec3(window, 0), 0);
-  return hits > 0.0 ? sum / hits : own.w > 0.0 ? length(own.xyz - P) : 0.0;
+  return hits > 0.0 ? vec2(1.0 / nearest, hits / sum) : vec2(own.w > 0.0 ? length(own.xyz - P) : 0.0);
 }
 
 void main()
@@ -90,12 +94,12 @@ void main()
   }
   float weights = 0.0;
   addRays(lobe, P, window, reflection, weights);
-  float distanceToHit = hitDistance(lobe, P, window);
-  float radius = footprint(lobe, P, distanceToHit);
-  reach = REACH * radius * pixelAt(view.Scene.y > 0.5 ? 1.0 : -P.z);
-  float turn = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;
+  vec2 distances = hitDistances(P, window, low, high);
+  float radius = footprint(lobe, P, distances.x);
+  reach = REACH * footprint(lobe, P, distances.y) * pixelAt(view.Scene.y > 0.5 ? 1.0 : -P.z);
+  float turn = 6.28318531 * giInterleavedNoise(gl_FragCoord.xy, view.Frame.x);
   for (int i = 0; i < neighbours && radius >= 1.0; ++i)
   {
     ivec2 other = window + ivec2(round(radius * giVogelDisc(i, neighbours, turn)));

@@ -91,7 +91,8 @@ vec4 cubicHistoryAt(ivec2 corner, vec2 f)
       most = max(most, value);
     }
   }
-  return clamp(sum, least, most);
+  // Where there was no surface, a history may hold anything.
+  return any(isnan(sum)) ? 0.5 * (least + most) : clamp(sum, least, most);
 }
 #endif
 

@@ -157,13 +157,13 @@ protected:
 TEST_F(GlossyFloor, OfMetalApproachesThePathTracer)
 {
   this->UseMetalFloor(0.25);
-  this->ExpectErrors("metal, roughness 0.25", 64, { 0.25, 0.075, 0.06 });
+  this->ExpectErrors("metal, roughness 0.25", 64, { 0.154, 0.051, 0.039 });
 }
 
 TEST_F(GlossyFloor, OfRoughMetalApproachesThePathTracer)
 {
   this->UseMetalFloor(0.5);
-  this->ExpectErrors("metal, roughness 0.5", 64, { 0.168, 0.039, 0.027 });
+  this->ExpectErrors("metal, roughness 0.5", 64, { 0.14, 0.026, 0.019 });
 }
 
 TEST_F(GlossyFloor, OfPhongApproachesThePathTracer)
@@ -172,7 +172,7 @@ TEST_F(GlossyFloor, OfPhongApproachesThePathTracer)
   this->Floor->GetProperty()->SetDiffuse(0.0);
   this->Floor->GetProperty()->SetSpecular(1.0);
   this->Floor->GetProperty()->SetSpecularPower(6.0);
-  this->ExpectErrors("Phong, power 6", 64, { 0.066, 0.0225, 0.012 });
+  this->ExpectErrors("Phong, power 6", 64, { 0.045, 0.012, 0.0066 });
 }
 
 // Temporal accumulation of the resource "reflection" averages the noise of one ray per pixel.
