@@ -5,7 +5,7 @@
 Exits with 1 if a limit is exceeded.
 
 equal-time   relMSE in a time, divided by the path tracer's in the same time, after a cut
-orbit        relMSE while the camera turns, divided by that of single frames after cuts
+orbit        relMSE while the camera turns, divided by that of single frames after cuts, without and with the filter
 flicker      deviation over still frames after a lamp has moved; change from frame to frame while it moves
 ghost        light that remains of a lamp or a ball that has gone
 emitters     cost and relMSE with 10,000 glowing squares and with one
@@ -85,9 +85,9 @@ def orbit(args, report):
     """Still frames from the same cameras follow each cut, up to a converged picture."""
     frames = 40 if args.quick else 120
     for name in args.scenes or ("cornell", "protein"):
-        moving, still = (Film(scene(name), args.size, "high", off=args.off) for _ in range(2))
+        moving, still, raw = (Film(scene(name), args.size, "high", off=args.off + more) for more in ([], [], ["denoising"]))
         traced = tracer(scene(name), args.size)
-        for film in (moving, still):
+        for film in (moving, still, raw):
             film.picture(WARM)
         errors = []
         for frame in turned(moving, name, frames):
@@ -95,22 +95,25 @@ def orbit(args, report):
             ours = moving.picture(1)
             if frame % 10 or frame <= frames // 4:
                 continue
-            for film in (still, traced):
+            for film in (still, raw, traced):
                 film.place(moving.pose())
-            still.cut()
-            single = still.picture(1)
+            for film in (still, raw):
+                film.cut()
+            single, unfiltered = still.picture(1), raw.picture(1)
             converged = still.picture(LONG - 1)
             spp = max(1, args.spp // 2)
             truth = kept(args.keep, f"orbit_{name}_{frame}_{args.size[0]}x{args.size[1]}_2x{spp}", lambda: truths(traced, spp))
             write(args.pictures, f"orbit_{name}_{frame:03d}.png", ours, single, converged, truth.mean(axis=0))
             coarse = np.stack([blocks(picture) for picture in truth])
             errors.append([compared(blocks(picture), coarse)[0] for picture in (ours, single, converged)] +
-                          [penumbra.relative_error(picture, converged)[0] for picture in (ours, single)])
-        ours, single, converged, noise, of_single = np.mean(errors, axis=0)
+                          [penumbra.relative_error(picture, converged)[0] for picture in (ours, single, unfiltered)])
+        ours, single, converged, noise, of_single, of_unfiltered = np.mean(errors, axis=0)
         report.figure(f"orbit, {name}: against the path tracer (means of 4x4 pixels)", ours / single,
                       more=f"{ours:.5f}, single frames {single:.5f}, converged {converged:.5f}")
-        report.figure(f"orbit, {name}: against the converged picture", noise / of_single, ORBIT,
-                      more=f"{noise:.5f}, single frames {of_single:.5f}")
+        report.figure(f"orbit, {name}: against the converged picture / unfiltered frames", noise / of_unfiltered, ORBIT,
+                      more=f"{noise:.5f}, unfiltered {of_unfiltered:.5f}")
+        report.figure(f"orbit, {name}: against the converged picture / filtered frames", noise / of_single,
+                      more=f"{noise:.5f}, filtered {of_single:.5f}")
 
 
 def changes(films, place, folder):
