@@ -47,13 +47,13 @@ vec2 giSample2D(uint index, uint seed)
 }
 
 // The same for pixels whose results are averaged with those of their neighbours: point `index` of a pixel's (0, 2)-sequence.
-// The 4 x 4 pixels of a tile share a sequence: its first 16 points for their first samples, the next 16 for the next. So a
-// tile's points are evenly distributed in each frame and over frames (the idea: Ahmed and Wonka 2020, Screen-Space Blue-Noise
-// Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels). Each seed gives other sequences.
+// The 4 x 4 pixels of a tile share a sequence: its first 16 points are their first samples, the next 16 their second samples.
+// So the points of a tile are evenly distributed in each frame and over frames (after Ahmed and Wonka 2020, Screen-Space
+// Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels). Each seed gives other sequences.
 vec2 giTileSample2D(uint index, ivec2 pixel, uint seed)
 {
-  // Bits of the index choose which of 16 points a pixel takes. Found by search, such that the points of each pixel alone are
-  // a (0, 2)-sequence, too, up to 2048 points (tests/gpu/TestSequence.cxx).
+  // Bits of the index choose which of 16 points a pixel takes. A search found these columns, with which the points of each
+  // pixel alone are a (0, 2)-sequence, too: up to 2048 points (tests/gpu/TestSequence.cxx).
   const uint columns[12] = uint[](3u, 1u, 12u, 4u, 2u, 3u, 8u, 12u, 1u, 2u, 4u, 8u);
   uint tile = giHash(uint(pixel.x >> 2) + (uint(pixel.y >> 2) << 16)) + giHash(seed);
   uint shuffled = giOwenScramble(index, giHash(tile));

@@ -51,9 +51,9 @@ void addRays(Lobe lobe, vec3 P, ivec2 window, inout vec4 sum, inout float weight
   }
 }
 
-// Distances of what the rays of a pixel and its eight neighbours hit: of the nearest hit, and their harmonic mean; of where the
-// pixel's own ray ended if none hits. With the pixel's ray alone the neighbours that count would depend on what it found, and
-// pixels whose ray missed would lose light.
+// Distances to what the rays of a pixel and its eight neighbours hit: the nearest, and the harmonic mean. If none hits: where the
+// pixel's own ray ended. Must not depend on the pixel's own ray alone: the choice of neighbours would depend on what that ray
+// found, and pixels whose ray missed would lose light.
 vec2 hitDistances(vec3 P, ivec2 window, ivec2 low, ivec2 high)
 {
   float nearest = 0.0; // inverse

@@ -70,8 +70,9 @@ vec4 currentShare(vec4 frames, float sharing)
 }
 
 #ifndef GI_STILL
-// Cubic interpolation, which keeps edges sharp over many frames of motion (Catmull and Rom 1974, A Class of Local Interpolating
-// Splines), within the range of the four nearest values.
+// The history at a place, by cubic interpolation, which keeps edges sharp over many frames of motion (Catmull and Rom 1974, A
+// Class of Local Interpolating Splines). The result is limited to the range of the four nearest values, all of which must be
+// known. corner: the lower left one of these; f: the place relative to it.
 vec4 cubicHistoryAt(ivec2 corner, vec2 f)
 {
   vec2 shares[4] = vec2[](f * (f * (1.0 - 0.5 * f) - 0.5), 1.0 + f * f * (1.5 * f - 2.5), f * (0.5 + f * (2.0 - 1.5 * f)),
@@ -85,13 +86,14 @@ vec4 cubicHistoryAt(ivec2 corner, vec2 f)
     ivec2 place = ivec2(i & 3, i >> 2);
     vec4 value = texelFetch(history, GI_AT(clamp(corner + place - 1, ivec2(0), last)), 0);
     sum += shares[place.x].x * shares[place.y].y * value;
-    if (all(equal(place - 1, place - 1 & 1)))
+    bool nearest = all(lessThan(abs(vec2(place) - 1.5), vec2(1.0)));
+    if (nearest)
     {
       least = min(least, value);
       most = max(most, value);
     }
   }
-  // Where there was no surface, a history may hold anything.
+  // The others may lie where there was no surface, and hold anything, even NaN.
   return any(isnan(sum)) ? 0.5 * (least + most) : clamp(sum, least, most);
 }
 #endif

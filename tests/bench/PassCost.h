@@ -20,7 +20,7 @@ struct PassCostOptions
 };
 
 /// Print the median milliseconds of each pass, of all passes, and of the frame by the clock. Throws std::runtime_error
-/// if there is no such preset or technique. Returns true.
-bool ReportPassCost(
+/// if there is no such preset or technique.
+void ReportPassCost(
   const PassCostOptions& options, vtkPolyData& surface, int width, int height, int frames);
 }

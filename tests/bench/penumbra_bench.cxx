@@ -178,14 +178,17 @@ int main(int argc, char* argv[])
   CLI11_PARSE(app, argc, argv);
   try
   {
+    if (ofPasses->parsed())
+    {
+      bench::ReportPassCost(passes, *bench::ReadHead(frames.Volume, frames.Isovalue), frames.Width,
+        frames.Height, frames.Repetitions);
+      return 0;
+    }
     const bool good = ddgi->parsed() ? bench::ReportProbeCost(probes)
-      : ofPasses->parsed()
-      ? bench::ReportPassCost(passes, *bench::ReadHead(frames.Volume, frames.Isovalue),
-          frames.Width, frames.Height, frames.Repetitions)
-      : scenes.Lightmap->parsed() ? bench::ReportLightmapCost(scenes.Turns)
-      : scenes.Volumes->parsed()  ? bench::ReportVolumeCost(scenes.Turns)
-      : scenes.Glyphs->parsed()   ? bench::ReportGlyphCost()
-                                  : Run(frames);
+      : scenes.Lightmap->parsed()    ? bench::ReportLightmapCost(scenes.Turns)
+      : scenes.Volumes->parsed()     ? bench::ReportVolumeCost(scenes.Turns)
+      : scenes.Glyphs->parsed()      ? bench::ReportGlyphCost()
+                                     : Run(frames);
     return good ? 0 : 1;
   }
   catch (const std::exception& error)

@@ -57,11 +57,6 @@ const char* RayStage::Description() const
   return this->Window->GetDescription();
 }
 
-bool RayStage::IsSoftware() const
-{
-  return IsSoftwareContext();
-}
-
 bool RayStage::IsShallow() const
 {
   return this->Scene.ShaderDefines().count("GI_RAY_SHALLOW") != 0;

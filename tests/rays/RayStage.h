@@ -37,7 +37,6 @@ public:
   /// False if there is no context.
   bool IsReady() const { return this->Ready; }
   const char* Description() const;
-  bool IsSoftware() const;
   /// Whether the scene's trees fit the short stack (shared/ray_scene.h).
   bool IsShallow() const;
 

@@ -14,8 +14,10 @@
 #include <vtkPlaneSource.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 using namespace penumbra_test;
 
@@ -413,4 +415,97 @@ TEST(TemporalAccumulation, AnOrbitDoesNotFlicker)
   EXPECT_GT(count, 10000);
   EXPECT_GT(flicker[1], 2.0 * flicker[2]);
   EXPECT_LT(flicker[2], 1.2 * flicker[0] + rounding);
+}
+
+namespace
+{
+constexpr int OrbitWidth = 240;
+constexpr int Fine = 4; // pixels of the truth across a pixel
+
+// A studio with shadows of one technique only.
+struct ShadowStudio : Studio
+{
+  ShadowStudio(const char* technique, int width)
+    : Studio(true, 1, width)
+    , Technique(this->Pass->GetTechnique(technique))
+  {
+    this->Occlusion->EnabledOff();
+    this->Shadows->SetParameter("light-angle", 1.0);
+    this->Shadows->EnabledOff();
+    this->Technique->EnabledOn();
+  }
+  vtkGITechnique* Technique;
+};
+
+// Mean of the fine values within each pixel, and their range.
+struct Areas
+{
+  explicit Areas(const Values& fine)
+  {
+    for (int pixel = 0; pixel < OrbitWidth * (OrbitWidth * 2 / 3); ++pixel)
+    {
+      Values area;
+      for (int i = 0; i < Fine * Fine; ++i)
+      {
+        const int x = Fine * (pixel % OrbitWidth) + i % Fine;
+        const int y = Fine * (pixel / OrbitWidth) + i / Fine;
+        area.push_back(fine[static_cast<std::size_t>(y * Fine * OrbitWidth + x)]);
+      }
+      const auto range = std::minmax_element(area.begin(), area.end());
+      this->Means.push_back(std::accumulate(area.begin(), area.end(), 0.0) / (Fine * Fine));
+      this->Ranges.push_back(*range.second - *range.first);
+    }
+  }
+  Values Means;
+  Values Ranges;
+};
+
+// Expect that the last frame of an orbit has a share of the error of a frame without a history, and that the picture after the
+// still frames that follow differs from one without the orbit by a share of that error. Pixels with an edge of a surface do not
+// count.
+void ExpectSharpShadows(const char* technique, double share, double restShare)
+{
+  constexpr int frames = 16;
+  constexpr double step = 1.3; // degrees
+  ShadowStudio fine(technique, Fine * OrbitWidth);
+  fine.Scene.Renderer->GetActiveCamera()->Azimuth(frames * step);
+  const Areas truth(fine.Frames(16));
+  fine.Technique->EnabledOff();
+  const Areas open(fine.Frame());
+  ShadowStudio studio(technique, OrbitWidth);
+  const auto error = [&](Values values) {
+    constexpr double edge = 8.0; // of 255
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      values[i] = open.Ranges[i] > edge ? truth.Means[i] : values[i];
+    }
+    return Error(values, truth.Means);
+  };
+  Values moved;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    studio.Scene.Renderer->GetActiveCamera()->Azimuth(step);
+    moved = studio.Frame();
+  }
+  const Values rested = studio.Frames(64);
+  studio.Pass->Restart();
+  const double single = error(studio.Frame());
+  const Values still = studio.Frames(63);
+  std::printf(
+    "%s: rms error %.3f, of a single frame %.3f; at rest %.3f from the picture without motion\n",
+    technique, error(moved), single, Error(rested, still));
+  EXPECT_LT(error(moved), share * single);
+  EXPECT_LT(Error(rested, still), restShare * single);
+}
+}
+
+// Each frame of motion reads the history between pixels. That must not blur shadows.
+TEST(TemporalAccumulation, RayTracedShadowsStaySharpInAnOrbit)
+{
+  ExpectSharpShadows("ray-traced-shadows", 0.8, 0.35);
+}
+
+TEST(TemporalAccumulation, ShadowMapsStaySharpInAnOrbit)
+{
+  ExpectSharpShadows("shadow-maps", 0.74, 0.2);
 }

@@ -133,7 +133,7 @@ void Present(FrameContext& context)
   scope.Set(GL_DEPTH_TEST, false);
   if (!context.Input(resource::Color)->IsBorrowed())
   {
-    context.DrawBound("direct_light/present_color.frag", {}, {});
+    context.DrawBound("lib/copy_color.frag", {}, {});
   }
   if (context.Input(resource::Depth)->IsBorrowed() || context.PresentedDepth())
   {

@@ -134,9 +134,9 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   if (manner.Show != Off)
   {
     frame.AddPass("denoising-show")
-      .Read(View, "viewTexture")
+      .Read(View, "colorTexture")
       .DrawOver(resource::Color, ShowOrder)
-      .Draw("denoising/show.frag", {}, {});
+      .Draw("lib/copy_color.frag", {}, {});
   }
 }
 }

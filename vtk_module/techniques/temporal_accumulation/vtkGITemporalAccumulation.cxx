@@ -21,7 +21,8 @@ constexpr int Order = 500;
 // Number of frames after a change in which outdated values may still be visible.
 constexpr int SettlingFrames = 8;
 
-// Number of frames in the mean of shadows with little noise while the camera moves. Each frame of motion blurs their edges.
+// Number of frames in the means of shadow maps while the camera moves: they have little noise, and each frame of motion blurs
+// their edges.
 constexpr int MovingShadowFrames = 4;
 
 // Position, direction and cone of a light. As long as they stay the same, its visibility mask stays valid.
@@ -93,8 +94,8 @@ struct Ages
     this->Geometries = geometries;
   }
 
-  /// Let the means of lights' visibility go on from a number of frames at most.
-  void ShortenLights(int frames)
+  /// Limit the numbers of frames in the means of lights' visibility, also for the frames that follow.
+  void LimitLights(int frames)
   {
     for (int& age : this->Lights)
     {
@@ -250,9 +251,10 @@ struct Accumulator
     {
       variant["GI_REACH"] = "1";
     }
-    else if (noisy.PerLight && view.StillFrames == 0)
+    const bool mapped = noisy.PerLight && !reach; // rays know how far their noise reaches
+    if (mapped && view.StillFrames == 0)
     {
-      this->Age->ShortenLights(MovingShadowFrames);
+      this->Age->LimitLights(MovingShadowFrames);
     }
     for (int layer = 0; layer < std::max(1, desc.Layers); ++layer)
     {

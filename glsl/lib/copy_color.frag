@@ -1,5 +1,5 @@
 #version 430 core
-// Copies the picture to a multisampled window. All samples of a pixel get the same value.
+// Copies a picture. All samples of a pixel of a multisampled target get the same value.
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(location = 0) out vec4 color;
 
