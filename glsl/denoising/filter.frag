@@ -18,7 +18,7 @@ uniform int sharing; // number of pixels that share a sample in one frame
 // Standard deviations of a difference after which a sample's weight falls to 1 / e, in the first frame and later: as many
 // deviations of little noise would let through more bias than there is noise.
 const float TOLERANCE = 2.5;
-const float TOLERANCE_FALLS = 16.0; // frames after which it falls with their root
+const float TOLERANCE_FALLS = 32.0; // frames after which it falls with their root
 
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
