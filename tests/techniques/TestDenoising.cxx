@@ -55,6 +55,22 @@ protected:
     EXPECT_NEAR(Mean(filtered), Mean(truth), ofMean * Mean(truth));
   }
 
+  /// Share of the squared error of a mean of still frames that the filter leaves. many: frames of the truth.
+  double ErrorLeft(int frames, int many)
+  {
+    this->First(false);
+    const Values raw = this->After(frames - 1);
+    this->First(true);
+    const Values filtered = this->After(frames - 1);
+    this->Filter->EnabledOff();
+    this->Pass->Restart();
+    const Values truth = this->After(many);
+    const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
+    std::printf("after %d frames relMSE %.5f, filtered %.5f, %.3f of it\n", frames,
+      SquaredError(raw, truth), SquaredError(filtered, truth), share);
+    return share;
+  }
+
   static constexpr int Width = 160;
   static constexpr int Height = 120;
   vtkGITechnique* Filter = nullptr;
@@ -70,17 +86,7 @@ TEST_F(Denoising, TakesMostNoiseOffTheFirstFrame)
 // What the filter blurs must be noise: after some frames contacts and edges of light are sharper than neighbours' means.
 TEST_F(Denoising, SparesWhatStandsOutOfTheNoise)
 {
-  this->First(false);
-  const Values raw = this->After(15);
-  this->First(true);
-  const Values filtered = this->After(15);
-  this->Filter->EnabledOff();
-  this->Pass->Restart();
-  const Values truth = this->After(400);
-  const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
-  std::printf("after 16 frames relMSE %.5f, filtered %.5f, %.3f of it\n", SquaredError(raw, truth),
-    SquaredError(filtered, truth), share);
-  EXPECT_LT(share, 0.2);
+  EXPECT_LT(this->ErrorLeft(16, 400), 0.2);
 }
 
 // The less noise there is, the finer is what the filter spares: the shading of slopes that are a few pixels long.
@@ -104,17 +110,8 @@ TEST_F(Denoising, SparesFineSlopesInTheEnd)
   Paint(this->Scene.Add(hills), 0.7);
   this->Scene.Window->SetSize(Width / 2, Height / 2);
   this->LookFrom(0.4, 0.4, 0.3, 0.0, 0.0, -0.95);
-  this->First(false);
-  const Values raw = this->After(63);
-  this->First(true);
-  const Values filtered = this->After(63);
-  this->Filter->EnabledOff();
-  this->Pass->Restart();
-  const Values truth = this->After(500);
-  const double share = SquaredError(filtered, truth) / SquaredError(raw, truth);
-  std::printf("after 64 frames relMSE %.5f, filtered %.5f, %.3f of it\n", SquaredError(raw, truth),
-    SquaredError(filtered, truth), share);
-  EXPECT_LT(share, 0.9); // 1.1 if as many standard deviations counted as in the first frame
+  // 1.1 if as many standard deviations counted as in the first frame
+  EXPECT_LT(this->ErrorLeft(64, 500), 0.9);
 }
 
 // A small change leaves most of the history, so that there is little noise; of a great one nothing stays.
