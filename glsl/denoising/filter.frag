@@ -15,10 +15,12 @@ layout(binding = 0) uniform usampler2D signalTexture;
 uniform int step;
 uniform int sharing; // number of pixels that share a sample in one frame
 
-// Standard deviations of a difference after which a sample's weight falls to 1 / e, in the first frame and later: as many
-// deviations of little noise would let through more bias than there is noise.
-const float TOLERANCE = 2.5;
-const float TOLERANCE_FALLS = 32.0; // frames after which it falls with their root
+// Standard deviations of a difference after which a sample's weight falls to 1 / e.
+const float TOLERANCE = 3.25;
+
+// Number of frames after the first in which the limit on the squared difference of normals halves. Light depends on where a
+// surface faces: in the first frame its noise is larger than what slopes differ by, later it is not.
+const float BEND_HALVED = 4.0;
 
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
@@ -64,9 +66,9 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
+  here.bend *= 1.0 + (signal.frames - 1.0) / BEND_HALVED;
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
-  float tolerance = TOLERANCE * inversesqrt(1.0 + signal.frames / TOLERANCE_FALLS);
   bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
   vec2 moments = vec2(0.0);
   vec2 squares = vec2(0.0); // of weights, and of weighted noise
@@ -91,7 +93,7 @@ void main()
     float otherNoise = other.error * otherLight;
     if (guided)
     {
-      weight *= exp(-abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)) / tolerance);
+      weight *= exp(-abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)) / TOLERANCE);
     }
     moments += weight * vec2(otherLight, otherLight * otherLight);
     squares += weight * weight * vec2(1.0, otherNoise * otherNoise);

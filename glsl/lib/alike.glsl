@@ -6,6 +6,7 @@ struct GiSurfel
   vec2 slope;      // change of the plane's depth per pixel
   vec2 normal;     // octahedral
   float sharpness; // loss of similarity per depth off the plane
+  float bend;      // loss of similarity per squared difference of normals
 };
 
 // stride: pixels between neighbours.
@@ -28,6 +29,7 @@ GiSurfel giSurfel(vec2 place, float depth, vec2 normal, float stride)
   float toEye = clamp(abs(dot(N, giToEye(P))), 0.2, 1.0);
   float w = view.ClipToView[2].w * (2.0 * depth - 1.0) + view.ClipToView[3].w;
   surfel.sharpness = abs(windowNormal.z / w) * toEye / pixel;
+  surfel.bend = 10.0; // normals more than about 60 degrees apart have no similarity
   return surfel;
 }
 
@@ -35,6 +37,5 @@ float giSimilarity(GiSurfel here, vec2 offset, float depth, vec2 normal)
 {
   float distance = abs(depth - here.depth - dot(here.slope, offset)) * here.sharpness;
   vec2 difference = normal - here.normal;
-  // Normals more than about 60 degrees apart have no similarity.
-  return clamp(2.0 - distance, 0.0, 1.0) * clamp(1.0 - 10.0 * dot(difference, difference), 0.0, 1.0);
+  return clamp(2.0 - distance, 0.0, 1.0) * clamp(1.0 - here.bend * dot(difference, difference), 0.0, 1.0);
 }
