@@ -239,6 +239,27 @@ TEST(TemporalAccumulation, HiddenPropsLeaveNoGhost)
   EXPECT_LT(std::abs(ghost), 0.008);
 }
 
+// Where penumbrae overlap, clamping would keep the shadow of a prop that has gone, and noise.
+TEST(TemporalAccumulation, ShadowsStartFromScratchWhenAPropLeaves)
+{
+  constexpr int frames = 16;
+  Studio fresh(true);
+  fresh.Occlusion->EnabledOff();
+  fresh.Ball->VisibilityOff();
+  const Values beginning = fresh.Frames(frames);
+  const Values truth = fresh.Frames(400);
+  Studio studio(true);
+  studio.Occlusion->EnabledOff();
+  // As many that the samples of the next frames are as evenly distributed as those of the first.
+  studio.Frames(2 * frames);
+  studio.Ball->VisibilityOff();
+  const double error = Error(studio.Frames(frames), truth);
+  const double expected = Error(beginning, truth);
+  std::printf("%d frames after a ball is hidden: rms error %.3f / 255, without the ball %.3f\n",
+    frames, error, expected);
+  EXPECT_LT(error, 1.3 * expected); // 1.5 if the history were clamped
+}
+
 TEST(TemporalAccumulation, ATechniqueSwitchedOnAgainStartsFromScratch)
 {
   constexpr int frames = 16;

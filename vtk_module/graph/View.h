@@ -19,6 +19,7 @@ struct SceneChanges
   bool Any = true;
   bool Lights = true;
   bool Props = true;      ///< a prop moved, appeared, disappeared or changed its appearance
+  bool Presence = true;   ///< a prop appeared or disappeared
   bool Appearance = true; ///< a shape or colour changed
   bool Techniques = true; ///< a technique was switched, or a parameter set
 };

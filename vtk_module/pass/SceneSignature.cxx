@@ -16,6 +16,8 @@
 #include "vtkPropCollection.h"
 #include "vtkTexture.h"
 
+#include <cstdint>
+
 namespace penumbra
 {
 namespace
@@ -42,6 +44,7 @@ void SceneSignature::AddProp(vtkProp* prop)
   {
     return;
   }
+  this->Values[Presence].push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop)));
   vtkMTimeType changeTime = prop->GetRedrawMTime();
   vtkMTimeType appearanceTime = 0;
   prop->InitPathTraversal();
@@ -114,6 +117,7 @@ SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
   SceneChanges changes;
   changes.Lights = differs(Lights);
   changes.Props = differs(Props);
+  changes.Presence = differs(Presence);
   changes.Appearance = differs(Looks);
   changes.Techniques = differs(Techniques);
   changes.Any = changes.Lights || changes.Props || changes.Appearance || changes.Techniques ||

@@ -34,8 +34,9 @@ private:
   {
     Camera,
     Lights,
-    Props, ///< positions and appearance of all props
-    Looks, ///< appearance of all props: shapes and colours
+    Props,    ///< positions and appearance of all props
+    Presence, ///< which props are visible
+    Looks,    ///< appearance of all props: shapes and colours
     Techniques,
     Groups
   };

@@ -44,13 +44,17 @@ struct Ages
   /// Numbers of the frames whose means are kept, by noisy resource.
   std::map<std::string, int> LastMeans;
   int Accumulation = 0;    ///< since accumulation began
+  int Means = 0;           ///< in the means; few after props changed
   int Looks = 0;           ///< since looks or lights changed
   int Props = 0;           ///< since props changed; 0 in the frame of the change
   int Lit = 0;             ///< in the means of light on surfaces; few when it changes
   int Lighting =
     0; ///< since looks or lights changed, but for lights that the camera carries; 0 in that frame
   bool Carried = false; ///< the camera moved, and a light with it
-  std::vector<int> Lights; ///< since its light changed, for each channel of the direct visibility
+  /// In the mean of each channel of the direct visibility: since its light changed, or a prop appeared or disappeared; few
+  /// after props moved.
+  std::vector<int> Lights;
+  bool Restarted = false; ///< the means of all lights began after the last change of props
   std::vector<LightGeometry> CarriedGeometries; ///< of the lights that the camera carries
   std::vector<LightGeometry> Geometries; ///< geometry of the lights in these channels
 
@@ -60,6 +64,10 @@ struct Ages
     this->Looks =
       !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
     this->Props = view.Changes.Props ? 0 : this->Props + 1;
+    this->Means = continued ? this->Means + 1 : 1;
+    this->Means = this->IsSettling() ? std::min(this->Means, changeFrames) : this->Means;
+    // Where penumbrae overlap, noise is so wide that clamping would keep the shadow of a prop that has gone.
+    this->Restarted = view.Changes.Presence || (this->Restarted && !view.Changes.Props);
     std::vector<LightGeometry> carried;
     for (const Light& light : lights.Lights())
     {
@@ -87,9 +95,13 @@ struct Ages
     this->Lights.resize(geometries.size());
     for (std::size_t i = 0; i < geometries.size(); ++i)
     {
-      const bool same =
-        continued && i < this->Geometries.size() && this->Geometries[i] == geometries[i];
+      const bool same = continued && !view.Changes.Presence && i < this->Geometries.size() &&
+        this->Geometries[i] == geometries[i];
       this->Lights[i] = same ? this->Lights[i] + 1 : 1;
+    }
+    if (this->AreLightsSettling())
+    {
+      this->LimitLights(changeFrames);
     }
     this->Geometries = geometries;
   }
@@ -109,6 +121,9 @@ struct Ages
     return this->Props < SettlingFrames && this->Props + 1 < this->Accumulation;
   }
 
+  /// The same for the visibility of lights.
+  bool AreLightsSettling() const { return this->IsSettling() && !this->Restarted; }
+
   /// The same for light on surfaces, and changes of what lights them.
   bool IsLightSettling() const
   {
@@ -118,8 +133,8 @@ struct Ages
 
   int Of(const NoisyResource& noisy, std::size_t channel) const
   {
-    const int age = noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1)
-                                   : this->Accumulation;
+    const int age =
+      noisy.PerLight ? (channel < this->Lights.size() ? this->Lights[channel] : 1) : this->Means;
     if (noisy.Light)
     {
       return std::min(age, this->Lit);
@@ -166,9 +181,15 @@ struct Accumulator
   int MaximumAge(const View& view) const
   {
     constexpr int unlimited = 2048; // half floats represent every integer up to this one
-    return this->Age->IsSettling() ? this->ChangeFrames
-      : view.StillFrames > 0       ? unlimited
-                                   : this->MaximumFrames;
+    return view.StillFrames > 0 ? unlimited : this->MaximumFrames;
+  }
+
+  /// Whether the history of a result may be outdated.
+  bool Clamps(const NoisyResource& noisy, const View& view) const
+  {
+    return noisy.Light ? this->Age->IsLightSettling()
+      : noisy.PerLight ? view.StillFrames == 0 || this->Age->AreLightsSettling()
+                       : view.StillFrames == 0 || this->Age->IsSettling();
   }
 
   void Begin(ScopedState& scope) const
@@ -237,9 +258,7 @@ struct Accumulator
     {
       variant["GI_STILL"] = "1";
     }
-    const bool clamps =
-      noisy.Light ? this->Age->IsLightSettling() : view.StillFrames == 0 || this->Age->IsSettling();
-    if (clamps)
+    if (this->Clamps(noisy, view))
     {
       variant["GI_CLAMP"] = "1";
     }
