@@ -187,9 +187,12 @@ struct Accumulator
   /// Whether the history of a result may be outdated.
   bool Clamps(const NoisyResource& noisy, const View& view) const
   {
-    return noisy.Light ? this->Age->IsLightSettling()
-      : noisy.PerLight ? view.StillFrames == 0 || this->Age->AreLightsSettling()
-                       : view.StillFrames == 0 || this->Age->IsSettling();
+    if (noisy.Light)
+    {
+      return this->Age->IsLightSettling();
+    }
+    const bool settling = noisy.PerLight ? this->Age->AreLightsSettling() : this->Age->IsSettling();
+    return view.StillFrames == 0 || settling;
   }
 
   void Begin(ScopedState& scope) const
