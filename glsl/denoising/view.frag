@@ -32,7 +32,7 @@ void main()
     return;
   }
   float frames = signal.frames;
-#ifdef GI_REPROJECTED
+#if defined(GI_REPROJECTED) && !defined(GI_LIGHT) // only light knows the frames of its mean
   frames = max(frames, texelFetch(reprojection, pixel, 0).z);
 #endif
 #ifdef GI_SHARES

@@ -53,7 +53,7 @@ vec2 giSample2D(uint index, uint seed)
 vec2 giTileSample2D(uint index, ivec2 pixel, uint seed)
 {
   // Bits of the index choose which of 16 points a pixel takes. A search found these columns, with which the points of each
-  // pixel alone are a (0, 2)-sequence, too: up to 2048 points (tests/gpu/TestSequence.cxx).
+  // pixel alone are a (0, 2)-sequence, too: up to 4096 points (tests/gpu/TestSequence.cxx).
   const uint columns[12] = uint[](3u, 1u, 12u, 4u, 2u, 3u, 8u, 12u, 1u, 2u, 4u, 8u);
   uint tile = giHash(uint(pixel.x >> 2) + (uint(pixel.y >> 2) << 16)) + giHash(seed);
   uint shuffled = giOwenScramble(index, giHash(tile));

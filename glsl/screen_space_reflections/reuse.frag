@@ -71,8 +71,12 @@ vec2 hitDistances(vec3 P, ivec2 window, ivec2 low, ivec2 high)
       hits += 1.0;
     }
   }
+  if (hits > 0.0)
+  {
+    return vec2(1.0 / nearest, hits / sum);
+  }
   vec4 own = texelFetch(rayTexture, ivec3(window, 0), 0);
-  return hits > 0.0 ? vec2(1.0 / nearest, hits / sum) : vec2(own.w > 0.0 ? length(own.xyz - P) : 0.0);
+  return vec2(own.w > 0.0 ? length(own.xyz - P) : 0.0);
 }
 
 void main()

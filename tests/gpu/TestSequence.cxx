@@ -31,7 +31,7 @@ bool IsNet(const std::vector<glm::vec2>& points, int bits)
 }
 
 constexpr int Width = 4;    // of a tile of pixels that share a sequence
-constexpr int Longest = 11; // bits of the number of points of a pixel that is tested
+constexpr int Longest = 12; // bits of the number of points of a pixel that is tested
 
 /// Points of a tile's pixels, each pixel's one after the other.
 struct TilePoints

@@ -16,7 +16,10 @@
 #include <vtkPBRLUTTexture.h>
 #include <vtkPBRPrefilterTexture.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkSmartPointer.h>
 #include <vtkTexture.h>
 
 #include <array>
@@ -41,6 +44,20 @@ inline vtkActor* AddFloor(
   Stage& stage, double left, double right, double front, double back, double height = 0.0)
 {
   return AddQuad(stage, { left, front, height }, { right, front, height }, { left, back, height });
+}
+
+/// A horizontal square around the origin that faces up, of many cells, for tests that move its points.
+inline vtkSmartPointer<vtkPolyData> GridAround(double halfWidth, int cells, double height = 0.0)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-halfWidth, -halfWidth, height);
+  plane->SetPoint1(halfWidth, -halfWidth, height);
+  plane->SetPoint2(-halfWidth, halfWidth, height);
+  plane->SetResolution(cells, cells);
+  plane->Update();
+  vtkSmartPointer<vtkPolyData> grid = plane->GetOutput();
+  grid->GetPointData()->Initialize(); // without the flat plane's normals
+  return grid;
 }
 
 /// Add a directional light of the scene at a position. It shines toward the origin.

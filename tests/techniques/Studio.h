@@ -18,7 +18,6 @@
 #include <vtkCubeSource.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -104,14 +103,7 @@ struct Studio
 
   void AddSheet()
   {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(-4.0, -4.0, 0.0);
-    plane->SetPoint1(4.0, -4.0, 0.0);
-    plane->SetPoint2(-4.0, 4.0, 0.0);
-    plane->SetResolution(80, 80);
-    plane->Update();
-    this->Sheet = plane->GetOutput();
-    this->Sheet->GetPointData()->Initialize();
+    this->Sheet = GridAround(4.0, 80);
     this->Scene.Add(this->Sheet.Get())->GetProperty()->SetColor(0.9, 0.9, 0.9);
   }
 

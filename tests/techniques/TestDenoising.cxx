@@ -5,8 +5,6 @@
  */
 #include "RoomStage.h"
 
-#include <vtkPlaneSource.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,14 +90,7 @@ TEST_F(Denoising, SparesWhatStandsOutOfTheNoise)
 // The less noise there is, the finer is what the filter spares: the shading of slopes that are a few pixels long.
 TEST_F(Denoising, SparesFineSlopesInTheEnd)
 {
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(-1.0, -1.0, -0.95);
-  plane->SetPoint1(1.0, -1.0, -0.95);
-  plane->SetPoint2(-1.0, 1.0, -0.95);
-  plane->SetResolution(200, 200);
-  plane->Update();
-  vtkPolyData* hills = plane->GetOutput();
-  hills->GetPointData()->Initialize();
+  const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, 200, -0.95);
   for (vtkIdType i = 0; i < hills->GetNumberOfPoints(); ++i)
   {
     std::array<double, 3> p;
@@ -107,7 +98,7 @@ TEST_F(Denoising, SparesFineSlopesInTheEnd)
     p[2] += 0.02 * std::sin(40.0 * p[0]) * std::sin(40.0 * p[1]);
     hills->GetPoints()->SetPoint(i, p.data());
   }
-  Paint(this->Scene.Add(hills), 0.7);
+  Paint(this->Scene.Add(hills.Get()), 0.7);
   this->Scene.Window->SetSize(Width / 2, Height / 2);
   this->LookFrom(0.4, 0.4, 0.3, 0.0, 0.0, -0.95);
   // 1.4 if the normals of neighbours could differ as much as in the first frame

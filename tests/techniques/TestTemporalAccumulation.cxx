@@ -3,6 +3,10 @@
 // Accumulation over frames: noise falls in scenes at rest, and no ghosts remain.
 #include "Studio.h"
 
+#include <vtkActor2D.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyDataMapper2D.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -113,6 +117,24 @@ TEST(TemporalAccumulation, ShadowsStartFromScratchWhenAPropLeaves)
   std::printf("%d frames after a ball is hidden: rms error %.3f / 255, without the ball %.3f\n",
     frames, error, expected);
   EXPECT_LT(error, 1.3 * expected); // 1.5 if the history were clamped
+}
+
+// What VTK draws onto the finished picture changes nothing in it.
+TEST(TemporalAccumulation, OverlaysLeaveTheMeansAlone)
+{
+  Studio studio(true);
+  const Values first = studio.Frame();
+  const Values before = studio.Frames(63);
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor2D> overlay;
+  overlay->SetMapper(mapper);
+  studio.Scene.Renderer->AddActor2D(overlay);
+  const Values after = studio.Frame();
+  std::printf("rms change by an overlay %.3f / 255, since the first frame %.3f\n",
+    Error(before, after), Error(before, first));
+  EXPECT_LT(Error(before, after), 0.05 * Error(before, first));
 }
 
 TEST(TemporalAccumulation, ATechniqueSwitchedOnAgainStartsFromScratch)

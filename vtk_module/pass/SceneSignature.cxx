@@ -7,6 +7,7 @@
 #include "rays/TexturePixels.h"
 
 #include "vtkActor.h"
+#include "vtkActor2D.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
 #include "vtkLight.h"
@@ -106,7 +107,10 @@ SceneSignature SceneSignature::Of(vtkOpenGLRenderer* renderer, const View& view,
   props->InitTraversal(cookie);
   while (vtkProp* prop = props->GetNextProp(cookie))
   {
-    signature.AddProp(prop);
+    if (!vtkActor2D::SafeDownCast(prop)) // drawn onto the finished picture
+    {
+      signature.AddProp(prop);
+    }
   }
   return signature;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Tells whether a renderer shows the same picture as before, up to noise. Consists of the camera's matrices, the
- * viewport, and the modification times of everything that is drawn.
+ * viewport, and the modification times of everything that is drawn but overlays.
  */
 #pragma once
 
