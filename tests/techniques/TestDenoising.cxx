@@ -87,7 +87,7 @@ TEST_F(Denoising, SparesWhatStandsOutOfTheNoise)
   EXPECT_LT(this->ErrorLeft(16, 400), 0.2);
 }
 
-// The less noise there is, the finer is what the filter spares: the shading of slopes that are a few pixels long.
+// The more frames a mean has, the finer the shading that the filter spares: here that of slopes a few pixels long.
 TEST_F(Denoising, SparesFineSlopesInTheEnd)
 {
   const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, 200, -0.95);

@@ -109,7 +109,7 @@ TEST(TemporalAccumulation, ShadowsStartFromScratchWhenAPropLeaves)
   const Values truth = fresh.Frames(400);
   Studio studio(true);
   studio.Occlusion->EnabledOff();
-  // As many that the samples of the next frames are as evenly distributed as those of the first.
+  // A multiple of the frames that are compared: their samples are distributed as evenly as the first ones.
   studio.Frames(2 * frames);
   studio.Ball->VisibilityOff();
   const double error = Error(studio.Frames(frames), truth);
