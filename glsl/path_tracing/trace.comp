@@ -43,6 +43,7 @@ layout(binding = 4) uniform sampler2D skyTexture;
 
 uniform mat3 viewToScene;
 uniform int sampleIndex;   // number of samples in the sums
+uniform int seedOfAll;
 uniform float drawnReach;  // share of the distance to a line or point within which a surface hides it
 
 const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
@@ -55,7 +56,7 @@ void main()
   {
     return;
   }
-  seed = giHash(uint(window.x) + (uint(window.y) << 16));
+  seed = giHash(uint(window.x) + (uint(window.y) << 16) + uint(seedOfAll) * 0x9e3779b9u);
   sampleNumber = sampleIndex;
   uint state = giHash(seed ^ giHash(uint(sampleIndex)));
 

@@ -17,7 +17,6 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
 MANY = 10000  # emitters
-SKIPPED = 4  # the path tracer's first paths are left out of truths: one in so many
 
 
 def polygons(points, cells):
@@ -208,17 +207,6 @@ class Film:
 def tracer(renderer, size, **parameters):
     """A film of the path tracer that goes on as long as it is asked to."""
     return Film(renderer, size, "reference", **{"path-tracing.samples": 1000000, **parameters})
-
-
-def truths(film, spp):
-    """Two independent pictures of the path tracer, from its start. Its first paths are skipped: these are the ones that
-    it would draw in a short time, so that a picture of them would not be independent."""
-    counts = [max(1, spp // SKIPPED) + spp * i for i in range(3)]
-    sums, drawn = [], 0
-    for count in counts:
-        sums.append(count * film.picture(count - drawn))
-        drawn = count
-    return np.stack((sums[1] - sums[0], sums[2] - sums[1])) / spp
 
 
 class Report:

@@ -27,8 +27,8 @@ from cornell_rays import penumbra as command
 from indirect_light import kept, write
 from isosurface_ddgi import blocks
 from PIL import Image
-from ray_scenes import MANY, Cornell, Film, Report, Room, TwoLamps, glowing_room, in_white, keep_lit, metal_room, scene, tracer, truths
-from sky_light import compared
+from ray_scenes import MANY, Cornell, Film, Report, Room, TwoLamps, glowing_room, in_white, keep_lit, metal_room, scene, tracer
+from sky_light import compared, truths
 
 EQUAL_TIME = {0.5: 1 / 8, 2: 1 / 4, 8: 1 / 2}  # seconds: limit of the ratio
 ORBIT = 0.25

@@ -96,11 +96,19 @@ class Film:
         self.renderer.GetActiveCamera().Azimuth(degrees)
 
 
+def truths(film, spp):
+    """Two pictures of the path tracer, independent of each other and of those with its default seed."""
+    pictures = []
+    for seed in (1, 2):
+        film.gi.GetTechnique("path-tracing").SetParameter("seed", seed)
+        pictures.append(film.picture(spp))
+    film.gi.GetTechnique("path-tracing").SetParameter("seed", 0)
+    return np.stack(pictures)
+
+
 def traced(scene, name, size, spp):
-    """Two independent pictures of the path tracer."""
-    film = Film(scene, name, size, "reference", **{"path-tracing.samples": 2 * spp, "path-tracing.bounces": 0})
-    first = film.picture(spp)
-    return np.stack((first, 2 * film.picture(spp) - first))
+    """Truths of a scene under a sky."""
+    return truths(Film(scene, name, size, "reference", **{"path-tracing.samples": spp, "path-tracing.bounces": 0}), spp)
 
 
 def compared(picture, truths):

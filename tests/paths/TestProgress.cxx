@@ -8,6 +8,10 @@
 #include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
 using namespace penumbra_test;
 
 namespace
@@ -104,4 +108,51 @@ TEST(Progress, StartsFromScratchWhenATexturesImageChanges)
   image->Modified();
   EXPECT_EQ(Shoot(stage.Window).At(side / 2, side / 2)[1], 90);
   EXPECT_EQ(paths->GetSamplesTaken(stage.Renderer), 1);
+}
+
+// Pictures with different seeds differ from their mean independently, and each seed draws the same picture again.
+TEST(Progress, SeedsAreIndependent)
+{
+  TracedBall traced;
+  vtkNew<vtkPlaneSource> ground;
+  ground->SetOrigin(-1.0, -1.0, -0.6);
+  ground->SetPoint1(1.0, -1.0, -0.6);
+  ground->SetPoint2(-1.0, 1.0, -0.6);
+  traced.Stage.Add(ground);
+  vtkProperty* ball = traced.Stage.Renderer->GetActors()->GetLastActor()->GetProperty();
+  ball->SetAmbient(0.7); // glows
+  traced.Stage.Renderer->ResetCamera();
+  const auto draw = [&traced](int seed) {
+    traced.Paths->SetSeed(seed);
+    const Picture picture = traced.Frames(2);
+    EXPECT_EQ(traced.Paths->GetSamplesTaken(traced.Stage.Renderer), 2);
+    return picture;
+  };
+  constexpr int seeds = 24;
+  std::vector<Picture> pictures;
+  std::vector<double> mean;
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    pictures.push_back(draw(seed));
+    mean.resize(pictures.back().Pixels.size());
+    for (std::size_t i = 0; i < mean.size(); ++i)
+    {
+      mean[i] += static_cast<double>(pictures.back().Pixels[i]) / seeds;
+    }
+  }
+  EXPECT_EQ(draw(0).Pixels, pictures[0].Pixels);
+  double squares = 0.0;
+  double products = 0.0;
+  for (int seed = 1; seed < seeds; ++seed)
+  {
+    for (std::size_t i = 0; i < mean.size(); ++i)
+    {
+      const double difference = pictures[seed].Pixels[i] - mean[i];
+      squares += difference * difference;
+      products += difference * (pictures[seed - 1].Pixels[i] - mean[i]);
+    }
+  }
+  std::printf("correlation of successive seeds: %.3f\n", products / squares);
+  EXPECT_GT(squares / seeds, 1e4);
+  EXPECT_NEAR(products / squares, -1.0 / seeds, 0.05); // as the mean contains both
 }

@@ -66,7 +66,7 @@ struct PathTracer
   }
 
   /// Add one path per pixel. sampleIndex: number of samples in the sums so far.
-  void Trace(FrameContext& context, int sampleIndex) const
+  void Trace(FrameContext& context, int sampleIndex, int seed) const
   {
     // Without lights VTK draws surfaces as flat colours, which the capture cannot tell from lines. Rays then have to
     // reach slightly beyond the drawn depth, so that they find these surfaces.
@@ -74,6 +74,7 @@ struct PathTracer
     context.Dispatch("path_tracing/trace.comp", this->Rays->ShaderDefines(),
       Arguments()
         .Set("sampleIndex", sampleIndex)
+        .Set("seedOfAll", seed)
         .Set("drawnReach", this->Lights->Lights().empty() ? 1.0 + margin : 1.0 - margin),
       Work::Items(context.GetView().Viewport.z, context.GetView().Viewport.w));
   }
@@ -271,7 +272,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
       }
       if (!this->IsFinished(current))
       {
-        tracer.Trace(context, current.Samples);
+        tracer.Trace(context, current.Samples, this->Seed);
         ++current.Samples;
         // Interval of about an eighth of the samples so far: it stops soon enough and costs little.
         constexpr int block = 8;
