@@ -1,0 +1,175 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Renders what the denoiser learns from: signals of few rays, and the same pictures with more rays and other random numbers.
+
+Targets need not be free of noise: it is independent of that of the inputs, so the mean of a squared loss has its minimum where
+that for perfect targets would have it (Lehtinen et al. 2018, Noise2Noise: Learning Image Restoration without Clean Data).
+"""
+import os
+from dataclasses import dataclass
+
+import numpy as np
+import penumbra
+import scenes
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+ORBIT = 8               # frames while the camera turns
+STILL = (1, 4, 16, 64)  # numbers of still frames of the other inputs
+LONGEST = 4             # one camera in so many has the last of these
+TARGET_FRAMES, TARGET_RAYS = 24, 4
+SETTLE = 30             # frames after which probes know the scene
+RECENT = 4 / 3          # variance of a still mean, in which recent frames count more, by that of a plain one
+LEAST, MOST = 4, 255    # frames from which a mean's error is known, and up to which they are counted
+NORMAL = 4096           # steps of a packed normal
+LUMINANCE = np.array((0.2126, 0.7152, 0.0722), np.float32)
+
+
+@dataclass
+class Signal:
+    """Light at the pixels of a picture, bottom row first, with what the denoiser knows of it.
+
+    light: (h, w, 3) mean irradiance; error: (h, w) relative standard error of its luminance, 0 if unknown; frames: (h, w) number
+    of frames in the mean, 0 without a surface; normal: (h, w, 2) octahedral, in view coordinates; depth: (h, w) view z, negative;
+    projection: (2,) the projection's scales of x and y.
+    """
+    light: np.ndarray
+    error: np.ndarray
+    frames: np.ndarray
+    normal: np.ndarray
+    depth: np.ndarray
+    projection: np.ndarray
+
+    FIELDS = ("light", "error", "frames", "normal", "depth", "projection")
+
+
+class Film:
+    """A scene in a window that draws light by one ray per pixel and its mean over frames."""
+
+    def __init__(self, renderer, size, probes):
+        self.renderer, self.camera = renderer, renderer.GetActiveCamera()
+        on = ["ray-traced-light", "temporal-accumulation"] + (["ddgi"] if probes else [])
+        self.gi = penumbra.enable(renderer, "off", on=on)
+        self.window = penumbra.window(renderer, size=(size, size), multisamples=0)
+        self.frame()
+        self.parity = self._find_parity()
+
+    def frame(self, count=1):
+        """Draw frames. Histories take turns, even and odd."""
+        for _ in range(count):
+            self.window.Render()
+            if self.gi.GetLastError():
+                raise RuntimeError(self.gi.GetLastError())
+            self.parity = not getattr(self, "parity", False)
+
+    def buffer(self, name, odd):
+        """A history as an array."""
+        image = vtkImageData()
+        parity = "odd" if odd else "even"
+        if not self.gi.GetBuffer(self.renderer, f"temporal-accumulation.{name}.{parity}", image):
+            raise RuntimeError(f"the pass has no history {name}")
+        width, height, _ = image.GetDimensions()
+        return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 4).copy()
+
+    def _find_parity(self):
+        """Whether the newest frame is in the odd histories: those change."""
+        self.frame()
+        before = self.buffer("surface", False)
+        self.frame()
+        return bool(np.array_equal(before, self.buffer("surface", False)))
+
+    def cut(self):
+        """Look the other way for a frame, so that the next one finds no history."""
+        self.camera.Yaw(180)
+        self.frame()
+        self.camera.Yaw(-180)
+
+    def signal(self, still):
+        """What the newest frame knows. still: whether the camera stood still in the frames of the mean."""
+        mean = self.buffer("irradiance.rays", self.parity)
+        surface = self.buffer("surface", self.parity)
+        frames = np.where(surface[..., 1] < 0, np.minimum(surface[..., 3], MOST), 0)
+        luminance = mean[..., :3] @ LUMINANCE
+        variance = np.maximum(mean[..., 3] - luminance ** 2, 0) * (RECENT if still else 1) / np.maximum(frames, 1)
+        error = np.minimum(np.sqrt(variance) / np.maximum(luminance, 1e-20), 0.99)
+        high = np.floor(surface[..., 0] / NORMAL)
+        normal = np.stack((high, surface[..., 0] - high * NORMAL), -1) / (NORMAL - 1)
+        aspect = mean.shape[1] / mean.shape[0]
+        matrix = self.camera.GetProjectionTransformMatrix(aspect, -1, 1)
+        return Signal(mean[..., :3] * (frames[..., None] > 0), np.where(frames >= LEAST, error, 0), frames, normal,
+                      np.where(frames > 0, surface[..., 1], 0), np.array((matrix.GetElement(0, 0), matrix.GetElement(1, 1))))
+
+
+def target(film):
+    """Light after many rays, and whether each pixel has it."""
+    light = film.gi.GetTechnique("ray-traced-light")
+    light.SetParameter("rays", TARGET_RAYS)
+    film.cut()
+    film.frame(TARGET_FRAMES)
+    drawn = film.signal(True)
+    light.SetParameter("rays", 1)
+    return drawn.light, (drawn.frames > 0) & np.isfinite(drawn.light).all(-1)
+
+
+def camera_samples(film, random, longest):
+    """Signals of one camera: after an orbit, then after numbers of still frames. They share a target."""
+    turn = random.uniform(-4, 4)
+    for _ in range(ORBIT):
+        film.camera.Azimuth(turn)
+        film.frame()
+    signals = [film.signal(False)]
+    film.cut()
+    drawn = 0
+    for count in STILL if longest else STILL[:-1]:
+        film.frame(count - drawn)
+        drawn = count
+        signals.append(film.signal(True))
+    light, known = target(film)
+    return signals, light, known
+
+
+def render(family, seed, size, cameras):
+    """Arrays of a scene's samples, as they are stored."""
+    renderer, random = scenes.make(family, seed)
+    probes = random.random() < 0.6
+    film = Film(renderer, size, probes)
+    film.frame(SETTLE if probes else 0)
+    stored = {name: [] for name in Signal.FIELDS + ("target", "known", "count")}
+    for camera in range(cameras):
+        film.camera.Azimuth(random.uniform(-6, 6) if family == "room" else random.uniform(30, 100))
+        renderer.ResetCameraClippingRange()
+        signals, light, known = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
+        for number, signal in enumerate(signals):
+            for name in Signal.FIELDS:
+                stored[name].append(getattr(signal, name).astype(np.float32))
+            stored["target"].append(light)
+            stored["known"].append(known & np.isfinite(signal.light).all(-1))
+            stored["count"].append(0 if number == 0 else STILL[number - 1])
+    return {name: np.stack(values) for name, values in stored.items()}
+
+
+def path_of(folder, family, seed):
+    """File of a scene's samples."""
+    return os.path.join(folder, f"{family}_{seed:04d}.npz")
+
+
+def ensure(folder, wanted, size, cameras, progress):
+    """Render the scenes, pairs of family and seed, that the folder lacks. progress: called with the share that is done."""
+    os.makedirs(folder, exist_ok=True)
+    missing = [pair for pair in wanted if not os.path.exists(path_of(folder, *pair))]
+    for done, (family, seed) in enumerate(missing):
+        progress(done / len(missing))
+        samples = render(family, seed, size, cameras)
+        unfinished = path_of(folder, family, seed) + ".part"
+        with open(unfinished, "wb") as file:
+            np.savez(file, **samples)
+        os.replace(unfinished, path_of(folder, family, seed))
+    progress(1.0)
+
+
+def load(path):
+    """Samples of a scene: pairs of a signal and a dictionary of its target, known and count."""
+    with np.load(path) as file:
+        stored = {name: file[name] for name in file.files}
+    return [(Signal(*(stored[name][i] for name in Signal.FIELDS)), {name: stored[name][i] for name in ("target", "known", "count")})
+            for i in range(len(stored["count"]))]

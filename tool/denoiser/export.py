@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Write the shaders of the denoiser's network, whose weights are literals, and a C++ source with its layers and weights.
+
+usage: export.py NETWORK.txt FOLDER SOURCE.cxx
+
+A shader computes a part of a layer that is small enough for compilers: FOLDER/LAYER_PART.comp, which includes
+denoising/layer.glsl. FOLDER/fine.glsl is the layer that sees single pixels. The build calls this.
+"""
+import pathlib
+import sys
+
+import weights
+
+LARGEST = 2304  # multiplications of a shader for each texel
+ORIGIN = "// Generated from glsl/denoising/network.txt."
+
+
+def number(value):
+    """A literal."""
+    text = f"{value:.7g}"
+    return text if "." in text or "e" in text else text + ".0"
+
+
+def literal(kind, values):
+    """A vector or a matrix."""
+    return f"{kind}({', '.join(map(number, values))})"
+
+
+def matrix(layer, target, source, tap):
+    """Weights of four outputs for four inputs, by input."""
+    return [layer.values[((4 * target + row) * layer.inputs + 4 * source + column) * layer.kernel ** 2 + tap]
+            for column in range(4) for row in range(4)]
+
+
+def biases(layer, target):
+    """Biases of four outputs."""
+    first = layer.weight_count() + 4 * target
+    return layer.values[first:first + 4]
+
+
+def parts(layer):
+    """Ranges of the outputs, in fours, that each shader computes."""
+    fours = layer.outputs // 4
+    most = max(1, LARGEST // (4 * layer.inputs * layer.kernel ** 2))
+    count = -(-fours // most)
+    ends = [fours * i // count for i in range(count + 1)]
+    return list(zip(ends, ends[1:]))
+
+
+def shader(layer, first, last):
+    """Text of the shader of a part."""
+    lines = ["#version 430 core", ORIGIN, f"#define GI_INPUTS {layer.inputs // 4}", f"#define GI_OUTPUTS {last - first}",
+             '#include "denoising/layer.glsl"', "#ifndef GI_WEIGHTS_BUFFER",
+             "void giSums(ivec2 at, inout vec4 sums[GI_OUTPUTS])", "{"]
+    targets = range(first, last)
+    lines += [f"  sums[{target - first}] = {literal('vec4', biases(layer, target))};" for target in targets]
+    lines.append("  vec4 v;")
+    for tap in range(9):
+        for source in range(layer.inputs // 4):
+            lines.append(f"  v = giActivation(at + ivec2({tap % 3 - 1}, {tap // 3 - 1}), {source});")
+            lines += [f"  sums[{target - first}] += {literal('mat4', matrix(layer, target, source, tap))} * v;"
+                      for target in targets]
+    return "\n".join(lines + ["}", "#endif", ""])
+
+
+def fine(layer):
+    """Text of the function of the layer that sees single pixels."""
+    fours = layer.inputs // 4
+    sums = " +\n    ".join(f"{literal('mat4', matrix(layer, 0, source, 0))} * v[{source}]" for source in range(fours))
+    return f"{ORIGIN}\nvec4 giFine(vec4 v[{fours}])\n{{\n  return {sums};\n}}\n"
+
+
+def part_values(layer, first, last):
+    """Values of a part in the order of the block in denoising/layer.glsl."""
+    values = [value for target in range(first, last) for value in biases(layer, target)]
+    for tap in range(9):
+        for source in range(layer.inputs // 4):
+            for target in range(first, last):
+                values += matrix(layer, target, source, tap)
+    return values
+
+
+def rows(values):
+    """Values of a C++ array."""
+    texts = [number(value) + "f" for value in values]
+    return ",\n      ".join(", ".join(texts[i:i + 8]) for i in range(0, len(texts), 8))
+
+
+def table(layers):
+    """Text of the C++ source."""
+    lines = [ORIGIN, '#include "techniques/denoising/NetworkWeights.h"', "", "namespace penumbra", "{",
+             "const std::map<std::string, NetworkLayer>& NetworkLayers()", "{",
+             "  static const std::map<std::string, NetworkLayer> layers = {"]
+    for name, layer in layers.items():
+        pieces = [f"      {{ {first}, {{ {rows(part_values(layer, first, last))} }} }}" for first, last in parts(layer)]
+        lines.append(f'    {{ "{name}", {{ {layer.inputs}, {layer.outputs}, {{\n' + ",\n".join(pieces) + " } } },")
+    return "\n".join(lines + ["  };", "  return layers;", "}", "}", ""])
+
+
+def main():
+    """Write the files."""
+    network, folder, output = map(pathlib.Path, sys.argv[1:])
+    try:
+        _, layers = weights.read(network)
+    except (OSError, ValueError) as error:
+        sys.exit(str(error))
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "fine.glsl").write_text(fine(layers.pop("fine")), encoding="ascii")
+    for name, layer in layers.items():
+        for index, (first, last) in enumerate(parts(layer)):
+            (folder / f"{name}_{index}.comp").write_text(shader(layer, first, last), encoding="ascii")
+    output.write_text(table(layers), encoding="ascii")
+
+
+if __name__ == "__main__":
+    main()

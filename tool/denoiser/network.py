@@ -1,0 +1,273 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The denoiser's network and the filter that it guides, in PyTorch, as the shaders of glsl/denoising compute them.
+
+A U-Net (Ronneberger, Fischer and Brox 2015, U-Net: Convolutional Networks for Biomedical Image Segmentation) at half resolution
+gives features, bandwidths and sharpnesses to each pixel. Four levels of a filter average samples of the same surface whose
+features are alike (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo Denoising using Affinity of Neural
+Features). The result is a mean of measured samples. Tensors of a batch are (n, channels, h, w), h and w multiples of TILE.
+"""
+import numpy as np
+import torch
+import weights
+from torch import nn
+from torch.nn import functional
+
+TILE = 16                 # pixels, of the mean luminance that light is divided by
+WIDTHS = (8, 16, 24, 32)  # channels of the U-Net's levels
+INPUTS, FEATURES, LEVELS = 16, 4, 4
+RADIUS = 8                # reach of the filter in pixels
+LAST = 256                # frames from which nothing is filtered
+BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
+TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
+DEPTH_CHANGE = 16
+MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
+OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
+LUMINANCE = torch.tensor((0.2126, 0.7152, 0.0722))[:, None, None]
+
+
+def luminance(color):
+    """Luminance of light, with one channel."""
+    return (color * LUMINANCE).sum(1, keepdim=True)
+
+
+def moved(values, x, y):
+    """The values x pixels to the right and y up; 0 from outside."""
+    height, width = values.shape[-2:]
+    padded = functional.pad(values, (max(-x, 0), max(x, 0), max(-y, 0), max(y, 0)))
+    return padded[..., max(y, 0):max(y, 0) + height, max(x, 0):max(x, 0) + width]
+
+
+def decode(normal):
+    """Unit vectors of octahedral normals."""
+    xy = 2 * normal - 1
+    z = 1 - xy.abs().sum(1, keepdim=True)
+    fold = (-z).clamp(min=0)
+    xy = xy - torch.where(xy >= 0, fold, -fold)
+    return functional.normalize(torch.cat((xy, z), 1), dim=1)
+
+
+def tensors(signal):
+    """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there."""
+    height, width = signal.frames.shape
+    x = (torch.arange(width) + 0.5) / width * 2 - 1
+    y = (torch.arange(height) + 0.5) / height * 2 - 1
+    scale = torch.from_numpy(np.asarray(signal.projection, np.float32))
+    values = {"light": signal.light.transpose(2, 0, 1), "normal": signal.normal.transpose(2, 0, 1)}
+    values.update({name: getattr(signal, name)[None] for name in ("error", "frames", "depth")})
+    made = {name: torch.from_numpy(np.ascontiguousarray(value, np.float32)) for name, value in values.items()}
+    made["ray"] = torch.stack((x[None, :].expand(height, width) / scale[0], y[:, None].expand(height, width) / scale[1]))
+    made["angle"] = (2 / (width * scale[0])).reshape(1, 1, 1)
+    return made
+
+
+def surfaces(batch):
+    """Add to a batch what follows from the surfaces. pixel: its width there; toward: cosine of the direction to the eye."""
+    depth, frames = batch["depth"], batch["frames"]
+    position = torch.cat((-depth * batch["ray"], depth), 1)
+    direction = decode(batch["normal"])
+    toward = -(direction * position).sum(1, keepdim=True) / position.norm(dim=1, keepdim=True).clamp(min=1e-12)
+    return {**batch, "exists": (frames > 0).float(), "direction": direction, "position": position, "toward": toward,
+            "pixel": depth.abs() * batch["angle"], "bend": BEND * (1 + (frames - 1).clamp(min=0) / BEND_HALVED)}
+
+
+def similarities(batch, step):
+    """Whether the nine pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl."""
+    facing = batch["toward"].abs().clamp(0.2, 1)
+    found = []
+    for x, y in OFFSETS:
+        x, y = x * step, y * step
+        apart = moved(batch["position"], x, y) - batch["position"]
+        distance = (batch["direction"] * apart).sum(1, keepdim=True).abs() * facing / (step * batch["pixel"]).clamp(min=1e-12)
+        turned = ((moved(batch["normal"], x, y) - batch["normal"]) ** 2).sum(1, keepdim=True)
+        alike = (2 - distance).clamp(0, 1) * (1 - batch["bend"] * turned).clamp(0, 1)
+        found.append(alike * moved(batch["exists"], x, y) * batch["exists"])
+    return found
+
+
+def tile_shares(count):
+    """Shares of the tiles in the scale of each block of 2x2 pixels along an axis of so many pixels."""
+    blocks, tiles = count // 2, count // TILE
+    shares = torch.zeros(blocks, tiles)
+    for block in range(blocks):
+        place = (2 * block + 1) / TILE - 0.5
+        corner, fraction = int(np.floor(place)), place - np.floor(place)
+        for tile, share in zip(range(corner - 1, corner + 3), (1 - fraction, 1, 1, fraction)):
+            if 0 <= tile < tiles:
+                shares[block, tile] += share
+    return shares
+
+
+def scales(batch):
+    """Mean luminance around each pixel, the same in a block of 2x2."""
+    exists = batch["exists"]
+    sums = [functional.avg_pool2d(value, TILE) for value in (luminance(batch["light"]) * exists, exists)]
+    up, across = (tile_shares(size) for size in exists.shape[-2:])
+    light, count = (up @ value @ across.T for value in sums)
+    scale = (light / count.clamp(min=1e-6 / TILE ** 2)).clamp(min=1e-20)
+    return functional.interpolate(scale, scale_factor=2, mode="nearest")
+
+
+def inputs(batch):
+    """What the network gets: for each pixel, and their means over the surfaces of blocks of 2x2 pixels."""
+    exists, light, frames = batch["exists"], batch["light"], batch["frames"]
+    scale = scales(batch)
+    near, weights_near = 0, 0
+    for (x, y), alike in zip(OFFSETS, similarities(batch, 1)):
+        weight = alike * moved(frames, x, y)
+        near, weights_near = near + weight * moved(light, x, y), weights_near + weight
+    edge = sum((1 - (batch["direction"] * moved(batch["direction"], x, y)).sum(1, keepdim=True).clamp(0, 1)) *
+               moved(exists, x, y) for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1)))
+    depth = torch.where(exists > 0, batch["depth"], torch.full_like(exists, -1))
+    changes = [DEPTH_CHANGE * (moved(batch["depth"], x, y) / depth - 1).clamp(-1, 1) * moved(exists, x, y)
+               for x, y in ((1, 0), (0, 1))]
+    noise = batch["error"] * luminance(light)
+    values = [torch.log1p(light / scale), torch.log1p(near / weights_near.clamp(min=1e-6) / scale), torch.log1p(noise / scale),
+              frames / (frames + 8), batch["direction"], batch["toward"], edge, exists, *changes]
+    single = torch.cat(values, 1) * exists
+    blocks = functional.avg_pool2d(single, 2) / functional.avg_pool2d(exists, 2).clamp(min=0.25)
+    return single, blocks
+
+
+class UNet(nn.Module):
+    """Convolutions on the way down and up again."""
+
+    def __init__(self, outputs):
+        super().__init__()
+        ends = (INPUTS, *WIDTHS)
+        self.down = nn.ModuleList(nn.Conv2d(a, b, 3, padding=1) for a, b in zip(ends, WIDTHS))
+        pairs = [(WIDTHS[i + 1] + WIDTHS[i], WIDTHS[i]) for i in reversed(range(len(WIDTHS) - 1))]
+        self.up = nn.ModuleList(nn.Conv2d(a, b, 3, padding=1) for a, b in pairs)
+        self.last = nn.Conv2d(WIDTHS[0], outputs, 3, padding=1)
+
+    def forward(self, values):
+        """The outputs of each texel."""
+        kept = []
+        for number, layer in enumerate(self.down):
+            values = functional.relu(layer(functional.max_pool2d(values, 2) if number else values))
+            kept.append(values)
+        for number, layer in enumerate(self.up):
+            larger = functional.interpolate(values, scale_factor=2, mode="nearest")
+            values = functional.relu(layer(torch.cat((larger, kept[-2 - number]), 1)))
+        return self.last(values)
+
+
+def variance(known, squares, weighted, moments, total):
+    """Noise of a weighted mean: from that of its samples, or from how much they differ."""
+    spread = (moments[1] / total - (moments[0] / total) ** 2).clamp(min=0)
+    return torch.where(known, weighted, squares * spread)
+
+
+def filtered(batch, reach, weigh):
+    """The signal after all levels. weigh(level, x, y, guided): weight of the samples at an offset, besides their frames and
+    their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
+    light, frames = batch["light"], batch["frames"]
+    noise = batch["error"] * luminance(light)
+    for level in range(LEVELS):
+        step = 2 ** level
+        bright, known = luminance(light), noise > 0
+        total = change = first = second = squares = weighted = 0
+        for (x, y), alike in zip(OFFSETS, similarities(batch, step)):
+            x, y = x * step, y * step
+            other, other_noise = moved(bright, x, y), moved(noise, x, y)
+            apart = (other - bright).abs() * torch.rsqrt((noise ** 2 + other_noise ** 2).clamp(min=1e-30))
+            guided = torch.where(known, apart, torch.zeros_like(apart))
+            weight = alike * moved(frames, x, y) * weigh(level, x, y, guided)
+            total, change = total + weight, change + weight * (moved(light, x, y) - light)
+            first, second = first + weight * other, second + weight * other ** 2
+            squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
+        total = total.clamp(min=1e-6)
+        share = (2 * reach / step - 1).clamp(0, 1)
+        light = light + share * change / total
+        left = variance(known, squares, weighted, (first, second), total).detach().sqrt() / total.detach()
+        noise = torch.minimum(noise + share * (left - noise), luminance(light).detach()) * batch["exists"]
+    return light
+
+
+def fade(frames, halved):
+    """Reach of the filter after a number of frames: glsl/lib/filter_reach.glsl."""
+    return RADIUS * (2 - 2 * frames / LAST).clamp(0, 1) / (1 + frames / halved)
+
+
+def plain_filter(batch):
+    """The filter without a network."""
+    kernel = {0: 0.5, 1: 0.25}
+
+    def weigh(level, x, y, guided):
+        step = 2 ** level
+        return kernel[abs(x) // step] * kernel[abs(y) // step] * torch.exp(-guided / TOLERANCE)
+    return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh)
+
+
+class Denoiser(nn.Module):
+    """The filter with the network."""
+
+    def __init__(self):
+        super().__init__()
+        self.net = UNet(FEATURES + 2 * LEVELS)
+        self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
+        nn.init.normal_(self.net.last.weight, std=0.02)
+        with torch.no_grad():  # at first samples are averaged much as by the filter without a network
+            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS))
+
+    def guides(self, batch):
+        """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces."""
+        single, blocks = inputs(batch)
+        outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
+        features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
+        return features + self.fine(single), functional.softplus(bandwidths), functional.softplus(sharpnesses)
+
+    def forward(self, batch):
+        """Filtered light of a batch with its surfaces."""
+        features, bandwidths, sharpnesses = self.guides(batch)
+
+        def weigh(level, x, y, guided):
+            apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
+            return torch.exp(-bandwidths[:, level:level + 1] * apart - sharpnesses[:, level:level + 1] * guided)
+        return filtered(batch, fade(batch["frames"], 1e9), weigh)
+
+    def layers(self):
+        """Convolutions by their names in the file."""
+        named = {f"e{i}": layer for i, layer in enumerate(self.net.down)}
+        named.update({f"d{i}": layer for i, layer in enumerate(self.net.up)})
+        return {**named, "out": self.net.last, "fine": self.fine}
+
+    def save(self, path, facts):
+        """Write the file of the network."""
+        layers = {}
+        for name, layer in self.layers().items():
+            values = [part.detach().reshape(-1).tolist() for part in (layer.weight, layer.bias) if part is not None]
+            layers[name] = weights.Layer(layer.in_channels, layer.out_channels, layer.kernel_size[0], sum(values, []))
+        weights.write(path, facts, layers)
+
+    def restore(self, path):
+        """Take the weights of a file."""
+        _, layers = weights.read(path)
+        with torch.no_grad():
+            for name, layer in self.layers().items():
+                values = torch.tensor(layers[name].values)
+                count = layers[name].weight_count()
+                layer.weight.copy_(values[:count].reshape(layer.weight.shape))
+                if layer.bias is not None:
+                    layer.bias.copy_(values[count:])
+
+
+def relative_error(picture, batch):
+    """relMSE of each picture of a batch against its target, which may have noise."""
+    known, truth = batch["known"], batch["target"]
+    pixels = known.sum((1, 2, 3)).clamp(min=1)
+    mean = (luminance(truth) * known).sum((1, 2, 3)) / pixels
+    square = (picture - truth) ** 2 / (truth ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    return (square * known).sum((1, 2, 3)) / (3 * pixels)
+
+
+def loss_of(picture, batch):
+    """Squared relative difference from the target, in units of the error that the filter without a network leaves: noise of all
+    sizes counts alike. The picture in the denominator counts as constant, as noise of the target there would make the loss prefer
+    pictures that are too dark."""
+    known, truth = batch["known"], batch["target"]
+    pixels = known.sum((1, 2, 3)).clamp(min=1)
+    mean = (luminance(truth) * known).sum((1, 2, 3)) / pixels
+    square = (picture - truth) ** 2 / (picture.detach() ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    error = (square.clamp(max=MOST_SQUARE) * known).sum((1, 2, 3)) / (3 * pixels)
+    return (error / batch["filtered"].flatten()).mean()
