@@ -2,7 +2,8 @@
 // One level of an a-trous filter: the mean of nine samples on the same surface (Dammertz, Sewtz, Hanika and Lensch 2010,
 // Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering). Samples of light weigh by their number of
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
-// Variants: those of denoising/signal.glsl.
+// GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
+// Denoising using Affinity of Neural Features). Variants: those of denoising/signal.glsl.
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -11,16 +12,18 @@
 #include "lib/luminance.glsl"
 #include "denoising/signal.glsl"
 layout(binding = 0) uniform usampler2D signalTexture;
+#ifdef GI_GUIDED
+layout(binding = 1) uniform sampler2D featureTexture;
+layout(binding = 2) uniform usampler2D countTexture; // how much features and standard deviations count, by level
+
+uniform int level;
+#endif
 
 uniform int step;
 uniform int sharing; // number of pixels that share a sample in one frame
 
 // Standard deviations of a difference after which a sample's weight falls to 1 / e.
 const float TOLERANCE = 3.25;
-
-// Number of frames after the first in which the limit on the squared difference of normals halves. Light depends on where a
-// surface faces: in the first frame its noise is larger than what slopes differ by, later it is not.
-const float BEND_HALVED = 4.0;
 
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
@@ -66,12 +69,19 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
-  here.bend *= 1.0 + (signal.frames - 1.0) / BEND_HALVED;
+  here.bend *= giBend(signal.frames);
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
   bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
   vec2 moments = vec2(0.0);
   vec2 squares = vec2(0.0); // of weights, and of weighted noise
+#endif
+#ifdef GI_GUIDED
+  vec4 features = texelFetch(featureTexture, pixel, 0);
+  vec2 counts = unpackHalf2x16(texelFetch(countTexture, pixel, 0)[level]);
+  float sharpness = counts.y;
+#else
+  const float sharpness = 1.0 / TOLERANCE;
 #endif
   for (int i = 0; i < 9; ++i)
   {
@@ -84,6 +94,10 @@ void main()
     GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
     vec2 kernel = mix(vec2(0.5), vec2(0.25), notEqual(offset, ivec2(0)));
     float weight = kernel.x * kernel.y * other.frames * giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+#ifdef GI_GUIDED
+    vec4 apart = texelFetch(featureTexture, at, 0) - features;
+    weight *= exp(-counts.x * dot(apart, apart));
+#endif
     if (weight == 0.0)
     {
       continue;
@@ -93,7 +107,7 @@ void main()
     float otherNoise = other.error * otherLight;
     if (guided)
     {
-      weight *= exp(-abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)) / TOLERANCE);
+      weight *= exp(-sharpness * abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)));
     }
     moments += weight * vec2(otherLight, otherLight * otherLight);
     squares += weight * weight * vec2(1.0, otherNoise * otherNoise);

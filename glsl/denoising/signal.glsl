@@ -1,6 +1,7 @@
 // A noisy result of a pixel with the surface that it belongs to, in one texel. Needs lib/octahedral.glsl and
 // lib/filter_reach.glsl. Variants: GI_SHARES (shares of four lights, each with a reach of its own), GI_LOBE (a colour and its
-// share, with a reach), GI_LIGHT (light in all directions, whose reach follows from its frames and its noise).
+// share, with a reach), GI_LIGHT (light in all directions, whose reach follows from its frames and its noise), GI_GUIDED (light,
+// filtered as a network says, which knows how much is left to filter).
 struct GiSignal
 {
   vec4 value;
@@ -14,8 +15,21 @@ struct GiSignal
 uniform float radius; // the greatest reach, in pixels
 
 // Frames after which the reach of light is half, and nothing. That filter spares what stands out of the noise, so it may last.
+#ifdef GI_GUIDED
+const float LIGHT_HALVED = 1e9;
+#else
 const float LIGHT_HALVED = 32.0;
+#endif
 const float LIGHT_LAST = 256.0;
+
+// Number of frames after the first in which the limit on the squared difference of normals halves. Light depends on where a
+// surface faces: in the first frame its noise is larger than what slopes differ by, later it is not.
+const float BEND_HALVED = 4.0;
+
+float giBend(float frames)
+{
+  return 1.0 + (frames - 1.0) / BEND_HALVED;
+}
 
 // Share of a filter's level, whose samples are `step` pixels apart. As the reach falls, the largest steps end first.
 vec4 giFilterShare(vec4 reach, float step)

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 namespace penumbra_test
@@ -99,6 +100,45 @@ protected:
     camera->SetViewUp(0.0, 0.0, 1.0);
     camera->SetViewAngle(75.0);
     camera->SetClippingRange(0.01, 20.0);
+  }
+
+  /// Add a room with a block that hides a part of its ceiling from the eye, where a panel shines. Returns the panel's.
+  vtkProperty* AddRoomWithPanel()
+  {
+    this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.7);
+    this->AddBox(-0.7, -0.2, -0.6, -0.1, -1.0, 0.1, 0.6);
+    vtkProperty* panel =
+      Paint(AddFloor(this->Scene, -0.3, 0.3, -0.3, 0.3, 0.999), 0.0)->GetProperty();
+    panel->SetAmbient(1.0);
+    this->LookFrom(0.9, 0.8, 0.3, -0.5, -0.5, -0.6);
+    return panel;
+  }
+
+  /// Replace the scene by a block of reflectance 0.6 in a room whose walls shine with 0.5. The block is as bright as
+  /// 0.3 wherever it is seen.
+  void ShowBlockInUniformLight()
+  {
+    this->Scene.Renderer->RemoveAllViewProps();
+    this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0)->GetProperty()->SetAmbient(0.5);
+    this->AddBox(-0.7, -0.2, -0.6, -0.1, -0.9, 0.1, 0.6);
+  }
+
+  /// Expect the mean brightness of that block.
+  static void ExpectUniformLight(const Values& picture)
+  {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const double value : picture)
+    {
+      if (std::abs(value - 0.5) > 1e-4) // the block; walls show their emission
+      {
+        sum += value;
+        count += 1.0;
+      }
+    }
+    std::printf("%.4f of 0.3, on %.0f pixels\n", sum / count, count);
+    EXPECT_GT(count, 0.05 * static_cast<double>(picture.size()));
+    EXPECT_NEAR(sum / count, 0.6 * 0.5, 0.02 * 0.3);
   }
 
   /// Mean of the colour channels of each pixel after a number of frames.

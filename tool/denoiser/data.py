@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import penumbra
-import scenes
+import training_scenes
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
@@ -130,7 +130,7 @@ def camera_samples(film, random, longest):
 
 def render(family, seed, size, cameras):
     """Arrays of a scene's samples, as they are stored."""
-    renderer, random = scenes.make(family, seed)
+    renderer, random = training_scenes.make(family, seed)
     probes = random.random() < 0.6
     film = Film(renderer, size, probes)
     film.frame(SETTLE if probes else 0)

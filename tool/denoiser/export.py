@@ -13,7 +13,8 @@ import sys
 
 import weights
 
-LARGEST = 2304  # multiplications of a shader for each texel
+LARGEST = 6000  # multiplications of a shader for each texel
+ABOVE = {"d0": "e3", "d1": "d0", "d2": "d1"}  # layers that are joined, at half the size
 ORIGIN = "// Generated from glsl/denoising/network.txt."
 
 
@@ -49,9 +50,10 @@ def parts(layer):
     return list(zip(ends, ends[1:]))
 
 
-def shader(layer, first, last):
-    """Text of the shader of a part."""
-    lines = ["#version 430 core", ORIGIN, f"#define GI_INPUTS {layer.inputs // 4}", f"#define GI_OUTPUTS {last - first}",
+def shader(layer, above, first, last):
+    """Text of the shader of a part. above: the joined layer, or None."""
+    joined = [f"#define GI_ABOVE {above.outputs // 4}"] if above else []
+    lines = ["#version 430 core", ORIGIN, f"#define GI_INPUTS {layer.inputs // 4}", f"#define GI_OUTPUTS {last - first}", *joined,
              '#include "denoising/layer.glsl"', "#ifndef GI_WEIGHTS_BUFFER",
              "void giSums(ivec2 at, inout vec4 sums[GI_OUTPUTS])", "{"]
     targets = range(first, last)
@@ -110,7 +112,8 @@ def main():
     (folder / "fine.glsl").write_text(fine(layers.pop("fine")), encoding="ascii")
     for name, layer in layers.items():
         for index, (first, last) in enumerate(parts(layer)):
-            (folder / f"{name}_{index}.comp").write_text(shader(layer, first, last), encoding="ascii")
+            text = shader(layer, layers.get(ABOVE.get(name)), first, last)
+            (folder / f"{name}_{index}.comp").write_text(text, encoding="ascii")
     output.write_text(table(layers), encoding="ascii")
 
 

@@ -21,6 +21,7 @@ LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 DEPTH_CHANGE = 16
+KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
 MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
 LUMINANCE = torch.tensor((0.2126, 0.7152, 0.0722))[:, None, None]
@@ -74,11 +75,15 @@ def surfaces(batch):
 def similarities(batch, step):
     """Whether the nine pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl."""
     facing = batch["toward"].abs().clamp(0.2, 1)
+    depth = torch.where(batch["exists"] > 0, batch["depth"], torch.full_like(facing, -1))
     found = []
     for x, y in OFFSETS:
         x, y = x * step, y * step
         apart = moved(batch["position"], x, y) - batch["position"]
-        distance = (batch["direction"] * apart).sum(1, keepdim=True).abs() * facing / (step * batch["pixel"]).clamp(min=1e-12)
+        other = moved(depth, x, y)
+        closer = depth / torch.where(other < 0, other, torch.full_like(other, -1))  # as window depths are compared
+        distance = (batch["direction"] * apart).sum(1, keepdim=True).abs() * facing * closer
+        distance = distance / (step * batch["pixel"]).clamp(min=1e-12)
         turned = ((moved(batch["normal"], x, y) - batch["normal"]) ** 2).sum(1, keepdim=True)
         alike = (2 - distance).clamp(0, 1) * (1 - batch["bend"] * turned).clamp(0, 1)
         found.append(alike * moved(batch["exists"], x, y) * batch["exists"])
@@ -159,8 +164,8 @@ def variance(known, squares, weighted, moments, total):
 
 
 def filtered(batch, reach, weigh):
-    """The signal after all levels. weigh(level, x, y, guided): weight of the samples at an offset, besides their frames and
-    their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
+    """The signal after all levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
+    frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
     light, frames = batch["light"], batch["frames"]
     noise = batch["error"] * luminance(light)
     for level in range(LEVELS):
@@ -172,7 +177,7 @@ def filtered(batch, reach, weigh):
             other, other_noise = moved(bright, x, y), moved(noise, x, y)
             apart = (other - bright).abs() * torch.rsqrt((noise ** 2 + other_noise ** 2).clamp(min=1e-30))
             guided = torch.where(known, apart, torch.zeros_like(apart))
-            weight = alike * moved(frames, x, y) * weigh(level, x, y, guided)
+            weight = KERNEL[abs(x) // step] * KERNEL[abs(y) // step] * alike * moved(frames, x, y) * weigh(level, x, y, guided)
             total, change = total + weight, change + weight * (moved(light, x, y) - light)
             first, second = first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
@@ -191,11 +196,8 @@ def fade(frames, halved):
 
 def plain_filter(batch):
     """The filter without a network."""
-    kernel = {0: 0.5, 1: 0.25}
-
-    def weigh(level, x, y, guided):
-        step = 2 ** level
-        return kernel[abs(x) // step] * kernel[abs(y) // step] * torch.exp(-guided / TOLERANCE)
+    def weigh(_level, _x, _y, guided):
+        return torch.exp(-guided / TOLERANCE)
     return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh)
 
 

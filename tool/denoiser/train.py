@@ -60,14 +60,17 @@ def count(text):
 
 def options():
     """Parse the command line."""
-    parser = argparse.ArgumentParser(prog="train-denoiser", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(prog="train-denoiser", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--folder", default="out/denoiser", help="folder of the results (default %(default)s)")
     parser.add_argument("--seed", type=int, default=0, help="of all random numbers (default %(default)s)")
     parser.add_argument("--scenes", type=whole, default=8, help="of each family (default %(default)s)")
     parser.add_argument("--families", nargs="+", metavar="FAMILY", help="of scenes to train on (default all)")
-    parser.add_argument("--held", type=count, default=2, help="scenes of each family that are only for the report (default %(default)s)")
+    parser.add_argument("--held", type=count, default=2,
+                        help="scenes of each family that are only for the report (default %(default)s)")
     parser.add_argument("--cameras", type=whole, default=4, help="in each scene (default %(default)s)")
-    parser.add_argument("--size", type=whole, default=128, help="width and height of pictures, a multiple of 16 (default %(default)s)")
+    parser.add_argument("--size", type=whole, default=128,
+                        help="width and height of pictures, a multiple of 16 (default %(default)s)")
     parser.add_argument("--steps", type=whole, default=20000, help="of the training (default %(default)s)")
     parser.add_argument("--short", action="store_true", help="a few small scenes and steps, to see whether all works")
     parser.add_argument("--data-only", action="store_true", help="render the pictures, and stop")
@@ -89,7 +92,7 @@ def revision():
 
 def scene_lists(args):
     """Pairs of family and seed: to train on, and to report about."""
-    import scenes
+    import training_scenes as scenes
     families = args.families or list(scenes.TRAINED)
     unknown = set(families) - set(scenes.TRAINED)
     if unknown:
@@ -124,6 +127,7 @@ def samples_of(folder, pairs):
 
 def crop(sample, random):
     """A part of a picture that shows enough surfaces, turned or mirrored."""
+    import torch
     height, width = sample["frames"].shape[-2:]
     for _ in range(TRIES):
         y, x = (2 * random.integers(0, (size - CROP) // 2 + 1) for size in (height, width))
@@ -134,7 +138,8 @@ def crop(sample, random):
     if mirror:
         part = {name: value.flip(2) for name, value in part.items()}
         part["ray"] = part["ray"] * part["ray"].new_tensor((-1, 1))[:, None, None]
-        part["normal"] = part["normal"] * part["ray"].new_tensor((-1, 1))[:, None, None] + part["ray"].new_tensor((1, 0))[:, None, None]
+        x, y = part["normal"]
+        part["normal"] = torch.stack((1 - x, y))
     if turn:
         part = {name: value.transpose(1, 2) for name, value in part.items()}
         part["ray"], part["normal"] = part["ray"].flip(0), part["normal"].flip(0)

@@ -4,8 +4,10 @@
 
 #include "gpu/ScopedState.h"
 #include "technique/FrameBuilder.h"
+#include "techniques/denoising/GuideNetwork.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 vtkStandardNewMacro(vtkGIDenoising);
@@ -24,6 +26,9 @@ constexpr int LastSampleOfLight = 256;
 // Order of the picture of a signal: after everything else.
 constexpr int ShowOrder = 820;
 
+// Number of levels that the network knows.
+constexpr int GuidedLevels = 4;
+
 constexpr const char* View = "denoising.view";
 constexpr const char* Shown[] = { resource::TracedIrradiance, resource::DirectVisibility,
   resource::Reflection }; // by the parameter
@@ -35,6 +40,10 @@ struct Names
   std::string Signal;
   std::string Next;
 };
+
+// Values of the parameters "method" and "weights".
+constexpr int NeuralMethod = 1;
+constexpr int BufferWeights = 1;
 
 // Values of the parameter "show".
 enum
@@ -51,12 +60,14 @@ struct Manner
   int Sharing;      ///< number of pixels that share a sample
   std::string Kind; ///< variant of the shaders, see denoising/signal.glsl
   int Show = Off;   ///< what is to be shown of the signal
+  GuideNetwork* Network = nullptr; ///< that guides the filter
 };
 
-void ShowSignal(FrameContext& context, const Texture* signal, const Manner& manner)
+void ShowSignal(
+  FrameContext& context, const Texture* signal, const Manner& manner, const Defines& variant)
 {
   context.BindTarget({ { context.Output(View), -1 } }, {});
-  context.DrawBound("denoising/view.frag", { { manner.Kind, "1" } },
+  context.DrawBound("denoising/view.frag", variant,
     Arguments()
       .Sample("signalTexture", signal)
       .Set("show", manner.Show)
@@ -71,32 +82,39 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   scope.Set(GL_DEPTH_TEST, false);
   const Texture* signal = context.Output(names.Signal.c_str());
   const Texture* next = context.Output(names.Next.c_str());
-  const Defines variant = { { manner.Kind, "1" } };
+  Defines variant = { { manner.Kind, "1" } };
   context.BindTarget({ { signal, -1 } }, {});
   context.DrawBound("denoising/pack.frag", variant,
     Arguments()
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
       .Set("layer", layer));
+  const std::optional<Arguments> guides =
+    manner.Network ? manner.Network->Run(context, signal) : std::nullopt;
+  if (guides)
+  {
+    variant["GI_GUIDED"] = "1";
+  }
   const bool shows = manner.Show != Off && layer <= 0;
   if (shows && manner.Show != Filtered)
   {
-    ShowSignal(context, signal, manner);
+    ShowSignal(context, signal, manner, variant);
   }
-  for (int step = 1; step < 2.0 * manner.Radius; step *= 2)
+  for (int level = 0; (1 << level) < 2.0 * manner.Radius && !(guides && level >= GuidedLevels);
+       ++level)
   {
+    auto arguments = guides ? Arguments(*guides).Set("level", level) : Arguments();
     context.BindTarget({ { next, -1 } }, {});
     context.DrawBound("denoising/filter.frag", variant,
-      Arguments()
-        .Sample("signalTexture", signal)
-        .Set("step", step)
+      arguments.Sample("signalTexture", signal)
+        .Set("step", 1 << level)
         .Set("radius", manner.Radius)
         .Set("sharing", manner.Sharing));
     std::swap(signal, next);
   }
   if (shows && manner.Show == Filtered)
   {
-    ShowSignal(context, signal, manner);
+    ShowSignal(context, signal, manner, variant);
   }
   context.BindTarget({ { context.Output(names.Result.c_str()), layer } }, {});
   context.DrawBound("denoising/unpack.frag", variant,
@@ -118,6 +136,10 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   if (noisy.Reach)
   {
     pass.Read(noisy.Reach);
+  }
+  if (manner.Network)
+  {
+    GuideNetwork::Declare(pass, frame);
   }
   if (manner.Show != Off)
   {
@@ -146,25 +168,54 @@ vtkGIDenoising::~vtkGIDenoising() = default;
 
 void vtkGIDenoising::Contribute(FrameBuilder& frame)
 {
-  if (this->Radius <= 0.0)
+  if (this->Radius > 0.0)
   {
-    return;
+    // Not every technique that writes visibility writes the reach of its noise.
+    GuideNetwork* network = this->FindNetwork(frame);
+    frame.AddLast([this, network](FrameBuilder& last) { this->AddFilters(last, network); });
   }
-  // Not every technique that writes visibility writes the reach of its noise.
-  frame.AddLast(
-    [radius = this->Radius, show = this->Show, signal = this->Signal](FrameBuilder& last) {
-      const int averaged = last.AveragesStillFrames() ? last.GetView().StillFrames : 0;
-      for (const NoisyResource& noisy : resource::Noisy)
-      {
-        const int sharing = last.PixelsPerSample(noisy.Name);
-        const int shown = Shown[signal] == std::string(noisy.Name) ? show : Off;
-        const bool isNoisy = averaged / sharing < (noisy.Light ? LastSampleOfLight : LastSample);
-        if ((isNoisy || shown != Off) &&
-          (noisy.Light || (noisy.Reach && last.IsWritten(noisy.Reach))))
-        {
-          const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
-          AddFilter(last, noisy, { radius, averaged / sharing, sharing, kind, shown });
-        }
-      }
-    });
+}
+
+void vtkGIDenoising::AddFilters(FrameBuilder& frame, GuideNetwork* network)
+{
+  const int averaged = frame.AveragesStillFrames() ? frame.GetView().StillFrames : 0;
+  for (const NoisyResource& noisy : resource::Noisy)
+  {
+    const int sharing = frame.PixelsPerSample(noisy.Name);
+    const int shown = Shown[this->Signal] == std::string(noisy.Name) ? this->Show : Off;
+    const bool isNoisy = averaged / sharing < (noisy.Light ? LastSampleOfLight : LastSample);
+    if ((isNoisy || shown != Off) && (noisy.Light || (noisy.Reach && frame.IsWritten(noisy.Reach))))
+    {
+      const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
+      AddFilter(frame, noisy,
+        { this->Radius, averaged / sharing, sharing, kind, shown,
+          noisy.Light ? network : nullptr });
+    }
+  }
+}
+
+GuideNetwork* vtkGIDenoising::FindNetwork(FrameBuilder& frame)
+{
+  if (this->Method != NeuralMethod)
+  {
+    return nullptr;
+  }
+  auto& network = frame.ViewState<GuideNetwork>(this);
+  if (network.UsesBuffers != (this->Weights == BufferWeights))
+  {
+    network = GuideNetwork();
+    network.UsesBuffers = this->Weights == BufferWeights;
+  }
+  if (!network.Failure.empty())
+  {
+    frame.AddNote("The denoiser's network does not run here, so light is filtered without it: " +
+      network.Failure);
+    return nullptr;
+  }
+  if (!network.HasRun)
+  {
+    frame.AddNote(
+      "The denoiser's network was compiled in this frame, which takes some seconds once.");
+  }
+  return &network;
 }

@@ -14,6 +14,11 @@
 
 #include "vtkGIDenoisingParameters.h"
 
+namespace penumbra
+{
+class GuideNetwork;
+}
+
 class VTKRENDERINGGI_EXPORT vtkGIDenoising : public vtkGIDenoisingParameters
 {
 public:
@@ -27,6 +32,11 @@ protected:
   ~vtkGIDenoising() override;
 
 private:
+  /// Add the filters of everything noisy. network: guides that of light; nullptr for none.
+  void AddFilters(penumbra::FrameBuilder& frame, penumbra::GuideNetwork* network);
+  /// The network of the frame's view; nullptr if none is wanted, or it does not run.
+  penumbra::GuideNetwork* FindNetwork(penumbra::FrameBuilder& frame);
+
   vtkGIDenoising(const vtkGIDenoising&) = delete;
   void operator=(const vtkGIDenoising&) = delete;
 };

@@ -10,7 +10,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkFlyingEdges3D, vtkGlyph3D, vtkPolyDataNormals, vtkTubeFilter
-from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkConeSource, vtkCubeSource, vtkLineSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import (vtkArrowSource, vtkConeSource, vtkCubeSource, vtkLineSource, vtkPlaneSource,
+                                          vtkSphereSource)
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkTexture
 
 GRID = 64      # points of a volume along each axis

@@ -1,0 +1,37 @@
+#version 430 core
+// What the network says of each pixel: features, and how much their differences and those of light count at each level.
+#include "shared/view.h"
+layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
+layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
+
+layout(location = 0) out vec4 features;
+layout(location = 1) out uvec4 counts; // bandwidth and sharpness by level, as half floats
+
+vec4 softplus(vec4 x)
+{
+  return max(x, 0.0) + log(1.0 + exp(-abs(x)));
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec2 place = 0.5 * (gl_FragCoord.xy - view.Viewport.xy) - 0.5;
+  vec2 last = ceil(0.5 * view.Viewport.zw) - 1.0;
+  vec4 sums[3] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0));
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 corner = floor(place) + vec2(i & 1, i >> 1);
+    vec2 weight = 1.0 - abs(place - corner);
+    for (int four = 0; four < 3; ++four)
+    {
+      sums[four] += weight.x * weight.y * texelFetch(outputs, ivec3(clamp(corner, vec2(0.0), last), four), 0);
+    }
+  }
+  features = sums[0] + texelFetch(fineTexture, pixel, 0);
+  vec4 bandwidths = softplus(sums[1]);
+  vec4 sharpnesses = softplus(sums[2]);
+  for (int level = 0; level < 4; ++level)
+  {
+    counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));
+  }
+}

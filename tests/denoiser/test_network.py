@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The denoiser's network: its file, and the shaders against the reference in NumPy."""
+import os
+import pathlib
+import tempfile
+import unittest
+
+import data
+import numpy as np
+import penumbra
+import reference
+import weights
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
+
+NETWORK = pathlib.Path(__file__).resolve().parents[2] / "glsl" / "denoising" / "network.txt"
+WIDTH, HEIGHT = 97, 75  # no multiples of anything
+REFLECTANCE = 0.8
+
+
+class File(unittest.TestCase):
+    """The file of weights."""
+
+    def test_is_small_and_complete(self):
+        self.assertLess(NETWORK.stat().st_size, 128 * 1024)
+        facts, layers = weights.read(NETWORK)
+        self.assertIn("generator", facts)
+        self.assertEqual(sum(layer.count() for layer in layers.values()), 33324)
+
+    def test_is_read_as_it_was_written(self):
+        facts, layers = weights.read(NETWORK)
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, "copy.txt")
+            weights.write(copy, facts, layers)
+            self.assertEqual(NETWORK.read_bytes(), pathlib.Path(copy).read_bytes())
+
+    def test_damage_is_noticed(self):
+        text = NETWORK.read_text(encoding="ascii")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "damaged.txt")
+            for damaged in (text.replace("A", "B", 1), text[:len(text) // 2], "", "\u00e9"):
+                pathlib.Path(path).write_text(damaged, encoding="utf-8")
+                with self.assertRaisesRegex(ValueError, r"damaged.txt is not a denoiser's network, or is damaged: .*\.$"):
+                    weights.read(path)
+
+
+def white(source):
+    """An actor without highlights."""
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor([REFLECTANCE] * 3)
+    actor.GetProperty().SetSpecular(0)
+    actor.GetProperty().SetAmbient(0)
+    return actor
+
+
+def lit_boxes():
+    """A ground with boxes, which one of them lights: all light is indirect, so the picture is reflectance times that."""
+    renderer = vtkRenderer()
+    ground = vtkPlaneSource()
+    ground.SetOrigin(-2, -2, 0)
+    ground.SetPoint1(2, -2, 0)
+    ground.SetPoint2(-2, 2, 0)
+    renderer.AddActor(white(ground))
+    for number, place in enumerate(((-0.7, 0, 0.4), (0.5, 0.3, 0.3), (0, -0.6, 0.2))):
+        cube = vtkCubeSource()
+        cube.SetCenter(place)
+        cube.SetXLength(2 * place[2])
+        cube.SetYLength(2 * place[2])
+        cube.SetZLength(2 * place[2])
+        actor = white(cube)
+        actor.GetProperty().SetAmbient(1 if number == 1 else 0)
+        actor.GetProperty().SetDiffuse(0 if number == 1 else 1)
+        renderer.AddActor(actor)
+    renderer.AutomaticLightCreationOff()
+    faint = vtkLight()
+    faint.SetIntensity(1e-9)
+    renderer.AddLight(faint)
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(0.5, -3, 2.5)
+    camera.SetFocalPoint(0, 0, 0.2)
+    camera.SetViewUp(0, 0, 1)
+    renderer.ResetCameraClippingRange()
+    return renderer
+
+
+class Film(data.Film):
+    """The boxes in a window, with or without the denoiser."""
+
+    def __init__(self, **parameters):
+        self.renderer = lit_boxes()
+        self.camera = self.renderer.GetActiveCamera()
+        on = ["ray-traced-light", "temporal-accumulation"] + (["denoising"] if parameters else [])
+        self.gi = penumbra.enable(self.renderer, "off", on=on, **parameters)
+        self.gi.KeepRadianceOn()
+        self.window = penumbra.window(self.renderer, size=(WIDTH, HEIGHT), multisamples=0)
+
+    def picture(self):
+        """Radiance, bottom row first."""
+        return penumbra.radiance(self.gi, self.renderer)[::-1, :, :3].astype(float)
+
+
+def stored(light, error):
+    """What the signal's texture holds: half floats, and the root of the error in 8 bits."""
+    root = np.floor(np.sqrt(np.clip(error, 0, 1)) * 255 + 0.5)
+    return reference.half(light), np.where(error > 0, np.maximum(root, 1) / 255, 0) ** 2
+
+
+class Shaders(unittest.TestCase):
+    """The denoiser of a picture, against the reference."""
+
+    def compare(self, frames, **parameters):
+        """Differences of filtered light, as shares of the light, in pixels that are lit."""
+        raw, film = Film(), Film(**{"denoising.method": "neural", **parameters})
+        film.frame()
+        film.parity = film._find_parity()
+        for each in (raw, film):
+            each.gi.Restart()
+            each.frame(frames)
+        self.assertEqual(film.gi.GetLastError(), "")
+        signal = film.signal(True)
+        signal.light, signal.error = stored(signal.light, signal.error)
+        expected = reference.denoise(signal, reference.read_layers(NETWORK), stored)
+        before, after = raw.picture(), film.picture()
+        reflects = np.abs(before.mean(-1) - REFLECTANCE * signal.light.mean(-1)) < 0.01 * before.mean(-1)
+        lit = reflects & (signal.frames > 0) & (signal.light.min(-1) > 1e-3)
+        self.assertGreater(lit.sum(), 1000)
+        found = after[lit] / before[lit] * signal.light[lit]
+        change = np.abs(expected - signal.light)[lit].mean()
+        self.assertGreater(change, 0.01 * expected[lit].mean())
+        differences = np.abs(found - expected[lit]).max(-1) / expected[lit].mean()
+        print(f"{frames} frames {parameters}: differences {differences.mean():.1e} in the mean, {np.median(differences):.1e} "
+              f"(median), {np.quantile(differences, 0.99):.1e} (99 %)")
+        return differences
+
+    def test_agree_with_the_reference(self):
+        for frames in (1, 6):
+            differences = self.compare(frames)
+            self.assertLess(differences.mean(), 1e-3)
+            self.assertLess(np.quantile(differences, 0.99), 4e-3)
+
+    def test_agree_with_weights_in_buffers(self):
+        self.assertLess(np.mean(self.compare(6, **{"denoising.weights": "buffer"})), 1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,179 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Training of the denoiser's network: it learns, gives the same network again, also after an interruption, and PyTorch computes
+what the reference does."""
+import argparse
+import contextlib
+import io
+import os
+import pathlib
+import tempfile
+import unittest
+from unittest import mock
+
+import numpy as np
+
+try:
+    import torch
+except ImportError:
+    torch = None
+else:
+    import data
+    import network
+    import reference
+    import train
+
+STEPS = 6
+
+
+class Interruption(Exception):
+    """Ends a training."""
+
+
+def run(*arguments):
+    """The command; returns what it prints."""
+    printed = io.StringIO()
+    with mock.patch("sys.argv", ["train-denoiser", *arguments]), contextlib.redirect_stdout(printed), \
+            contextlib.redirect_stderr(io.StringIO()):
+        train.main()
+    return printed.getvalue()
+
+
+@unittest.skipUnless(torch, "python3-torch is not installed")
+class Training(unittest.TestCase):
+    """A short training, in one folder."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.printed = run("--short", "--folder", cls.folder.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def samples(self):
+        """What the short training learned from."""
+        names = sorted(os.listdir(os.path.join(self.folder.name, "data")))
+        pairs = [(name.split("_")[0], int(name.split("_")[1].split(".")[0])) for name in names]
+        with contextlib.redirect_stderr(io.StringIO()):
+            return train.samples_of(os.path.join(self.folder.name, "data"), pairs)
+
+    def training(self, folder):
+        """A training of a few steps."""
+        arguments = argparse.Namespace(seed=3, folder=folder, families=None, scenes=1, cameras=1, size=64, steps=STEPS)
+        return train.Training(arguments)
+
+    def network_of(self, training):
+        """The text of the network's file."""
+        path = os.path.join(training.args.folder, "network.txt")
+        training.net.save(path, {"seed": 3})
+        return pathlib.Path(path).read_text(encoding="ascii")
+
+    def test_lowers_the_loss(self):
+        with open(os.path.join(self.folder.name, "report.json"), encoding="utf-8") as file:
+            losses = train.json.load(file)["loss"]
+        first, last = np.mean(losses[:15]), np.mean(losses[-15:])
+        print(f"loss {first:.3f} -> {last:.3f}")
+        self.assertLess(last, 0.9 * first)
+
+    def test_writes_what_it_promises(self):
+        self.assertIn("relMSE of the network", self.printed)
+        for name in ("network.txt", "report.json", "loss.svg"):
+            self.assertTrue(os.path.exists(os.path.join(self.folder.name, name)), name)
+
+    def test_same_seed_same_network(self):
+        samples, found = self.samples(), []
+        for _ in range(2):
+            with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()):
+                training = self.training(folder)
+                training.run(samples)
+                found.append(self.network_of(training))
+        self.assertEqual(*found)
+
+    def test_goes_on_after_an_interruption(self):
+        samples = self.samples()
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()), \
+                mock.patch.object(train, "SAVED", 2):
+            whole = self.training(folder)
+            whole.run(samples)
+            os.remove(whole.path)
+            broken, learn = self.training(folder), train.Training.learn
+
+            def interrupted(training, given):
+                if training.step == 3:
+                    raise Interruption
+                learn(training, given)
+            with mock.patch.object(train.Training, "learn", interrupted), self.assertRaises(Interruption):
+                broken.run(samples)
+            resumed = self.training(folder)
+            resumed.resume()
+            self.assertEqual(resumed.step, 2)
+            resumed.run(samples)
+            self.assertEqual(self.network_of(resumed), self.network_of(whole))
+
+    def test_a_broken_option_is_one_sentence(self):
+        for arguments in (["--size", "100"], ["--steps", "0"], ["--families", "cubes"]):
+            with self.assertRaises(SystemExit) as ended:
+                run(*arguments, "--folder", self.folder.name)
+            self.assertNotEqual(ended.exception.code, 0)
+
+
+@unittest.skipUnless(torch, "python3-torch is not installed")
+class Agreement(unittest.TestCase):
+    """PyTorch and the reference on surfaces that no scene has."""
+
+    def signal(self, frames):
+        """Noise on waves, with holes."""
+        random = np.random.default_rng(1)
+        y, x = np.mgrid[:64, :80] / 16
+        depth = -3 + 0.2 * np.sin(x) * np.cos(y)
+        count = np.where(random.random(depth.shape) < 0.1, 0, frames).astype(np.float32)
+        normal = np.stack((0.5 + 0.05 * np.cos(x), 0.5 + 0.05 * np.sin(y)), -1)
+        error = random.uniform(0.1, 0.9, depth.shape) if frames >= data.LEAST else np.zeros(depth.shape)
+        values = [random.exponential(1, (*depth.shape, 3)) * (1 + x)[..., None], error, count, normal, depth, np.array((2.0, 2.5))]
+        signal = data.Signal(*(value.astype(np.float32) for value in values))
+        signal.light *= signal.frames[..., None] > 0
+        signal.depth *= signal.frames > 0
+        return signal
+
+    def test_torch_computes_what_the_reference_does(self):
+        torch.manual_seed(1)
+        net = network.Denoiser()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "network.txt")
+            net.save(path, {"seed": 1})
+            net.restore(path)
+            layers = reference.read_layers(path)
+        for frames in (1, 8, 200):
+            signal = self.signal(frames)
+            with torch.no_grad():
+                found = net(train.batch_of([network.tensors(signal)]))[0].permute(1, 2, 0).numpy()
+            expected = reference.denoise(signal, layers)
+            difference = np.abs(found - expected).max() / expected.mean()
+            print(f"{frames} frames: PyTorch and NumPy differ by {difference:.1e}")
+            self.assertLess(difference, 1e-3)
+
+    def test_light_may_have_any_unit(self):
+        torch.manual_seed(1)
+        net = network.Denoiser()
+        signal = self.signal(1)
+        with torch.no_grad():
+            plain = net(train.batch_of([network.tensors(signal)])).numpy()
+            for factor in (1e-3, 1e3):
+                brighter = data.Signal(signal.light * factor, *(getattr(signal, name) for name in data.Signal.FIELDS[1:]))
+                found = net(train.batch_of([network.tensors(brighter)])).numpy() / factor
+                self.assertLess(np.abs(found - plain).max(), 1e-3 * plain.mean())
+
+    def test_constant_light_stays(self):
+        torch.manual_seed(1)
+        net = network.Denoiser()
+        signal = self.signal(4)
+        signal.light[:] = (signal.frames > 0)[..., None] * np.array((0.3, 0.5, 0.7), np.float32)
+        with torch.no_grad():
+            found = net(train.batch_of([network.tensors(signal)]))[0].permute(1, 2, 0).numpy()
+        self.assertLess(np.abs(found - signal.light)[signal.frames > 0].max(), 1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()

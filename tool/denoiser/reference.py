@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: Penumbra authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The denoiser in NumPy, written after the shaders and independently of PyTorch: the reference of both."""
+import numpy as np
+import weights
+
+TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
+KERNEL = 0.5, 0.25
+LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
+OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
+
+
+def half(values):
+    """Rounded as textures of half floats hold them."""
+    return values.astype(np.float16).astype(float)
+
+
+def moved(values, x, y):
+    """The values x pixels to the right and y up; 0 from outside."""
+    height, width = values.shape[:2]
+    result = np.zeros_like(values)
+    rows = slice(max(-y, 0), height - max(y, 0)), slice(max(y, 0), height - max(-y, 0))
+    columns = slice(max(-x, 0), width - max(x, 0)), slice(max(x, 0), width - max(-x, 0))
+    if abs(x) < width and abs(y) < height:
+        result[rows[0], columns[0]] = values[rows[1], columns[1]]
+    return result
+
+
+def read_layers(path):
+    """Weights (outputs, inputs, y, x) and biases by the layer's name."""
+    _, layers = weights.read(path)
+    found = {}
+    for name, layer in layers.items():
+        values, count = np.array(layer.values), layer.weight_count()
+        found[name] = values[:count].reshape(layer.outputs, layer.inputs, layer.kernel, layer.kernel), values[count:]
+    return found
+
+
+class Surfaces:
+    """The surfaces of a signal, see data.Signal."""
+
+    def __init__(self, signal):
+        height, width = signal.frames.shape
+        self.exists, self.frames = signal.frames > 0, signal.frames.astype(float)
+        self.depth, self.normal = signal.depth.astype(float), signal.normal.astype(float)
+        x = ((np.arange(width) + 0.5) / width * 2 - 1) / signal.projection[0]
+        y = ((np.arange(height) + 0.5) / height * 2 - 1) / signal.projection[1]
+        self.position = np.stack((-self.depth * x[None, :], -self.depth * y[:, None], self.depth), -1)
+        self.pixel = 2 * np.abs(self.depth) / (width * signal.projection[0])
+        xy = 2 * self.normal - 1
+        z = 1 - np.abs(xy).sum(-1)
+        xy = xy - np.where(xy >= 0, 1, -1) * np.maximum(-z, 0)[..., None]
+        direction = np.concatenate((xy, z[..., None]), -1)
+        self.direction = direction / np.maximum(np.linalg.norm(direction, axis=-1, keepdims=True), 1e-12)
+        distance = np.maximum(np.linalg.norm(self.position, axis=-1), 1e-12)
+        self.toward = -(self.direction * self.position).sum(-1) / distance
+        self.bend = 10 * (1 + np.maximum(self.frames - 1, 0) / 4)
+
+    def similarity(self, x, y, step):
+        """How much the pixels x and y away, `step` pixels per unit, show the same surface."""
+        x, y = x * step, y * step
+        apart = moved(self.position, x, y) - self.position
+        closer = self.depth / np.where(moved(self.exists, x, y), moved(self.depth, x, y), -1)  # as window depths are compared
+        plane = np.abs((self.direction * apart).sum(-1)) * np.clip(np.abs(self.toward), 0.2, 1) * closer
+        turned = ((moved(self.normal, x, y) - self.normal) ** 2).sum(-1)
+        alike = np.clip(2 - plane / np.maximum(step * self.pixel, 1e-12), 0, 1) * np.clip(1 - self.bend * turned, 0, 1)
+        return np.where(moved(self.exists, x, y) & self.exists, alike if x or y else 1, 0)
+
+
+def block_scales(luminance, exists):
+    """Mean luminance around each block of 2x2 pixels."""
+    sums = []
+    for values in (luminance * exists, exists.astype(float)):
+        rows = np.add.reduceat(values, np.arange(0, values.shape[0], TILE), axis=0)
+        sums.append(np.add.reduceat(rows, np.arange(0, values.shape[1], TILE), axis=1))
+    shares = []
+    for pixels, tiles in zip(luminance.shape, sums[0].shape):
+        table = np.zeros(((pixels + 1) // 2, tiles))
+        for block, row in enumerate(table):
+            place = (2 * block + 1) / TILE - 0.5
+            corner, fraction = int(np.floor(place)), place - np.floor(place)
+            for tile, share in zip(range(corner - 1, corner + 3), (1 - fraction, 1, 1, fraction)):
+                if 0 <= tile < tiles:
+                    row[tile] += share
+        shares.append(table)
+    light, count = (shares[0] @ values @ shares[1].T for values in sums)
+    return np.maximum(light / np.maximum(count, 1e-6), 1e-20)
+
+
+def in_blocks(values):
+    """Sums of blocks of 2x2 pixels; pixels outside count as 0."""
+    height, width = values.shape[:2]
+    padded = np.pad(values, ((0, height % 2), (0, width % 2), (0, 0)))
+    return padded.reshape((height + 1) // 2, 2, (width + 1) // 2, 2, -1).sum((1, 3))
+
+
+def enlarged(values, height, width):
+    """Each texel as 2x2."""
+    return values.repeat(2, 0).repeat(2, 1)[:height, :width]
+
+
+def inputs(signal, surfaces):
+    """What the network gets, for pixels and for blocks."""
+    light, exists = signal.light.astype(float), surfaces.exists
+    height, width = exists.shape
+    luminance = light @ LUMINANCE
+    scale = enlarged(block_scales(luminance, exists)[..., None], height, width)
+    near, total = np.zeros_like(light), np.zeros_like(scale)
+    for x, y in OFFSETS:
+        weight = (surfaces.similarity(x, y, 1) * moved(surfaces.frames, x, y))[..., None]
+        near, total = near + weight * moved(light, x, y), total + weight
+    sides = ((1, 0), (-1, 0), (0, 1), (0, -1))
+    edge = sum((1 - np.clip((surfaces.direction * moved(surfaces.direction, x, y)).sum(-1), 0, 1)) * moved(exists, x, y)
+               for x, y in sides)
+    depth = np.where(exists, surfaces.depth, -1)
+    changes = [16 * np.clip(moved(surfaces.depth, x, y) / depth - 1, -1, 1) * moved(exists, x, y) for x, y in ((1, 0), (0, 1))]
+    single = np.concatenate((np.log1p(light / scale), np.log1p(near / (np.maximum(total, 1e-6) * scale)),
+                             np.log1p((signal.error * luminance)[..., None] / scale),
+                             (surfaces.frames / (surfaces.frames + 8))[..., None], surfaces.direction,
+                             np.stack((surfaces.toward, edge, np.ones_like(edge), *changes), -1)), -1) * exists[..., None]
+    return single, half(in_blocks(single) / np.maximum(in_blocks(exists[..., None].astype(float)), 1))
+
+
+def convolved(values, layer):
+    """A 3x3 convolution; outside all is 0."""
+    kernel, biases = layer
+    height, width = values.shape[:2]
+    padded = np.pad(values, ((1, 1), (1, 1), (0, 0)))
+    return biases + sum(padded[y:y + height, x:x + width] @ kernel[:, :, y, x].T for y in range(3) for x in range(3))
+
+
+def pooled(values):
+    """The greatest of blocks of 2x2 texels."""
+    height, width = values.shape[:2]
+    padded = np.pad(values, ((0, height % 2), (0, width % 2), (0, 0)))
+    return padded.reshape((height + 1) // 2, 2, (width + 1) // 2, 2, -1).max((1, 3))
+
+
+def network(blocks, layers):
+    """The outputs of each block."""
+    kept, values = [], blocks
+    for level in range(LEVELS):
+        values = half(np.maximum(convolved(pooled(values) if level else values, layers[f"e{level}"]), 0))
+        kept.append(values)
+    for number, below in enumerate(reversed(kept[:-1])):
+        joined = np.concatenate((enlarged(values, *below.shape[:2]), below), -1)
+        values = half(np.maximum(convolved(joined, layers[f"d{number}"]), 0))
+    return half(convolved(values, layers["out"]))
+
+
+def interpolated(values, height, width):
+    """Blocks as pixels, linearly."""
+    tables = []
+    for pixels, blocks in zip((height, width), values.shape[:2]):
+        table = np.zeros((pixels, blocks))
+        for pixel, row in enumerate(table):
+            place = (pixel + 0.5) / 2 - 0.5
+            corner, fraction = int(np.floor(place)), place - np.floor(place)
+            row[min(max(corner, 0), blocks - 1)] += 1 - fraction
+            row[min(max(corner + 1, 0), blocks - 1)] += fraction
+        tables.append(table)
+    return np.einsum("yh,hwc,xw->yxc", tables[0], values, tables[1])
+
+
+def guides(signal, surfaces, layers):
+    """Features, bandwidths and sharpnesses of each pixel."""
+    single, blocks = inputs(signal, surfaces)
+    outputs = interpolated(network(blocks, layers), *single.shape[:2])
+    features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
+    return features, *(half(np.logaddexp(0, outputs[..., i:i + LEVELS])) for i in (4, 4 + LEVELS))
+
+
+class Means:
+    """Weighted means around each pixel: of light, and of the noise that is left."""
+
+    def __init__(self, light, noise, weigh):
+        bright = light @ LUMINANCE
+        total = first = second = squares = weighted = np.zeros_like(noise)
+        self.change = np.zeros_like(light)
+        for x, y in OFFSETS:
+            weight, moved_by = weigh(x, y)
+            other, other_noise = moved(bright, *moved_by), moved(noise, *moved_by)
+            total, first, second = total + weight, first + weight * other, second + weight * other ** 2
+            squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
+            self.change = self.change + weight[..., None] * (moved(light, *moved_by) - light)
+        total = np.maximum(total, 1e-6)
+        self.change = self.change / total[..., None]
+        spread = squares * np.maximum(second / total - (first / total) ** 2, 0)
+        self.noise = np.sqrt(np.where(noise > 0, weighted, spread)) / total
+
+
+def denoise(signal, layers, stored=lambda light, error: (light, error)):
+    """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
+    surfaces = Surfaces(signal)
+    features, bandwidths, sharpnesses = guides(signal, surfaces, layers)
+    light, error = signal.light.astype(float), signal.error.astype(float)
+    reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
+    for level in range(LEVELS):
+        step = 2 ** level
+        bright = light @ LUMINANCE
+        noise = error * bright
+
+        def weigh(x, y, step=step, level=level, bright=bright, noise=noise):
+            far = x * step, y * step
+            apart = ((moved(features, *far) - features) ** 2).sum(-1)
+            both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))
+            deviations = np.where(noise > 0, np.abs(moved(bright, *far) - bright) / both, 0)
+            weight = np.exp(-bandwidths[..., level] * apart - sharpnesses[..., level] * deviations)
+            return KERNEL[abs(x)] * KERNEL[abs(y)] * surfaces.similarity(x, y, step) * moved(surfaces.frames, *far) * weight, far
+        means = Means(light, noise, weigh)
+        share = np.clip(2 * reach / step - 1, 0, 1)
+        light = light + share[..., None] * means.change
+        noise = noise + share * (means.noise - noise)
+        light, error = stored(light, np.minimum(noise / np.maximum(light @ LUMINANCE, 1e-20), 1))
+        light, error = light * surfaces.exists[..., None], error * surfaces.exists
+    return light

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "techniques/denoising/GuideNetwork.h"
+
+#include "techniques/denoising/NetworkWeights.h"
+
+#include <stdexcept>
+
+namespace penumbra
+{
+namespace
+{
+constexpr int Levels = 4;  // of the U-Net
+constexpr int Inputs = 16; // numbers for each pixel
+constexpr int Tile = 16;   // pixels
+
+constexpr const char* Prefix = "denoising.network.";
+constexpr const char* Tiles = "denoising.network.tiles";
+constexpr const char* Fine = "denoising.network.fine";
+constexpr const char* Features = "denoising.network.features";
+constexpr const char* Counts = "denoising.network.counts";
+
+const std::string First = "inputs";
+const std::string Last = "out";
+
+std::string Encoder(int level)
+{
+  return "e" + std::to_string(level);
+}
+std::string Pooled(int level)
+{
+  return "pooled" + std::to_string(level);
+}
+// On the way up layers are numbered from the smallest one.
+std::string Decoder(int level)
+{
+  return "d" + std::to_string(Levels - 2 - level);
+}
+
+glm::ivec2 SizeAt(const glm::ivec2& pixels, int level)
+{
+  const int block = 2 << level;
+  return (pixels + block - 1) / block;
+}
+
+int ChannelsOf(const std::string& layer)
+{
+  return NetworkLayers().at(layer).Outputs;
+}
+
+const Texture* OutputOf(FrameContext& context, const std::string& layer)
+{
+  return context.Output((Prefix + layer).c_str());
+}
+
+glm::ivec2 PixelsOf(FrameContext& context)
+{
+  return { context.GetView().Viewport.z, context.GetView().Viewport.w };
+}
+
+void Pool(FrameContext& context, const std::string& from, const std::string& to, int level)
+{
+  const glm::ivec2 size = SizeAt(PixelsOf(context), level);
+  context.Dispatch("denoising/pool.comp", {},
+    Arguments()
+      .Sample("activations", OutputOf(context, from))
+      .Image("result", *OutputOf(context, to), ShaderAccess::Write)
+      .Set("size", size),
+    Work::Items((size.x + 1) / 2, (size.y + 1) / 2));
+}
+}
+
+void GuideNetwork::Declare(PassDeclaration& pass, const Frame& frame)
+{
+  const glm::ivec2 window = frame.GetView().WindowSize;
+  const auto write = [&](const std::string& name, int channels, int level) {
+    const glm::ivec2 size = SizeAt(window, level);
+    pass.Write(Prefix + name, { GL_RGBA16F, size.x, size.y, channels / 4 });
+  };
+  const glm::ivec2 tiles = (window + Tile - 1) / Tile;
+  pass.Write(Tiles, { GL_RG32F, tiles.x, tiles.y, 0 });
+  write(First, Inputs, 0);
+  for (int level = 0; level < Levels; ++level)
+  {
+    write(Encoder(level), ChannelsOf(Encoder(level)), level);
+    if (level + 1 < Levels)
+    {
+      write(Pooled(level + 1), ChannelsOf(Encoder(level)), level + 1);
+      write(Decoder(level), ChannelsOf(Decoder(level)), level);
+    }
+  }
+  write(Last, ChannelsOf(Last), 0);
+  pass.Write(Fine, frame.WindowTexture(GL_RGBA16F))
+    .Write(Features, frame.WindowTexture(GL_RGBA16F))
+    .Write(Counts, frame.WindowTexture(GL_RGBA32UI));
+}
+
+void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
+  const std::string& above, const std::string& input, int level)
+{
+  Defines variant;
+  Arguments arguments;
+  const glm::ivec2 size = SizeAt(PixelsOf(context), level);
+  arguments.Sample("activations", OutputOf(context, input))
+    .Image("result", *OutputOf(context, layer), ShaderAccess::Write)
+    .Set("size", size);
+  if (!above.empty())
+  {
+    arguments.Sample("above", OutputOf(context, above));
+  }
+  if (layer == Last)
+  {
+    variant["GI_LAST"] = "1";
+  }
+  int number = 0;
+  for (const NetworkPart& part : NetworkLayers().at(layer).Parts)
+  {
+    const std::string name = layer + "_" + std::to_string(number++);
+    if (this->UsesBuffers)
+    {
+      Buffer& weights = this->Weights[name];
+      if (weights.Get() == 0)
+      {
+        weights.Upload(GL_UNIFORM_BUFFER, part.Weights.data(), part.Weights.size() * sizeof(float));
+      }
+      variant["GI_WEIGHTS_BUFFER"] = "1";
+      arguments.Block("GiWeights", weights);
+    }
+    context.Dispatch("denoising/network/" + name + ".comp", variant,
+      arguments.Set("firstOutput", part.FirstOutput), Work::Items(size.x, size.y));
+  }
+}
+
+Arguments GuideNetwork::Infer(FrameContext& context, const Texture* signal)
+{
+  const glm::ivec2 pixels = PixelsOf(context);
+  const glm::ivec2 tiles = (pixels + Tile - 1) / Tile;
+  const glm::ivec2 blocks = SizeAt(pixels, 0);
+  context.Dispatch("denoising/tiles.comp", {},
+    Arguments()
+      .Sample("signalTexture", signal)
+      .Image("tiles", *context.Output(Tiles), ShaderAccess::Write),
+    Work::Items(tiles.x, tiles.y));
+  context.Dispatch("denoising/inputs.comp", {},
+    Arguments()
+      .Sample("signalTexture", signal)
+      .Sample("tileTexture", context.Output(Tiles))
+      .Image("inputs", *OutputOf(context, First), ShaderAccess::Write)
+      .Image("fine", *context.Output(Fine), ShaderAccess::Write),
+    Work::Items(blocks.x, blocks.y));
+  for (int level = 0; level < Levels; ++level)
+  {
+    if (level > 0)
+    {
+      Pool(context, Encoder(level - 1), Pooled(level), level - 1);
+    }
+    this->Convolve(context, Encoder(level), {}, level > 0 ? Pooled(level) : First, level);
+  }
+  std::string above = Encoder(Levels - 1);
+  for (int level = Levels - 2; level >= 0; --level)
+  {
+    this->Convolve(context, Decoder(level), above, Encoder(level), level);
+    above = Decoder(level);
+  }
+  this->Convolve(context, Last, {}, above, 0);
+  context.BindTarget({ { context.Output(Features), -1 }, { context.Output(Counts), -1 } }, {});
+  context.DrawBound("denoising/guides.frag", {},
+    Arguments()
+      .Sample("outputs", OutputOf(context, Last))
+      .Sample("fineTexture", context.Output(Fine)));
+  return Arguments()
+    .Sample("featureTexture", context.Output(Features))
+    .Sample("countTexture", context.Output(Counts));
+}
+
+std::optional<Arguments> GuideNetwork::Run(FrameContext& context, const Texture* signal)
+{
+  try
+  {
+    const Arguments guides = this->Infer(context, signal);
+    this->HasRun = true;
+    return guides;
+  }
+  catch (const std::runtime_error& error)
+  {
+    this->Failure = error.what();
+    return {};
+  }
+}
+}
