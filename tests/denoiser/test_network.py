@@ -114,8 +114,7 @@ class Shaders(unittest.TestCase):
     def compare(self, frames, **parameters):
         """Differences of filtered light, as shares of the light, in pixels that are lit."""
         raw, film = Film(), Film(**{"denoising.method": "neural", **parameters})
-        film.frame()
-        film.parity = film._find_parity()
+        film.find_parity()
         for each in (raw, film):
             each.gi.Restart()
             each.frame(frames)

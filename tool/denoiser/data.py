@@ -46,13 +46,14 @@ class Signal:
 class Film:
     """A scene in a window that draws light by one ray per pixel and its mean over frames."""
 
+    parity = False  # whether the newest frame is in the odd histories
+
     def __init__(self, renderer, size, probes):
         self.renderer, self.camera = renderer, renderer.GetActiveCamera()
         on = ["ray-traced-light", "temporal-accumulation"] + (["ddgi"] if probes else [])
         self.gi = penumbra.enable(renderer, "off", on=on)
         self.window = penumbra.window(renderer, size=(size, size), multisamples=0)
-        self.frame()
-        self.parity = self._find_parity()
+        self.find_parity()
 
     def frame(self, count=1):
         """Draw frames. Histories take turns, even and odd."""
@@ -60,7 +61,7 @@ class Film:
             self.window.Render()
             if self.gi.GetLastError():
                 raise RuntimeError(self.gi.GetLastError())
-            self.parity = not getattr(self, "parity", False)
+            self.parity = not self.parity
 
     def buffer(self, name, odd):
         """A history as an array."""
@@ -71,12 +72,12 @@ class Film:
         width, height, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 4).copy()
 
-    def _find_parity(self):
-        """Whether the newest frame is in the odd histories: those change."""
-        self.frame()
+    def find_parity(self):
+        """Draw frames, and see which histories change."""
+        self.frame(2)
         before = self.buffer("surface", False)
         self.frame()
-        return bool(np.array_equal(before, self.buffer("surface", False)))
+        self.parity = bool(np.array_equal(before, self.buffer("surface", False)))
 
     def cut(self):
         """Look the other way for a frame, so that the next one finds no history."""

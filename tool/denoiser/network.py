@@ -264,12 +264,12 @@ def relative_error(picture, batch):
 
 
 def loss_of(picture, batch):
-    """Squared relative difference from the target, in units of the error that the filter without a network leaves: noise of all
-    sizes counts alike. The picture in the denominator counts as constant, as noise of the target there would make the loss prefer
-    pictures that are too dark."""
-    known, truth = batch["known"], batch["target"]
+    """Squared difference from the target, relative to the picture of the filter without a network, in units of the error that it
+    leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make pictures that are too
+    dark seem better; were it relative to the picture, bright spots would cost nothing."""
+    known = batch["known"]
     pixels = known.sum((1, 2, 3)).clamp(min=1)
-    mean = (luminance(truth) * known).sum((1, 2, 3)) / pixels
-    square = (picture - truth) ** 2 / (picture.detach() ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    mean = (luminance(batch["plain"]) * known).sum((1, 2, 3)) / pixels
+    square = (picture - batch["target"]) ** 2 / (batch["plain"] ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
     error = (square.clamp(max=MOST_SQUARE) * known).sum((1, 2, 3)) / (3 * pixels)
     return (error / batch["filtered"].flatten()).mean()

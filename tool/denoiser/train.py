@@ -20,7 +20,7 @@ COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is f
 RATE, LAST_RATE = 1e-3, 1e-5
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
-SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 60}
+SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 100}
 
 
 class Progress:
@@ -104,8 +104,8 @@ def scene_lists(args):
 
 
 def samples_of(folder, pairs):
-    """Samples of scenes as dictionaries of tensors, with the family and the count of frames. filtered: relMSE of the filter
-    without a network."""
+    """Samples of scenes as dictionaries of tensors, with the family and the count of frames. plain: the picture of the filter without
+    a network; filtered: its relMSE."""
     import data
     import network
     import torch
@@ -118,8 +118,9 @@ def samples_of(folder, pairs):
             sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
             with torch.no_grad():
                 batch = batch_of([sample])
-                error = network.relative_error(network.plain_filter(batch), batch)
-            sample["filtered"] = error.clamp(min=1e-5).reshape(1, 1, 1)
+                plain = network.plain_filter(batch)
+                error = network.relative_error(plain, batch)
+            sample.update(plain=plain[0], filtered=error.clamp(min=1e-5).reshape(1, 1, 1))
             found.append((sample, family, int(truth["count"])))
     progress(1.0)
     return found
@@ -190,7 +191,7 @@ class Training:
         random = np.random.default_rng((self.args.seed, self.step))
         rate = LAST_RATE + (RATE - LAST_RATE) * 0.5 * (1 + np.cos(np.pi * self.step / self.args.steps))
         for group in self.optimizer.param_groups:
-            group["lr"] = rate
+            group["lr"] = float(rate)
         batch = batch_of([crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)])
         loss = network.loss_of(self.net(batch), batch)
         self.optimizer.zero_grad()
@@ -251,6 +252,10 @@ def plot(losses, path):
 def main():
     """Render, train, report."""
     args = options()
+    try:
+        import torch  # noqa: F401
+    except ImportError:
+        sys.exit("PyTorch is missing: install the package python3-torch, or call ./run train-denoiser, which does.")
     import data
     os.makedirs(args.folder, exist_ok=True)
     pictures = os.path.join(args.folder, "data")
