@@ -1,7 +1,8 @@
 // A part of a layer of the network: a 3x3 convolution. The generated shader says how many activations come in and go out, in
-// fours (GI_INPUTS, GI_OUTPUTS), and how many of the former come from the layer above, which has half the size (GI_ABOVE, if
-// any). It computes their sums with weights that are literals. Variants: GI_LAST (no rectifier), GI_WEIGHTS_BUFFER (weights come
-// from a buffer, for drivers that compile long shaders slowly).
+// fours (GI_INPUTS, GI_OUTPUTS), how many of the former come from the layer above, which has half the size (GI_ABOVE, if any),
+// which output is the part's first (GI_FIRST), and whether nothing follows, so that sums may be negative (GI_LAST). It computes
+// the sums with weights that are literals. Variant: GI_WEIGHTS_BUFFER (weights come from a buffer, for drivers that compile long
+// shaders slowly).
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2DArray activations;
 #ifdef GI_ABOVE
@@ -9,8 +10,7 @@ layout(binding = 1) uniform sampler2DArray above;
 #endif
 layout(rgba16f, binding = 0) writeonly uniform image2DArray result;
 
-uniform ivec2 size;      // of the layer, in texels
-uniform int firstOutput; // in fours
+uniform ivec2 size; // of the layer, in texels
 
 // Four activations near a place. Outside of the picture they are 0.
 vec4 giActivation(ivec2 at, int four)
@@ -68,6 +68,6 @@ void main()
 #ifndef GI_LAST
     sums[i] = max(sums[i], 0.0);
 #endif
-    imageStore(result, ivec3(at, firstOutput + i), sums[i]);
+    imageStore(result, ivec3(at, GI_FIRST + i), sums[i]);
   }
 }

@@ -87,15 +87,11 @@ def lit_boxes():
 
 
 class Film(data.Film):
-    """The boxes in a window, with or without the denoiser."""
+    """The boxes in a window, with the denoiser if it has parameters."""
 
     def __init__(self, **parameters):
-        self.renderer = lit_boxes()
-        self.camera = self.renderer.GetActiveCamera()
-        on = ["ray-traced-light", "temporal-accumulation"] + (["denoising"] if parameters else [])
-        self.gi = penumbra.enable(self.renderer, "off", on=on, **parameters)
+        super().__init__(lit_boxes(), (WIDTH, HEIGHT), ["denoising"] if parameters else [], **parameters)
         self.gi.KeepRadianceOn()
-        self.window = penumbra.window(self.renderer, size=(WIDTH, HEIGHT), multisamples=0)
 
     def picture(self):
         """Radiance, bottom row first."""
@@ -114,7 +110,6 @@ class Shaders(unittest.TestCase):
     def compare(self, frames, **parameters):
         """Differences of filtered light, as shares of the light, in pixels that are lit."""
         raw, film = Film(), Film(**{"denoising.method": "neural", **parameters})
-        film.find_parity()
         for each in (raw, film):
             each.gi.Restart()
             each.frame(frames)

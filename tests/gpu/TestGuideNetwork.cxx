@@ -138,25 +138,20 @@ protected:
       smaller = Upload(above);
       arguments.Sample("above", &*smaller);
     }
-    if (name == "out")
-    {
-      variant["GI_LAST"] = "1";
-    }
     std::vector<Buffer> weights(layer.Parts.size());
     for (std::size_t i = 0; i < layer.Parts.size(); ++i)
     {
-      const NetworkPart& part = layer.Parts[i];
+      const std::vector<float>& part = layer.Parts[i];
       if (buffers)
       {
         variant["GI_WEIGHTS_BUFFER"] = "1";
-        weights[i].Upload(
-          GL_UNIFORM_BUFFER, part.Weights.data(), part.Weights.size() * sizeof(float));
+        weights[i].Upload(GL_UNIFORM_BUFFER, part.data(), part.size() * sizeof(float));
         arguments.Block("GiWeights", weights[i]);
       }
       this->Runner.Dispatch(
         this->Library.Compute(
           "denoising/network/" + name + "_" + std::to_string(i) + ".comp", variant),
-        arguments.Set("firstOutput", part.FirstOutput), Work::Items(Width, Height));
+        arguments, Work::Items(Width, Height));
     }
     return this->Download(result, layer.Outputs);
   }
@@ -175,31 +170,33 @@ Activations Expected(const std::string& name, Activations input, Activations abo
     return channel < above.Channels ? (inside ? above.Get(x / 2, y / 2, channel) : 0.0)
                                     : input.Get(x, y, channel - above.Channels);
   };
-  for (const NetworkPart& part : layer.Parts)
+  int first = 0; // of the part's outputs
+  for (const std::vector<float>& part : layer.Parts)
   {
-    const int fours = static_cast<int>(part.Weights.size()) / (9 * layer.Inputs * 4 + 4);
+    const int fours = static_cast<int>(part.size()) / (9 * layer.Inputs * 4 + 4);
     for (int y = 0; y < Height; ++y)
     {
       for (int x = 0; x < Width; ++x)
       {
         for (int output = 0; output < 4 * fours; ++output)
         {
-          double sum = part.Weights[static_cast<std::size_t>(output)];
+          double sum = part[static_cast<std::size_t>(output)];
           for (int tap = 0; tap < 9; ++tap)
           {
             for (int channel = 0; channel < layer.Inputs; ++channel)
             {
               const int matrix = (tap * layer.Inputs / 4 + channel / 4) * fours + output / 4;
-              sum += part.Weights[static_cast<std::size_t>(
+              sum += part[static_cast<std::size_t>(
                        4 * fours + 16 * matrix + 4 * (channel % 4) + output % 4)] *
                 get(x + tap % 3 - 1, y + tap / 3 - 1, channel);
             }
           }
-          result.At(x, y, 4 * part.FirstOutput + output) =
+          result.At(x, y, first + output) =
             static_cast<float>(name == "out" ? sum : std::max(sum, 0.0));
         }
       }
     }
+    first += 4 * fours;
   }
   return result;
 }

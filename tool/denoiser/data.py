@@ -48,11 +48,11 @@ class Film:
 
     parity = False  # whether the newest frame is in the odd histories
 
-    def __init__(self, renderer, size, probes):
+    def __init__(self, renderer, size, also=(), **parameters):
+        """size: (width, height). also: other techniques to switch on."""
         self.renderer, self.camera = renderer, renderer.GetActiveCamera()
-        on = ["ray-traced-light", "temporal-accumulation"] + (["ddgi"] if probes else [])
-        self.gi = penumbra.enable(renderer, "off", on=on)
-        self.window = penumbra.window(renderer, size=(size, size), multisamples=0)
+        self.gi = penumbra.enable(renderer, "off", on=["ray-traced-light", "temporal-accumulation", *also], **parameters)
+        self.window = penumbra.window(renderer, size=size, multisamples=0)
         self.find_parity()
 
     def frame(self, count=1):
@@ -133,7 +133,7 @@ def render(family, seed, size, cameras):
     """Arrays of a scene's samples, as they are stored."""
     renderer, random = training_scenes.make(family, seed)
     probes = random.random() < 0.6
-    film = Film(renderer, size, probes)
+    film = Film(renderer, (size, size), ["ddgi"] if probes else [])
     film.frame(SETTLE if probes else 0)
     stored = {name: [] for name in Signal.FIELDS + ("target", "known", "count")}
     for camera in range(cameras):

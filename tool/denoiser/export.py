@@ -50,11 +50,12 @@ def parts(layer):
     return list(zip(ends, ends[1:]))
 
 
-def shader(layer, above, first, last):
-    """Text of the shader of a part. above: the joined layer, or None."""
+def shader(layer, above, rectified, first, last):
+    """Text of the shader of a part. above: the joined layer, or None. rectified: whether sums below 0 become 0."""
     joined = [f"#define GI_ABOVE {above.outputs // 4}"] if above else []
-    lines = ["#version 430 core", ORIGIN, f"#define GI_INPUTS {layer.inputs // 4}", f"#define GI_OUTPUTS {last - first}", *joined,
-             '#include "denoising/layer.glsl"', "#ifndef GI_WEIGHTS_BUFFER",
+    ends = [] if rectified else ["#define GI_LAST 1"]
+    lines = ["#version 430 core", ORIGIN, f"#define GI_INPUTS {layer.inputs // 4}", f"#define GI_OUTPUTS {last - first}",
+             f"#define GI_FIRST {first}", *joined, *ends, '#include "denoising/layer.glsl"', "#ifndef GI_WEIGHTS_BUFFER",
              "void giSums(ivec2 at, inout vec4 sums[GI_OUTPUTS])", "{"]
     targets = range(first, last)
     lines += [f"  sums[{target - first}] = {literal('vec4', biases(layer, target))};" for target in targets]
@@ -96,25 +97,35 @@ def table(layers):
              "const std::map<std::string, NetworkLayer>& NetworkLayers()", "{",
              "  static const std::map<std::string, NetworkLayer> layers = {"]
     for name, layer in layers.items():
-        pieces = [f"      {{ {first}, {{ {rows(part_values(layer, first, last))} }} }}" for first, last in parts(layer)]
+        pieces = [f"      {{ {rows(part_values(layer, first, last))} }}" for first, last in parts(layer)]
         lines.append(f'    {{ "{name}", {{ {layer.inputs}, {layer.outputs}, {{\n' + ",\n".join(pieces) + " } } },")
     return "\n".join(lines + ["  };", "  return layers;", "}", "}", ""])
 
 
+def write(path, text):
+    """Write a file unless it has this text already, so that a build does not compile it again."""
+    if not path.exists() or path.read_text(encoding="ascii") != text:
+        path.write_text(text, encoding="ascii")
+
+
 def main():
-    """Write the files."""
+    """Write the files, and remove those of another network."""
     network, folder, output = map(pathlib.Path, sys.argv[1:])
     try:
         _, layers = weights.read(network)
     except (OSError, ValueError) as error:
         sys.exit(str(error))
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "fine.glsl").write_text(fine(layers.pop("fine")), encoding="ascii")
+    texts = {"fine.glsl": fine(layers.pop("fine"))}
     for name, layer in layers.items():
         for index, (first, last) in enumerate(parts(layer)):
-            text = shader(layer, layers.get(ABOVE.get(name)), first, last)
-            (folder / f"{name}_{index}.comp").write_text(text, encoding="ascii")
-    output.write_text(table(layers), encoding="ascii")
+            texts[f"{name}_{index}.comp"] = shader(layer, layers.get(ABOVE.get(name)), name != "out", first, last)
+    folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.iterdir():
+        if old.name not in texts:
+            old.unlink()
+    for name, text in texts.items():
+        write(folder / name, text)
+    write(output, table(layers))
 
 
 if __name__ == "__main__":

@@ -14,6 +14,16 @@ import sys
 import time
 
 import numpy as np
+from matplotlib.figure import Figure
+
+try:
+    import torch
+except ImportError:
+    sys.exit("PyTorch is missing: install the package python3-torch, or call ./run train-denoiser, which does.")
+
+import data
+import network
+import training_scenes as scenes
 
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
@@ -27,7 +37,7 @@ class Progress:
     """Shows how far a task is, and how long it will take: on a terminal in one line, else once a minute."""
 
     def __init__(self, title):
-        self.title, self.started, self.shown = title, time.monotonic(), 0.0
+        self.title, self.shown = title, 0.0
         self.first = None
 
     def __call__(self, share, more=""):
@@ -92,7 +102,6 @@ def revision():
 
 def scene_lists(args):
     """Pairs of family and seed: to train on, and to report about."""
-    import training_scenes as scenes
     families = args.families or list(scenes.TRAINED)
     unknown = set(families) - set(scenes.TRAINED)
     if unknown:
@@ -106,9 +115,6 @@ def scene_lists(args):
 def samples_of(folder, pairs):
     """Samples of scenes as dictionaries of tensors, with the family and the count of frames. plain: the picture of the filter without
     a network; filtered: its relMSE."""
-    import data
-    import network
-    import torch
     found, progress = [], Progress("reading")
     for done, (family, seed) in enumerate(pairs):
         progress(done / len(pairs))
@@ -128,7 +134,6 @@ def samples_of(folder, pairs):
 
 def crop(sample, random):
     """A part of a picture that shows enough surfaces, turned or mirrored."""
-    import torch
     height, width = sample["frames"].shape[-2:]
     for _ in range(TRIES):
         y, x = (2 * random.integers(0, (size - CROP) // 2 + 1) for size in (height, width))
@@ -149,8 +154,6 @@ def crop(sample, random):
 
 def batch_of(parts):
     """A batch with its surfaces."""
-    import network
-    import torch
     return network.surfaces({name: torch.stack([part[name] for part in parts]) for name in parts[0]})
 
 
@@ -158,8 +161,6 @@ class Training:
     """A network with the state of its optimization, which a checkpoint holds."""
 
     def __init__(self, args):
-        import network
-        import torch
         torch.set_num_threads(1)
         torch.manual_seed(args.seed)
         self.args, self.net, self.step, self.losses = args, network.Denoiser(), 0, []
@@ -169,7 +170,6 @@ class Training:
 
     def resume(self):
         """Go on from the checkpoint of a training with the same options, if there is one."""
-        import torch
         if os.path.exists(self.path):
             kept = torch.load(self.path)
             if kept["key"] == self.key:
@@ -179,15 +179,12 @@ class Training:
 
     def save(self):
         """Write the checkpoint."""
-        import torch
         torch.save({"key": self.key, "net": self.net.state_dict(), "optimizer": self.optimizer.state_dict(), "step": self.step,
                     "losses": self.losses}, self.path + ".part")
         os.replace(self.path + ".part", self.path)
 
     def learn(self, samples):
         """One step. Its random numbers depend on its number only, so that a resumed training is the same."""
-        import network
-        import torch
         random = np.random.default_rng((self.args.seed, self.step))
         rate = LAST_RATE + (RATE - LAST_RATE) * 0.5 * (1 + np.cos(np.pi * self.step / self.args.steps))
         for group in self.optimizer.param_groups:
@@ -214,8 +211,6 @@ class Training:
 
 def errors(net, samples):
     """relMSE of each sample, by family and count of frames: raw, filtered, by the network."""
-    import network
-    import torch
     found = []
     with torch.no_grad():
         for sample, family, frames in samples:
@@ -235,12 +230,10 @@ def report(found, select):
 
 def plot(losses, path):
     """Draw the loss over the steps, a mean over some of them."""
-    import matplotlib
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
     width = max(1, len(losses) // 200)
     means = [np.mean(losses[i:i + width]) for i in range(0, len(losses) - width + 1, width)]
-    figure, axes = pyplot.subplots(figsize=(6, 3))
+    figure = Figure(figsize=(6, 3))
+    axes = figure.subplots()
     axes.plot(np.arange(len(means)) * width, means)
     axes.set_yscale("log")
     axes.set_xlabel("step")
@@ -252,11 +245,6 @@ def plot(losses, path):
 def main():
     """Render, train, report."""
     args = options()
-    try:
-        import torch  # noqa: F401
-    except ImportError:
-        sys.exit("PyTorch is missing: install the package python3-torch, or call ./run train-denoiser, which does.")
-    import data
     os.makedirs(args.folder, exist_ok=True)
     pictures = os.path.join(args.folder, "data")
     trained, held = scene_lists(args)

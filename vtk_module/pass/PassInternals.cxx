@@ -311,11 +311,6 @@ bool vtkGIPass::Internals::DrawFrame(
   builder.Offer({});
   this->Capture.SetMendsNormals(lit);
   this->DrawnByRays = plan.IsDrawnByRays() ? &rays : nullptr;
-  this->Notes.clear();
-  for (const auto& note : builder.GetNotes())
-  {
-    this->Notes += (this->Notes.empty() ? "" : "\n") + note;
-  }
   ContributeIndirectLight(builder, builder.GetIndirectLights());
   if (!builder.GetIndirectLights().empty())
   {
@@ -336,6 +331,11 @@ bool vtkGIPass::Internals::DrawFrame(
     this->KeepRadiance(builder, record);
   }
   builder.AddLastPasses();
+  this->Notes.clear();
+  for (const auto& note : builder.GetNotes())
+  {
+    this->Notes += (this->Notes.empty() ? "" : "\n") + note;
+  }
   ContributePresentation(builder, this->Capture.Materials());
   graph.Compile();
   this->Lights.Upload();

@@ -99,21 +99,17 @@ void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
   const std::string& above, const std::string& input, int level)
 {
   Defines variant;
-  Arguments arguments;
   const glm::ivec2 size = SizeAt(PixelsOf(context), level);
-  arguments.Sample("activations", OutputOf(context, input))
-    .Image("result", *OutputOf(context, layer), ShaderAccess::Write)
-    .Set("size", size);
+  Arguments arguments = Arguments()
+                          .Sample("activations", OutputOf(context, input))
+                          .Image("result", *OutputOf(context, layer), ShaderAccess::Write)
+                          .Set("size", size);
   if (!above.empty())
   {
     arguments.Sample("above", OutputOf(context, above));
   }
-  if (layer == Last)
-  {
-    variant["GI_LAST"] = "1";
-  }
   int number = 0;
-  for (const NetworkPart& part : NetworkLayers().at(layer).Parts)
+  for (const std::vector<float>& values : NetworkLayers().at(layer).Parts)
   {
     const std::string name = layer + "_" + std::to_string(number++);
     if (this->UsesBuffers)
@@ -121,13 +117,13 @@ void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
       Buffer& weights = this->Weights[name];
       if (weights.Get() == 0)
       {
-        weights.Upload(GL_UNIFORM_BUFFER, part.Weights.data(), part.Weights.size() * sizeof(float));
+        weights.Upload(GL_UNIFORM_BUFFER, values.data(), values.size() * sizeof(float));
       }
       variant["GI_WEIGHTS_BUFFER"] = "1";
       arguments.Block("GiWeights", weights);
     }
-    context.Dispatch("denoising/network/" + name + ".comp", variant,
-      arguments.Set("firstOutput", part.FirstOutput), Work::Items(size.x, size.y));
+    context.Dispatch(
+      "denoising/network/" + name + ".comp", variant, arguments, Work::Items(size.x, size.y));
   }
 }
 

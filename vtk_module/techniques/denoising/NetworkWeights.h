@@ -11,19 +11,13 @@
 
 namespace penumbra
 {
-/// What a shader computes of a layer.
-struct NetworkPart
-{
-  int FirstOutput;            ///< in fours
-  std::vector<float> Weights; ///< biases, then matrices, see glsl/denoising/layer.glsl
-};
-
 /// A layer of 3x3 convolutions.
 struct NetworkLayer
 {
   int Inputs;
   int Outputs;
-  std::vector<NetworkPart> Parts;
+  /// Weights of each shader, which computes a part of the outputs: biases, then matrices, see glsl/denoising/layer.glsl.
+  std::vector<std::vector<float>> Parts;
 };
 
 /// By name: e0 to e3 on the way down, d0 to d2 on the way up, out.

@@ -171,12 +171,11 @@ void vtkGIDenoising::Contribute(FrameBuilder& frame)
   if (this->Radius > 0.0)
   {
     // Not every technique that writes visibility writes the reach of its noise.
-    GuideNetwork* network = this->FindNetwork(frame);
-    frame.AddLast([this, network](FrameBuilder& last) { this->AddFilters(last, network); });
+    frame.AddLast([this](FrameBuilder& last) { this->AddFilters(last); });
   }
 }
 
-void vtkGIDenoising::AddFilters(FrameBuilder& frame, GuideNetwork* network)
+void vtkGIDenoising::AddFilters(FrameBuilder& frame)
 {
   const int averaged = frame.AveragesStillFrames() ? frame.GetView().StillFrames : 0;
   for (const NoisyResource& noisy : resource::Noisy)
@@ -189,7 +188,7 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame, GuideNetwork* network)
       const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
       AddFilter(frame, noisy,
         { this->Radius, averaged / sharing, sharing, kind, shown,
-          noisy.Light ? network : nullptr });
+          noisy.Light ? this->FindNetwork(frame) : nullptr });
     }
   }
 }

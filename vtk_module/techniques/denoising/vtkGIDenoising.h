@@ -32,8 +32,7 @@ protected:
   ~vtkGIDenoising() override;
 
 private:
-  /// Add the filters of everything noisy. network: guides that of light; nullptr for none.
-  void AddFilters(penumbra::FrameBuilder& frame, penumbra::GuideNetwork* network);
+  void AddFilters(penumbra::FrameBuilder& frame);
   /// The network of the frame's view; nullptr if none is wanted, or it does not run.
   penumbra::GuideNetwork* FindNetwork(penumbra::FrameBuilder& frame);
 
