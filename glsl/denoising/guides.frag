@@ -4,6 +4,9 @@
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
 layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
 
+// Half of the sharpness of the filter without a network: nothing that stands out of the noise is blurred away.
+const float LEAST_SHARPNESS = 0.15;
+
 layout(location = 0) out vec4 features;
 layout(location = 1) out uvec4 counts; // bandwidth and sharpness by level, as half floats
 
@@ -29,7 +32,7 @@ void main()
   }
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
   vec4 bandwidths = softplus(sums[1]);
-  vec4 sharpnesses = softplus(sums[2]);
+  vec4 sharpnesses = LEAST_SHARPNESS + softplus(sums[2]);
   for (int level = 0; level < 4; ++level)
   {
     counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));

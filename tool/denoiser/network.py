@@ -20,6 +20,7 @@ RADIUS = 8                # reach of the filter in pixels
 LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
+LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: what stands out of the noise is never blurred away
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
 MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
@@ -210,14 +211,14 @@ class Denoiser(nn.Module):
         self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
         nn.init.normal_(self.net.last.weight, std=0.02)
         with torch.no_grad():  # at first samples are averaged much as by the filter without a network
-            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS))
+            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-1.7] * LEVELS))
 
     def guides(self, batch):
         """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
         features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
-        return features + self.fine(single), functional.softplus(bandwidths), functional.softplus(sharpnesses)
+        return features + self.fine(single), functional.softplus(bandwidths), LEAST_SHARPNESS + functional.softplus(sharpnesses)
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""

@@ -5,6 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
+LEAST_SHARPNESS = 0.15
 KERNEL = 0.5, 0.25
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
@@ -167,7 +168,8 @@ def guides(signal, surfaces, layers):
     single, blocks = inputs(signal, surfaces)
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
-    return features, *(half(np.logaddexp(0, outputs[..., i:i + LEVELS])) for i in (4, 4 + LEVELS))
+    bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
+    return features, half(bandwidths), half(LEAST_SHARPNESS + sharpnesses)
 
 
 class Means:
