@@ -61,7 +61,7 @@ TEST_F(NeuralDenoising, LeavesLittleNoise)
       frames, noise, SquaredError(plain, truth) / noise, SquaredError(neural, truth) / noise,
       Mean(neural), Mean(truth));
     EXPECT_LT(SquaredError(neural, truth), 0.1 * noise);
-    EXPECT_LT(SquaredError(neural, truth), 1.05 * SquaredError(plain, truth));
+    EXPECT_LT(SquaredError(neural, truth), (frames == 1 ? 1.05 : 0.85) * SquaredError(plain, truth));
     EXPECT_NEAR(Mean(neural), Mean(truth), 0.03 * Mean(truth));
   }
 }
@@ -93,7 +93,8 @@ TEST_F(NeuralDenoising, EndsInAStillPicture)
   const Values early = this->Draw("neural", 20);
   const Values late = this->After(240);
   EXPECT_NE(early, this->Draw("", 20));
-  EXPECT_EQ(late, this->After(240));
+  const Values unfiltered = this->After(240);
+  EXPECT_EQ(late, unfiltered);
 }
 
 // Noise is another elsewhere in the window, so errors are compared.
