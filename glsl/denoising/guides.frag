@@ -32,7 +32,7 @@ void main()
   }
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
   vec4 bandwidths = softplus(sums[1]);
-  vec4 sharpnesses = LEAST_SHARPNESS + softplus(sums[2]);
+  vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   for (int level = 0; level < 4; ++level)
   {
     counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));

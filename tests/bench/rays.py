@@ -50,7 +50,7 @@ def equal_time(args, report):
         size = args.size
         truth = kept(args.keep, f"{name}_{size[0]}x{size[1]}_2x{args.spp}", lambda: truths(tracer(scene(name), size), args.spp))
         films = {"path tracer": tracer(scene(name), size), "balanced": Film(scene(name), size, "balanced", smooth=True),
-                 "high": Film(scene(name), size, "high", off=args.off, smooth=True)}
+                 "high": Film(scene(name), size, "high", off=args.off, smooth=True, **args.set)}
         for film in films.values():
             film.picture(WARM)
             film.cut()
@@ -85,7 +85,7 @@ def orbit(args, report):
     """Still frames from the same cameras follow each cut, up to a converged picture."""
     frames = 40 if args.quick else 120
     for name in args.scenes or ("cornell", "protein"):
-        moving, still, raw = (Film(scene(name), args.size, "high", off=args.off + more) for more in ([], [], ["denoising"]))
+        moving, still, raw = (Film(scene(name), args.size, "high", off=args.off + more, **args.set) for more in ([], [], ["denoising"]))
         traced = tracer(scene(name), args.size)
         for film in (moving, still, raw):
             film.picture(WARM)
@@ -138,7 +138,7 @@ def flicker(args, report):
         room.lamp.SetPosition(0.5 + 0.3 * math.cos(turn), 0.5 + 0.3 * math.sin(turn), 0.8)
 
     room, exact = Room(), Room()
-    ours, traced = Film(room.renderer, args.size, "high"), tracer(exact.renderer, args.size)
+    ours, traced = Film(room.renderer, args.size, "high", **args.set), tracer(exact.renderer, args.size)
     ours.picture(WARM)
 
     def reference():
@@ -169,7 +169,7 @@ def remains(report, name, kind, make, change, args, where=None, **drawn):
     """
     report.going_on(f"ghost, {kind}: {name}")
     past, fresh = make(), make()
-    film, other = (Film(part.renderer, args.size, **drawn) for part in (past, fresh))
+    film, other = (Film(part.renderer, args.size, **drawn, **args.set) for part in (past, fresh))
     old = film.picture(LONG)
     change(fresh)
     change(past)
@@ -334,6 +334,14 @@ def paths_of(text):
     return int(text)
 
 
+def setting_of(text):
+    """A parameter and its value."""
+    name, equals, value = text.partition("=")
+    if "." not in name or not equals:
+        raise argparse.ArgumentTypeError(f"{text} is not TECHNIQUE.PARAMETER=VALUE")
+    return name, value
+
+
 def options():
     """Parse the command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -344,10 +352,13 @@ def options():
     parser.add_argument("--scenes", nargs="+", default=[], metavar="SCENE", help="of equal-time, orbit and seams: " + ", ".join(SCENES))
     parser.add_argument("--off", nargs="+", default=[], metavar="TECHNIQUE",
                         help="leave these out of high in equal-time and orbit; the path tracer shows all light")
+    parser.add_argument("--set", nargs="+", default=[], type=setting_of, metavar="TECHNIQUE.PARAMETER=VALUE",
+                        help="change these in what equal-time, orbit, flicker and ghost judge")
     parser.add_argument("--quick", action="store_true", help="fewer frames")
     parser.add_argument("--keep", metavar="FOLDER", help="folder that keeps traced pictures for the next run")
     parser.add_argument("--pictures", metavar="FOLDER", help="write the compared pictures there, the truth last")
     args = parser.parse_args()
+    args.set = dict(args.set)
     for given, known, kind in ((args.measures, MEASURES, "measure"), (args.scenes, SCENES, "scene")):
         for name in given:
             if name not in known:

@@ -211,14 +211,14 @@ class Denoiser(nn.Module):
         self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
         nn.init.normal_(self.net.last.weight, std=0.02)
         with torch.no_grad():  # at first samples are averaged much as by the filter without a network
-            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-1.7] * LEVELS))
+            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS))
 
     def guides(self, batch):
         """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
         features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
-        return features + self.fine(single), functional.softplus(bandwidths), LEAST_SHARPNESS + functional.softplus(sharpnesses)
+        return features + self.fine(single), functional.softplus(bandwidths), functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""

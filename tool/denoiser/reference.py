@@ -169,7 +169,7 @@ def guides(signal, surfaces, layers):
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
-    return features, half(bandwidths), half(LEAST_SHARPNESS + sharpnesses)
+    return features, half(bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS))
 
 
 class Means:
