@@ -4,7 +4,7 @@
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
 layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
 
-// Half of the sharpness of the filter without a network: nothing that stands out of the noise is blurred away.
+// Half of the sharpness of the filter without a network, so that what stands out of the noise is not blurred away.
 const float LEAST_SHARPNESS = 0.15;
 
 layout(location = 0) out vec4 features;

@@ -85,7 +85,8 @@ def orbit(args, report):
     """Still frames from the same cameras follow each cut, up to a converged picture."""
     frames = 40 if args.quick else 120
     for name in args.scenes or ("cornell", "protein"):
-        moving, still, raw = (Film(scene(name), args.size, "high", off=args.off + more, **args.set) for more in ([], [], ["denoising"]))
+        moving, still, raw = (Film(scene(name), args.size, "high", off=args.off + more, **args.set)
+                              for more in ([], [], ["denoising"]))
         traced = tracer(scene(name), args.size)
         for film in (moving, still, raw):
             film.picture(WARM)
@@ -169,7 +170,7 @@ def remains(report, name, kind, make, change, args, where=None, **drawn):
     """
     report.going_on(f"ghost, {kind}: {name}")
     past, fresh = make(), make()
-    film, other = (Film(part.renderer, args.size, **drawn, **args.set) for part in (past, fresh))
+    film, other = (Film(part.renderer, args.size, **{**drawn, **args.set}) for part in (past, fresh))
     old = film.picture(LONG)
     change(fresh)
     change(past)

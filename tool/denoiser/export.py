@@ -120,8 +120,8 @@ def main():
         for index, (first, last) in enumerate(parts(layer)):
             texts[f"{name}_{index}.comp"] = shader(layer, layers.get(ABOVE.get(name)), name != "out", first, last)
     folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.iterdir():
-        if old.name not in texts:
+    for old in folder.glob("*.comp"):
+        if old.name not in texts and ORIGIN in old.read_text(encoding="utf-8"):
             old.unlink()
     for name, text in texts.items():
         write(folder / name, text)

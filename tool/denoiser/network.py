@@ -20,7 +20,7 @@ RADIUS = 8                # reach of the filter in pixels
 LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
-LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: what stands out of the noise is never blurred away
+LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
 MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
@@ -218,7 +218,8 @@ class Denoiser(nn.Module):
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
         features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
-        return features + self.fine(single), functional.softplus(bandwidths), functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
+        sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
+        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
