@@ -1,5 +1,6 @@
 #version 430 core
-// Joins a noisy value with its surface. Variants: those of denoising/signal.glsl.
+// Joins a noisy value with its surface. Variants: those of denoising/signal.glsl; GI_OWN_SURFACE (the surfaces are not the frame's,
+// see resource::PathSurface).
 #include "shared/view.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
@@ -17,9 +18,13 @@ layout(binding = 0) uniform GI_TEXTURE current; // a of light: see temporal_accu
 #ifndef GI_LIGHT
 layout(binding = 4) uniform GI_TEXTURE reachTexture;
 #endif
+#ifdef GI_OWN_SURFACE
+layout(binding = 1) uniform sampler2D pathSurface;
+#else
 layout(binding = 1) uniform sampler2D albedoTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 layout(binding = 3) uniform sampler2D normalTexture;
+#endif
 
 uniform int stillSamples; // of each pixel in another mean of the picture
 
@@ -31,9 +36,16 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   GiSignal signal;
+#ifdef GI_OWN_SURFACE
+  vec4 surface = texelFetch(pathSurface, pixel, 0);
+  bool exists = surface.a > 0.0;
+  signal.depth = surface.z;
+  signal.normal = surface.xy;
+#else
   bool exists = texelFetch(albedoTexture, pixel, 0).a > 0.0;
   signal.depth = texelFetch(depthTexture, pixel, 0).r;
   signal.normal = texelFetch(normalTexture, pixel, 0).xy;
+#endif
   vec4 value = texelFetch(current, GI_AT(pixel), 0);
   signal.value = exists ? min(value, vec4(BRIGHTEST)) : vec4(0.0);
 #ifndef GI_LIGHT

@@ -1,6 +1,7 @@
 #version 430 core
 // Traces one path per pixel and adds it to the sums. Variants: GI_RAY_EDGES (some surfaces show the edges of
-// their cells), GI_VISIBLE_SKY (a skybox is behind everything), and those of path_tracing/paths.glsl.
+// their cells), GI_VISIBLE_SKY (a skybox is behind everything), GI_OWN (follows the path to its first surface only, and
+// adds what that shows without light; shaders have too few images to do so at once), and those of path_tracing/paths.glsl.
 #define GI_POSITIONAL 1
 #include "shared/view.h"
 #include "shared/light.h"
@@ -25,18 +26,24 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // Sums over samples.
+#ifdef GI_OWN
+layout(rgba32f, binding = 0) uniform image2D sumOwn; // rgb; a: number of samples
+uniform int ownSamples;                              // that number so far
+#else
 layout(rgba32f, binding = 0) uniform image2D sumShown;   // rgb for display; a: number of PBR samples
 layout(rgba32f, binding = 1) uniform image2D sumEncoded; // linear rgb of PBR samples; a: squared luminance
 layout(rgba32f, binding = 2) uniform image2D sumAlbedo;  // rgb; a: samples that hit a surface
 layout(rgba32f, binding = 3) uniform image2D sumNormal;  // xyz in world coordinates; w: depth
-
 layout(rgba32f, binding = 4) uniform image2D sumUnlit;  // rgb for display of what is not lit; a: number of samples
+#endif
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
+#ifndef GI_OWN
 layout(binding = 3) uniform sampler2D colorTexture;
-#ifdef GI_VISIBLE_SKY
+#endif
+#if defined(GI_VISIBLE_SKY) && !defined(GI_OWN)
 #include "lib/sky.glsl"
 layout(binding = 4) uniform sampler2D skyTexture;
 #endif
@@ -82,6 +89,12 @@ void main()
   float farthest = length(giViewPosition(center, min(depth + DEPTH_ERROR, 1.0)) - near);
   bool hidden = captured && drawnReach < 1.0 && first > farthest * (2.0 - drawnReach);
   bool met = hit.instance >= 0 && !hidden;
+#ifdef GI_OWN
+  vec4 own = ownSamples > 0 ? imageLoad(sumOwn, window) : vec4(0.0);
+  bool isLit = met && (raySurfaces[at.surface].Where.z & GI_SURFACE_MODEL) != GI_SURFACE_UNLIT;
+  bool finite = !any(isnan(at.emission)) && !any(isinf(at.emission));
+  imageStore(sumOwn, window, own + vec4(isLit && finite ? at.emission : vec3(0.0), 1.0));
+#else
   bool encoded = false;
   bool lit = false;
   vec3 value = texelFetch(colorTexture, window, 0).rgb; // lines and points, background
@@ -124,4 +137,5 @@ void main()
   // A sky that VTK encodes is in sumEncoded alone.
   imageStore(sumUnlit, window, unlit + (lit || encoded ? none : vec4(value, 1.0)));
   imageStore(sumNormal, window, normals + normal);
+#endif
 }

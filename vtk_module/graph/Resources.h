@@ -31,6 +31,11 @@ constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
 constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays add to it; a: see accumulate.frag
+/// Mean light that paths carried to lit surfaces, divided by their colours; a: number of paths, and in its fraction the
+/// relative standard error of the luminance. Only if LightingPlan::FiltersNoise().
+constexpr const char* PathLight = "paths.light";
+/// Mean surface of the paths: octahedral normal in view coordinates, depth in the window, 1 where they met any.
+constexpr const char* PathSurface = "paths.surface";
 constexpr const char* LampLight = "irradiance.lamps"; ///< see IndirectLight.h
 /// Where each pixel's surface was in the previous frame, and for how many frames it has been visible, see
 /// temporal_accumulation/reproject.frag.
@@ -64,8 +69,9 @@ inline std::string SamplerOf(const std::string& resource)
     { VisibilityReach, "reachTexture" }, { Surroundings, "surroundingsTexture" },
     { AmbientVisibility, "ambientVisibility" }, { Irradiance, "irradianceTexture" },
     { Reprojection, "reprojection" }, { TracedIrradiance, "tracedTexture" },
-    { LampLight, "lampLightTexture" }, { Sky, "skyTexture" }, { Backdrop, "backdropTexture" },
-    { LitRadiance, "litTexture" }, { LitShown, "shownTexture" }, { LitEncoded, "encodedTexture" },
+    { PathLight, "pathLight" }, { PathSurface, "pathSurface" }, { LampLight, "lampLightTexture" },
+    { Sky, "skyTexture" }, { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" },
+    { LitShown, "shownTexture" }, { LitEncoded, "encodedTexture" },
     { Reflection, "reflectionTexture" }, { ReflectionReach, "reachTexture" },
     { Color, "colorTexture" }, { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
@@ -73,7 +79,8 @@ inline std::string SamplerOf(const std::string& resource)
 }
 }
 
-/// A result of few samples with the noise of a frame, to be accumulated over frames. The table below is sorted by name.
+/// A result of few samples with the noise of a frame, to be accumulated over frames, and then filtered. The table below is sorted by
+/// name.
 struct NoisyResource
 {
   const char* Name;
@@ -85,11 +92,15 @@ struct NoisyResource
   /// Resource with the reach of the spatial filter, in scene units, for each channel. nullptr: light may be filtered as far as
   /// its surface goes on, and other results are filtered by their own techniques.
   const char* Reach;
+  /// Resource with the surfaces, as PathSurface, of a result that is a mean over frames already. nullptr: the frame's own.
+  const char* Surface;
 };
 namespace resource
 {
-constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr },
-  { DirectVisibility, true, false, false, VisibilityReach }, { Reflection, false, true, false, ReflectionReach },
-  { TracedIrradiance, false, true, true, nullptr } };
+constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr, nullptr },
+  { DirectVisibility, true, false, false, VisibilityReach, nullptr },
+  { PathLight, false, true, true, nullptr, PathSurface },
+  { Reflection, false, true, false, ReflectionReach, nullptr },
+  { TracedIrradiance, false, true, true, nullptr, nullptr } };
 }
 }

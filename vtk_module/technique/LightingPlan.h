@@ -88,6 +88,10 @@ public:
   void DrawByRays() { this->ByRays = true; }
   bool IsDrawnByRays() const { return this->ByRays; }
 
+  /// Announce that a technique filters noise.
+  void FilterNoise() { this->NoiseFiltered = true; }
+  bool FiltersNoise() const { return this->NoiseFiltered; }
+
   /// Announce that a technique maps the linear values of lit surfaces to the display.
   void MapTones() { this->TonesMapped = true; }
   /// If they are mapped, have them kept apart until then (resource::LitShown, resource::LitEncoded), because passes after
@@ -112,6 +116,7 @@ private:
   bool LiveLightRequested = false;
   bool SkyAnnounced = false;
   bool ByRays = false;
+  bool NoiseFiltered = false;
   bool TonesMapped = false;
   bool LitPartsKept = false;
   SurfaceRules ReflectionRules;

@@ -30,8 +30,6 @@ constexpr int ShowOrder = 820;
 constexpr int GuidedLevels = 4;
 
 constexpr const char* View = "denoising.view";
-constexpr const char* Shown[] = { resource::TracedIrradiance, resource::DirectVisibility,
-  resource::Reflection }; // by the parameter
 
 /// Resources of a filter: what it filters, and two copies of that with the surfaces.
 struct Names
@@ -44,6 +42,9 @@ struct Names
 // Values of the parameters "method" and "weights".
 constexpr int NeuralMethod = 1;
 constexpr int BufferWeights = 1;
+
+// Value of the parameter "signal".
+constexpr int LightSignal = 0;
 
 // Values of the parameter "show".
 enum
@@ -59,6 +60,7 @@ struct Manner
   int StillSamples; ///< number of earlier samples of each pixel in a mean of the picture
   int Sharing;      ///< number of pixels that share a sample
   std::string Kind; ///< variant of the shaders, see denoising/signal.glsl
+  bool OwnSurface;  ///< whether the surfaces are not the frame's
   int Show = Off;   ///< what is to be shown of the signal
   GuideNetwork* Network = nullptr; ///< that guides the filter
 };
@@ -83,8 +85,13 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   const Texture* signal = context.Output(names.Signal.c_str());
   const Texture* next = context.Output(names.Next.c_str());
   Defines variant = { { manner.Kind, "1" } };
+  Defines packing = variant;
+  if (manner.OwnSurface)
+  {
+    packing["GI_OWN_SURFACE"] = "1";
+  }
   context.BindTarget({ { signal, -1 } }, {});
-  context.DrawBound("denoising/pack.frag", variant,
+  context.DrawBound("denoising/pack.frag", packing,
     Arguments()
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
@@ -127,12 +134,17 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   const std::string signal = std::string("denoising.") + noisy.Name;
   const std::string next = signal + ".next";
   auto& pass = frame.AddPass(signal)
-                 .Read(resource::Albedo)
-                 .Read(resource::Normal)
-                 .Read(resource::DepthCopy)
                  .ModifyIfPresent(noisy.Name, Order, "current")
                  .Write(signal, frame.WindowTexture(GL_RGBA32UI))
                  .Write(next, frame.WindowTexture(GL_RGBA32UI));
+  if (noisy.Surface)
+  {
+    pass.Read(noisy.Surface);
+  }
+  else
+  {
+    pass.Read(resource::Albedo).Read(resource::Normal).Read(resource::DepthCopy);
+  }
   if (noisy.Reach)
   {
     pass.Read(noisy.Reach);
@@ -166,6 +178,14 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
 vtkGIDenoising::vtkGIDenoising() = default;
 vtkGIDenoising::~vtkGIDenoising() = default;
 
+void vtkGIDenoising::Plan(LightingPlan& plan, FrameBuilder&)
+{
+  if (this->Radius > 0.0)
+  {
+    plan.FilterNoise();
+  }
+}
+
 void vtkGIDenoising::Contribute(FrameBuilder& frame)
 {
   if (this->Radius > 0.0)
@@ -178,16 +198,22 @@ void vtkGIDenoising::Contribute(FrameBuilder& frame)
 void vtkGIDenoising::AddFilters(FrameBuilder& frame)
 {
   const int averaged = frame.AveragesStillFrames() ? frame.GetView().StillFrames : 0;
+  // By the parameter "signal". Where paths draw the picture, other light is not seen.
+  const std::string signals[] = { frame.Plan().IsDrawnByRays() ? resource::PathLight
+                                                               : resource::TracedIrradiance,
+    resource::DirectVisibility, resource::Reflection };
   for (const NoisyResource& noisy : resource::Noisy)
   {
     const int sharing = frame.PixelsPerSample(noisy.Name);
-    const int shown = Shown[this->Signal] == std::string(noisy.Name) ? this->Show : Off;
+    const int shown = signals[this->Signal] == noisy.Name ? this->Show : Off;
     const bool isNoisy = averaged / sharing < (noisy.Light ? LastSampleOfLight : LastSample);
-    if ((isNoisy || shown != Off) && (noisy.Light || (noisy.Reach && frame.IsWritten(noisy.Reach))))
+    const bool filters = noisy.Light ? signals[LightSignal] == noisy.Name
+                                     : noisy.Reach && frame.IsWritten(noisy.Reach);
+    if ((isNoisy || shown != Off) && filters)
     {
       const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
       AddFilter(frame, noisy,
-        { this->Radius, averaged / sharing, sharing, kind, shown,
+        { this->Radius, averaged / sharing, sharing, kind, noisy.Surface != nullptr, shown,
           noisy.Light ? this->FindNetwork(frame) : nullptr });
     }
   }

@@ -6,8 +6,9 @@
  *
  * Averages what rays found at neighbouring pixels of the same surface, by its depth and normal. The reach of the filter
  * falls with the number of frames in each pixel's mean (vtkGITemporalAccumulation), to nothing. Filters the light of
- * vtkGIRayTracedLight, without the colours of the surfaces, so that textures stay sharp, the shadows of
- * vtkGIRayTracedShadows as far as their penumbrae, and the reflections of vtkGIScreenSpaceReflections as far as their lobes.
+ * vtkGIRayTracedLight and that of vtkGIPathTracing, without the colours of the surfaces, so that textures stay sharp, the
+ * shadows of vtkGIRayTracedShadows as far as their penumbrae, and the reflections of vtkGIScreenSpaceReflections as far as
+ * their lobes.
  */
 #ifndef vtkGIDenoising_h
 #define vtkGIDenoising_h
@@ -25,6 +26,7 @@ public:
   static vtkGIDenoising* New();
   vtkTypeMacro(vtkGIDenoising, vtkGIDenoisingParameters);
 
+  void Plan(penumbra::LightingPlan& plan, penumbra::FrameBuilder& frame) override;
   void Contribute(penumbra::FrameBuilder& frame) override;
 
 protected:

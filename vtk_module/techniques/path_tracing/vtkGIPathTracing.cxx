@@ -29,15 +29,30 @@ namespace
 {
 // Order among the passes that modify the picture: before anti-aliasing.
 constexpr int TraceOrder = 700;
+constexpr int FilteredOrder = 701;
 
-constexpr std::array<const char*, 5> SumNames = { { "path-tracing.shown", "path-tracing.encoded",
-  "path-tracing.albedo", "path-tracing.normal", "path-tracing.unlit" } };
+constexpr std::size_t SumCount = 5;
+constexpr std::array<const char*, SumCount> SumNames = { { "path-tracing.shown",
+  "path-tracing.encoded", "path-tracing.albedo", "path-tracing.normal", "path-tracing.unlit" } };
 
-struct PathTracer
+constexpr std::array<const char*, SumCount> SumImages = { { "sumShown", "sumEncoded", "sumAlbedo",
+  "sumNormal", "sumUnlit" } };
+
+constexpr const char* ShowShader = "path_tracing/show.frag";
+
+// Sum of what lit surfaces show without light, which is not to be filtered. It is no part of saved progress: a mean over
+// fewer samples will do.
+constexpr const char* OwnName = "path-tracing.own";
+constexpr const char* OwnImage = "sumOwn";
+
+}
+
+struct penumbra::PathTracer
 {
   RayProps* Rays;
   LightTable* Lights;
-  std::array<History*, 5> Sums;
+  std::array<History*, SumCount> Sums;
+  History* Own = nullptr; ///< only if light is filtered
 
   bool HasEmptySums() const
   {
@@ -65,15 +80,28 @@ struct PathTracer
     return true;
   }
 
-  /// Add one path per pixel. sampleIndex: number of samples in the sums so far.
+  /// Add one path per pixel to the sums of the pass. sampleIndex: number of paths so far.
   void Trace(FrameContext& context, int sampleIndex, int seed) const
+  {
+    this->Trace(context, sampleIndex, seed, this->Rays->ShaderDefines(), Arguments());
+  }
+
+  /// Add what the same paths meet first to the sum of the pass. ownSamples: number of samples in that so far.
+  void TraceOwn(FrameContext& context, int sampleIndex, int seed, int ownSamples) const
+  {
+    Defines variant = this->Rays->ShaderDefines();
+    variant["GI_OWN"] = "1";
+    this->Trace(context, sampleIndex, seed, variant, Arguments().Set("ownSamples", ownSamples));
+  }
+
+  void Trace(FrameContext& context, int sampleIndex, int seed, const Defines& variant,
+    Arguments arguments) const
   {
     // Without lights VTK draws surfaces as flat colours, which the capture cannot tell from lines. Rays then have to
     // reach slightly beyond the drawn depth, so that they find these surfaces.
     constexpr double margin = 1e-3;
-    context.Dispatch("path_tracing/trace.comp", this->Rays->ShaderDefines(),
-      Arguments()
-        .Set("sampleIndex", sampleIndex)
+    context.Dispatch("path_tracing/trace.comp", variant,
+      arguments.Set("sampleIndex", sampleIndex)
         .Set("seedOfAll", seed)
         .Set("drawnReach", this->Lights->Lights().empty() ? 1.0 + margin : 1.0 - margin),
       Work::Items(context.GetView().Viewport.z, context.GetView().Viewport.w));
@@ -115,26 +143,55 @@ struct PathTracer
     return total > 0.0 ? std::sqrt(variances / pixels) / (total / pixels) : 0.0;
   }
 
-  /// Draw the mean. The sums are given as textures, because the tracing pass declares them as images.
-  void Show(FrameContext& context, const Defines& variant, int samples) const
+  /// Draw from the sums. They are given as textures, because the tracing pass declares them as images.
+  void Draw(FrameContext& context, const char* shader, const Defines& variant, int samples) const
   {
-    context.Draw("path_tracing/show.frag", variant,
-      Arguments()
-        .Sample("sumShown", &this->Sums[0]->Storage)
-        .Sample("sumEncoded", &this->Sums[1]->Storage)
-        .Sample("sumAlbedo", &this->Sums[2]->Storage)
-        .Sample("sumUnlit", &this->Sums[4]->Storage)
-        .Set("samples", static_cast<double>(samples)));
+    Arguments arguments;
+    for (std::size_t i = 0; i < SumCount; ++i)
+    {
+      arguments.Sample(SumImages[i], &this->Sums[i]->Storage);
+    }
+    context.Draw(shader, variant, arguments.Set("samples", static_cast<double>(samples)));
+  }
+
+  /// Have a pass know what paths need.
+  PassDeclaration& DeclareTracing(FrameBuilder& frame, PassDeclaration& pass) const
+  {
+    return pass.Read(resource::Albedo)
+      .Read(resource::Normal)
+      .Read(resource::DepthCopy)
+      .ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
+      .Offer(this->Rays->ShaderArguments())
+      .Offer(frame.Capture().Materials().ShaderArguments())
+      .Offer(frame.Lights().InWorld(this->Rays->Origin()))
+      .Offer(frame.GetView().ToScene(this->Rays->Origin()));
+  }
+
+  /// Add a pass that draws from the sums after the samples of a frame.
+  PassDeclaration& AddDrawing(FrameBuilder& frame, const std::string& name, const char* shader,
+    const Defines& variant, const int& samples) const
+  {
+    auto& pass = frame.AddPass(name);
+    for (std::size_t i = 0; i < this->Sums.size(); ++i)
+    {
+      pass.ReadHistory(*this->Sums[i], SumImages[i]);
+    }
+    if (this->Own)
+    {
+      pass.ReadHistory(*this->Own, OwnImage);
+    }
+    return pass.ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
+      .Offer(frame.GetView().ToScene(this->Rays->Origin()))
+      .Execute([*this, shader, variant, &samples](
+                 FrameContext& context) { this->Draw(context, shader, variant, samples); });
   }
 };
-
-constexpr std::array<const char*, 5> SumImages = { { "sumShown", "sumEncoded", "sumAlbedo",
-  "sumNormal", "sumUnlit" } };
-}
 
 struct vtkGIPathTracing::Progress
 {
   int Samples = 0;
+  int OwnSamples = 0;  ///< in what surfaces show without light
+  bool Traced = false; ///< whether the frame added a sample
   double Error = HUGE_VAL;
 };
 
@@ -256,21 +313,15 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
     tracer.Sums[i] = &frame.Keep(SumNames[i], frame.WindowTexture(GL_RGBA32F));
     pass.UpdateHistory(*tracer.Sums[i], SumImages[i]);
   }
-  pass.Read(resource::Albedo)
-    .Read(resource::Normal)
-    .Read(resource::DepthCopy)
-    .ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
+  tracer.DeclareTracing(frame, pass)
     .Modify(resource::Color, TraceOrder)
-    .Offer(rays.ShaderArguments())
-    .Offer(frame.Capture().Materials().ShaderArguments())
-    .Offer(frame.Lights().InWorld(rays.Origin()))
-    .Offer(frame.GetView().ToScene(rays.Origin()))
     .Execute([this, &current = progress, tracer, resumed](FrameContext& context) {
       if (resumed ? !tracer.Restore(resumed) : tracer.HasEmptySums())
       {
         current = Progress();
       }
-      if (!this->IsFinished(current))
+      current.Traced = !this->IsFinished(current);
+      if (current.Traced)
       {
         tracer.Trace(context, current.Samples, this->Seed);
         ++current.Samples;
@@ -281,27 +332,46 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
         current.Error =
           updateError ? tracer.EstimateError(context, current.Samples) : current.Error;
       }
-      tracer.Show(context, {}, current.Samples);
+      tracer.Draw(context, ShowShader, {}, current.Samples);
     });
-  frame.AddPass("path-trace-radiance")
-    .ReadHistory(*tracer.Sums[0], "sumShown")
-    .ReadHistory(*tracer.Sums[1], "sumEncoded")
-    .ModifyIfPresent(resource::Radiance, TraceOrder)
-    .Execute([&progress, tracer](FrameContext& context) {
-      tracer.Show(context, { { "GI_RADIANCE", "1" } }, progress.Samples);
-    });
+  if (frame.Plan().FiltersNoise())
+  {
+    tracer.Own = &frame.Keep(OwnName, frame.WindowTexture(GL_RGBA32F));
+    this->AddSignal(frame, tracer, progress);
+  }
+  const Defines radiance = { { "GI_RADIANCE", "1" } };
+  tracer.AddDrawing(frame, "path-trace-radiance", ShowShader, radiance, progress.Samples)
+    .ReadIfPresent(resource::PathLight, "GI_FILTERED")
+    .ModifyIfPresent(resource::Radiance, TraceOrder);
   if (frame.Plan().HasLitParts())
   {
-    auto& parts = frame.AddPass("path-trace-lit");
-    for (std::size_t i = 0; i < tracer.Sums.size(); ++i)
-    {
-      parts.ReadHistory(*tracer.Sums[i], SumImages[i]);
-    }
-    parts.ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
+    const Defines parts = { { "GI_LIT_PARTS", "1" } };
+    tracer.AddDrawing(frame, "path-trace-lit", ShowShader, parts, progress.Samples)
+      .ReadIfPresent(resource::PathLight, "GI_FILTERED")
       .Modify(resource::LitShown, TraceOrder)
-      .Modify(resource::LitEncoded, TraceOrder)
-      .Execute([&progress, tracer](FrameContext& context) {
-        tracer.Show(context, { { "GI_LIT_PARTS", "1" } }, progress.Samples);
-      });
+      .Modify(resource::LitEncoded, TraceOrder);
   }
+}
+
+void vtkGIPathTracing::AddSignal(FrameBuilder& frame, const PathTracer& tracer, Progress& progress)
+{
+  auto& own = frame.AddPass("path-trace-own");
+  tracer.DeclareTracing(frame, own)
+    .ReadHistory(*tracer.Sums[0], SumImages[0]) // after the paths
+    .UpdateHistory(*tracer.Own, OwnImage)
+    .Execute([this, tracer, &progress](FrameContext& context) {
+      if (progress.Traced)
+      {
+        const int before = tracer.Own->Written ? progress.OwnSamples : 0;
+        tracer.TraceOwn(context, progress.Samples - 1, this->Seed, before);
+        progress.OwnSamples = before + 1;
+      }
+    });
+  const TextureDesc floats = frame.WindowTexture(GL_RGBA32F);
+  tracer.AddDrawing(frame, "path-trace-signal", "path_tracing/signal.frag", {}, progress.Samples)
+    .Write(resource::PathLight, floats)
+    .Write(resource::PathSurface, floats);
+  tracer.AddDrawing(frame, "path-trace-filtered", ShowShader, {}, progress.Samples)
+    .ReadIfPresent(resource::PathLight, "GI_FILTERED")
+    .Modify(resource::Color, FilteredOrder);
 }

@@ -22,6 +22,11 @@
 class vtkGIPass;
 class vtkImageData;
 
+namespace penumbra
+{
+struct PathTracer;
+}
+
 class VTKRENDERINGGI_EXPORT vtkGIPathTracing : public vtkGIPathTracingParameters
 {
 public:
@@ -43,7 +48,7 @@ public:
   /**
    * Save what was traced so far, and resume from it later, even in another process. The image has the window's
    * size, the arrays of four floats that GetBuffer() of the pass returns under the names path-tracing.shown,
-   * .encoded, .albedo and .normal, and the field array "samples". GetProgress() returns false if nothing was
+   * .encoded, .albedo, .normal and .unlit, and the field array "samples". GetProgress() returns false if nothing was
    * traced yet. SetProgress() takes effect with the next frame, which continues as if it had traced those samples
    * itself; the scene, the view and the parameters must be the same. It returns false and changes nothing if
    * arrays are missing.
@@ -66,6 +71,9 @@ private:
   const Progress* Find(vtkRenderer* renderer) const;
   bool IsFinished(const Progress& progress) const;
   vtkSmartPointer<vtkImageData> TakePendingProgress(vtkRenderer* renderer);
+  /// Have denoising filter the light of the paths.
+  void AddSignal(
+    penumbra::FrameBuilder& frame, const penumbra::PathTracer& tracer, Progress& progress);
 
   /// Progress from which the next frames of renderers resume.
   std::vector<std::pair<vtkWeakPointer<vtkRenderer>, vtkSmartPointer<vtkImageData>>>

@@ -334,6 +334,10 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
                FrameContext& context) { accumulator.Reproject(context, surfaces, lights); });
   for (const NoisyResource& noisy : resource::Noisy)
   {
+    if (noisy.Surface)
+    {
+      continue; // it is a mean already
+    }
     auto& pass = frame.AddPass(std::string("temporal-") + noisy.Name)
                    .Read(resource::Reprojection)
                    .Read(resource::Depth)
