@@ -287,18 +287,9 @@ def relative_error(light, batch):
     return mean_of(relative_square(light, batch, batch["target"]), batch)
 
 
-def bare(batch):
-    """The batch with light alone as its picture."""
-    return {**batch, "direct": torch.zeros_like(batch["direct"]), "gain": torch.ones_like(batch["gain"])}
-
-
 def loss_of(light, batch):
-    """Squared difference from the target, of the picture and of the light alone, relative to the result of the filter without a
-    network, in units of the error that this leaves: noise of all sizes counts alike. Were the difference relative to the target, its
-    noise would make pictures that are too dark seem better; were it relative to the picture, bright spots would cost nothing. The
-    picture is what counts, but direct light hides from it much that can be learned."""
-    total = 0
-    for kind, error in ((batch, batch["filtered"]), (bare(batch), batch["filtered_light"])):
-        square = relative_square(light, kind, batch["plain"]).clamp(max=MOST_SQUARE)
-        total = total + (mean_of(square, batch) / error.flatten()).mean() / 2
-    return total
+    """Squared difference of the pictures from the targets', relative to the picture of the filter without a network, in units of the
+    error that it leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make pictures
+    that are too dark seem better; were it relative to the picture, bright spots would cost nothing."""
+    square = relative_square(light, batch, batch["plain"]).clamp(max=MOST_SQUARE)
+    return (mean_of(square, batch) / batch["filtered"].flatten()).mean()

@@ -27,7 +27,6 @@ import training_scenes as scenes
 
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
-COLORED = ("light", "target", "plain", "direct", "gain")
 RATE, LAST_RATE = 1e-3, 1e-5
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
@@ -115,7 +114,7 @@ def scene_lists(args):
 
 def samples_of(folder, pairs):
     """Samples of scenes as dictionaries of tensors, with the family and the count of frames. plain: the picture of the filter without
-    a network; filtered, filtered_light: its relMSE, and that of its light."""
+    a network; filtered: its relMSE."""
     found, progress = [], Progress("reading")
     for done, (family, seed) in enumerate(pairs):
         progress(done / len(pairs))
@@ -124,24 +123,21 @@ def samples_of(folder, pairs):
             with torch.no_grad():
                 batch = batch_of([sample])
                 plain = network.plain_filter(batch)
-            sample["plain"] = plain[0]
-            for name, kind in (("filtered", batch), ("filtered_light", network.bare(batch))):
-                sample[name] = network.relative_error(plain, kind).clamp(min=1e-5).reshape(1, 1, 1)
+                error = network.relative_error(plain, batch)
+            sample.update(plain=plain[0], filtered=error.clamp(min=1e-5).reshape(1, 1, 1))
             found.append((sample, family, count))
     progress(1.0)
     return found
 
 
 def crop(sample, random):
-    """A part of a picture that shows enough surfaces, turned or mirrored, in other colours."""
+    """A part of a picture that shows enough surfaces, turned or mirrored."""
     height, width = sample["frames"].shape[-2:]
     for _ in range(TRIES):
         y, x = (2 * random.integers(0, (size - CROP) // 2 + 1) for size in (height, width))
         part = {name: value if value.shape[-1] == 1 else value[:, y:y + CROP, x:x + CROP] for name, value in sample.items()}
         if part["known"].mean() > COVERED:
             break
-    colors = torch.from_numpy(random.permutation(3))
-    part = {name: value[colors] if name in COLORED else value for name, value in part.items()}
     mirror, turn = random.random(2) < 0.5
     if mirror:
         part = {name: value.flip(2) for name, value in part.items()}
