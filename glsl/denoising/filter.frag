@@ -78,7 +78,6 @@ void main()
 #endif
 #ifdef GI_GUIDED
   vec4 features = texelFetch(featureTexture, pixel, 0);
-  here.bend *= features.w;
   vec2 counts = unpackHalf2x16(texelFetch(countTexture, pixel, 0)[level]);
   float sharpness = counts.y;
 #else
@@ -96,7 +95,7 @@ void main()
     vec2 kernel = mix(vec2(0.5), vec2(0.25), notEqual(offset, ivec2(0)));
     float weight = kernel.x * kernel.y * other.frames * giSimilarity(here, vec2(step * offset), other.depth, other.normal);
 #ifdef GI_GUIDED
-    vec3 apart = texelFetch(featureTexture, at, 0).xyz - features.xyz;
+    vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
 #endif
     if (weight == 0.0)

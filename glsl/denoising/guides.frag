@@ -1,16 +1,13 @@
 #version 430 core
-// What the network says of each pixel: features, and how much differences of normals count, and at each level those of features and
-// of light.
+// What the network says of each pixel: features, and how much their differences and those of light count at each level.
 #include "shared/view.h"
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
 layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
 
 // Half of the sharpness of the filter without a network, so that what stands out of the noise is not blurred away.
 const float LEAST_SHARPNESS = 0.15;
-// Normals may differ more than without a network, but samples of a surface that faces elsewhere never count.
-const float LEAST_BEND = 0.2;
 
-layout(location = 0) out vec4 features; // three of them, and the share of the limit on normals
+layout(location = 0) out vec4 features;
 layout(location = 1) out uvec4 counts; // bandwidth and sharpness by level, as half floats
 
 vec4 softplus(vec4 x)
@@ -34,7 +31,6 @@ void main()
     }
   }
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
-  features.w = mix(LEAST_BEND, 1.0, 1.0 / (1.0 + exp(-features.w)));
   vec4 bandwidths = softplus(sums[1]);
   vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   for (int level = 0; level < 4; ++level)

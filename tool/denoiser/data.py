@@ -6,7 +6,7 @@ Targets need not be free of noise: it is independent of that of the inputs, so t
 that for perfect targets would have it (Lehtinen et al. 2018, Noise2Noise: Learning Image Restoration without Clean Data).
 """
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import penumbra
@@ -43,21 +43,6 @@ class Signal:
     FIELDS = ("light", "error", "frames", "normal", "depth", "projection")
 
 
-@dataclass
-class Truth:
-    """What a camera sees after many rays, bottom row first. The picture is linear in the light: direct + gain * light.
-
-    target: (h, w, 3) mean irradiance; known: (h, w) whether it is known; direct: (h, w, 3) the picture without that light;
-    gain: (h, w, 3) share of the light that the surface sends to the eye.
-    """
-    target: np.ndarray
-    known: np.ndarray
-    direct: np.ndarray
-    gain: np.ndarray
-
-    FIELDS = ("target", "known", "direct", "gain")
-
-
 class Film:
     """A scene in a window that draws light by one ray per pixel and its mean over frames."""
 
@@ -67,7 +52,6 @@ class Film:
         """size: (width, height). also: other techniques to switch on."""
         self.renderer, self.camera = renderer, renderer.GetActiveCamera()
         self.gi = penumbra.enable(renderer, "off", on=["ray-traced-light", "temporal-accumulation", *also], **parameters)
-        self.gi.KeepRadianceOn()
         self.window = penumbra.window(renderer, size=size, multisamples=0)
         self.find_parity()
 
@@ -87,10 +71,6 @@ class Film:
             raise RuntimeError(f"the pass has no history {name}")
         width, height, _ = image.GetDimensions()
         return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 4).copy()
-
-    def picture(self):
-        """The radiance of the newest frame."""
-        return penumbra.radiance(self.gi, self.renderer)[::-1, :, :3]
 
     def find_parity(self):
         """Draw frames, and see which histories change."""
@@ -121,21 +101,15 @@ class Film:
                       np.where(frames > 0, surface[..., 1], 0), np.array((matrix.GetElement(0, 0), matrix.GetElement(1, 1))))
 
 
-def truth(film):
-    """What the film's camera sees after many rays."""
+def target(film):
+    """Light after many rays, and whether each pixel has it."""
     light = film.gi.GetTechnique("ray-traced-light")
     light.SetParameter("rays", TARGET_RAYS)
     film.cut()
     film.frame(TARGET_FRAMES)
-    drawn, lit = film.signal(True), film.picture()
+    drawn = film.signal(True)
     light.SetParameter("rays", 1)
-    light.EnabledOff()
-    film.frame()
-    direct = film.picture()
-    light.EnabledOn()
-    film.find_parity()
-    gain = np.where(drawn.light > 0, np.maximum(lit - direct, 0) / np.maximum(drawn.light, 1e-20), 0)
-    return Truth(drawn.light, (drawn.frames > 0) & np.isfinite(drawn.light).all(-1), direct, gain)
+    return drawn.light, (drawn.frames > 0) & np.isfinite(drawn.light).all(-1)
 
 
 def camera_samples(film, random, longest):
@@ -151,7 +125,8 @@ def camera_samples(film, random, longest):
         film.frame(count - drawn)
         drawn = count
         signals.append(film.signal(True))
-    return signals, truth(film)
+    light, known = target(film)
+    return signals, light, known
 
 
 def render(family, seed, size, cameras):
@@ -160,15 +135,16 @@ def render(family, seed, size, cameras):
     probes = random.random() < 0.6
     film = Film(renderer, (size, size), ["ddgi"] if probes else [])
     film.frame(SETTLE if probes else 0)
-    stored = {name: [] for name in (*Signal.FIELDS, *Truth.FIELDS, "count")}
+    stored = {name: [] for name in Signal.FIELDS + ("target", "known", "count")}
     for camera in range(cameras):
         film.camera.Azimuth(random.uniform(-6, 6) if family == "room" else random.uniform(30, 100))
         renderer.ResetCameraClippingRange()
-        signals, seen = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
+        signals, light, known = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
         for number, signal in enumerate(signals):
-            for part in (signal, replace(seen, known=seen.known & np.isfinite(signal.light).all(-1))):
-                for name in part.FIELDS:
-                    stored[name].append(getattr(part, name).astype(np.float32))
+            for name in Signal.FIELDS:
+                stored[name].append(getattr(signal, name).astype(np.float32))
+            stored["target"].append(light)
+            stored["known"].append(known & np.isfinite(signal.light).all(-1))
             stored["count"].append(0 if number == 0 else STILL[number - 1])
     return {name: np.stack(values) for name, values in stored.items()}
 
@@ -193,10 +169,8 @@ def ensure(folder, wanted, size, cameras, progress):
 
 
 def load(path):
-    """Samples of a scene: a signal, its truth, and the number of still frames, 0 for an orbit."""
+    """Samples of a scene: pairs of a signal and a dictionary of its target, known and count."""
     with np.load(path) as file:
         stored = {name: file[name] for name in file.files}
-
-    def part(made, i):
-        return made(*(stored[name][i] for name in made.FIELDS))
-    return [(part(Signal, i), part(Truth, i), int(count)) for i, count in enumerate(stored["count"])]
+    return [(Signal(*(stored[name][i] for name in Signal.FIELDS)), {name: stored[name][i] for name in ("target", "known", "count")})
+            for i in range(len(stored["count"]))]

@@ -3,7 +3,7 @@
 """The denoiser's network and the filter that it guides, in PyTorch, as the shaders of glsl/denoising compute them.
 
 A U-Net (Ronneberger, Fischer and Brox 2015, U-Net: Convolutional Networks for Biomedical Image Segmentation) at half resolution
-gives features, a bend, bandwidths and sharpnesses to each pixel. Four levels of a filter average samples of the same surface whose
+gives features, bandwidths and sharpnesses to each pixel. Four levels of a filter average samples of the same surface whose
 features are alike (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo Denoising using Affinity of Neural
 Features). The result is a mean of measured samples. Tensors of a batch are (n, channels, h, w), h and w multiples of TILE.
 """
@@ -15,14 +15,12 @@ from torch.nn import functional
 
 TILE = 16                 # pixels, of the mean luminance that light is divided by
 WIDTHS = (8, 16, 24, 32)  # channels of the U-Net's levels
-INPUTS, FEATURES, LEVELS = 16, 3, 4
+INPUTS, FEATURES, LEVELS = 16, 4, 4
 RADIUS = 8                # reach of the filter in pixels
 LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
-LEAST_BEND = 0.2          # of the limit on normals that differ, so that no sample is of a surface that faces elsewhere
-BEND_AT_FIRST = 2.0       # before the sigmoid, when training starts
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
 MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
@@ -51,18 +49,14 @@ def decode(normal):
     return functional.normalize(torch.cat((xy, z), 1), dim=1)
 
 
-def tensors(signal, truth=None):
-    """A signal, and its truth if given, as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel
-    there."""
+def tensors(signal):
+    """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there."""
     height, width = signal.frames.shape
     x = (torch.arange(width) + 0.5) / width * 2 - 1
     y = (torch.arange(height) + 0.5) / height * 2 - 1
     scale = torch.from_numpy(np.asarray(signal.projection, np.float32))
-    values = {name: getattr(signal, name) for name in ("light", "normal", "error", "frames", "depth")}
-    if truth:
-        values.update({name: np.nan_to_num(getattr(truth, name)) for name in truth.FIELDS})
-        values["known"] = values["known"] * (signal.frames > 0)
-    values = {name: np.moveaxis(np.atleast_3d(value), 2, 0) for name, value in values.items()}
+    values = {"light": signal.light.transpose(2, 0, 1), "normal": signal.normal.transpose(2, 0, 1)}
+    values.update({name: getattr(signal, name)[None] for name in ("error", "frames", "depth")})
     made = {name: torch.from_numpy(np.ascontiguousarray(value, np.float32)) for name, value in values.items()}
     made["ray"] = torch.stack((x[None, :].expand(height, width) / scale[0], y[:, None].expand(height, width) / scale[1]))
     made["angle"] = (2 / (width * scale[0])).reshape(1, 1, 1)
@@ -213,30 +207,28 @@ class Denoiser(nn.Module):
 
     def __init__(self):
         super().__init__()
-        self.net = UNet(FEATURES + 1 + 2 * LEVELS)
-        self.fine = nn.Conv2d(INPUTS, FEATURES + 1, 1, bias=False)
+        self.net = UNet(FEATURES + 2 * LEVELS)
+        self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
         nn.init.normal_(self.net.last.weight, std=0.02)
         with torch.no_grad():  # at first samples are averaged much as by the filter without a network
-            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [BEND_AT_FIRST] + [-2.0] * LEVELS + [-0.6] * LEVELS))
+            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS))
 
     def guides(self, batch):
-        """Features of each pixel of a batch with its surfaces; how much normals, features and standard deviations count there."""
+        """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
-        features, bandwidths, sharpnesses = outputs.split((FEATURES + 1, LEVELS, LEVELS), 1)
-        features, bends = (features + self.fine(single)).split((FEATURES, 1), 1)
-        bends = batch["bend"] * (LEAST_BEND + (1 - LEAST_BEND) * torch.sigmoid(bends))
+        features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
         sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
-        return features, bends, functional.softplus(bandwidths), sharpnesses
+        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
-        features, bends, bandwidths, sharpnesses = self.guides(batch)
+        features, bandwidths, sharpnesses = self.guides(batch)
 
         def weigh(level, x, y, guided):
             apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
             return torch.exp(-bandwidths[:, level:level + 1] * apart - sharpnesses[:, level:level + 1] * guided)
-        return filtered({**batch, "bend": bends}, fade(batch["frames"], 1e9), weigh)
+        return filtered(batch, fade(batch["frames"], 1e9), weigh)
 
     def layers(self):
         """Convolutions by their names in the file."""
@@ -264,32 +256,22 @@ class Denoiser(nn.Module):
                     layer.bias.copy_(values[count:])
 
 
-def shown(light, batch):
-    """The pictures of light."""
-    return batch["direct"] + batch["gain"] * light
+def relative_error(picture, batch):
+    """relMSE of each picture of a batch against its target, which may have noise."""
+    known, truth = batch["known"], batch["target"]
+    pixels = known.sum((1, 2, 3)).clamp(min=1)
+    mean = (luminance(truth) * known).sum((1, 2, 3)) / pixels
+    square = (picture - truth) ** 2 / (truth ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    return (square * known).sum((1, 2, 3)) / (3 * pixels)
 
 
-def mean_of(values, batch):
-    """Mean over the pixels of each sample whose target is known."""
+def loss_of(picture, batch):
+    """Squared difference from the target, relative to the picture of the filter without a network, in units of the error that it
+    leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make pictures that are too
+    dark seem better; were it relative to the picture, bright spots would cost nothing."""
     known = batch["known"]
-    return (values * known).mean(1).sum((1, 2)) / known.sum((1, 2, 3)).clamp(min=1)
-
-
-def relative_square(light, batch, reference):
-    """Squared difference of the pictures of light from those of the target, relative to the pictures of the reference."""
-    base = shown(reference, batch)
-    mean = mean_of(luminance(base), batch)[:, None, None, None]
-    return (batch["gain"] * (light - batch["target"])) ** 2 / (base ** 2 + 0.01 * mean ** 2 + 1e-30)
-
-
-def relative_error(light, batch):
-    """relMSE of the picture of light of each sample against that of its target, which may have noise."""
-    return mean_of(relative_square(light, batch, batch["target"]), batch)
-
-
-def loss_of(light, batch):
-    """Squared difference of the pictures from the targets', relative to the picture of the filter without a network, in units of the
-    error that it leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make pictures
-    that are too dark seem better; were it relative to the picture, bright spots would cost nothing."""
-    square = relative_square(light, batch, batch["plain"]).clamp(max=MOST_SQUARE)
-    return (mean_of(square, batch) / batch["filtered"].flatten()).mean()
+    pixels = known.sum((1, 2, 3)).clamp(min=1)
+    mean = (luminance(batch["plain"]) * known).sum((1, 2, 3)) / pixels
+    square = (picture - batch["target"]) ** 2 / (batch["plain"] ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    error = (square.clamp(max=MOST_SQUARE) * known).sum((1, 2, 3)) / (3 * pixels)
+    return (error / batch["filtered"].flatten()).mean()

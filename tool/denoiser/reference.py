@@ -5,7 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-LEAST_SHARPNESS, LEAST_BEND = 0.15, 0.2
+LEAST_SHARPNESS = 0.15
 KERNEL = 0.5, 0.25
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
@@ -164,13 +164,12 @@ def interpolated(values, height, width):
 
 
 def guides(signal, surfaces, layers):
-    """Features of each pixel; how much normals, features and standard deviations count there."""
+    """Features, bandwidths and sharpnesses of each pixel."""
     single, blocks = inputs(signal, surfaces)
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
-    features = outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T)
-    bends = half(LEAST_BEND + (1 - LEAST_BEND) / (1 + np.exp(-features[..., 3])))
+    features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
-    return half(features[..., :3]), bends, half(bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS))
+    return features, half(bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS))
 
 
 class Means:
@@ -195,8 +194,7 @@ class Means:
 def denoise(signal, layers, stored=lambda light, error: (light, error)):
     """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
     surfaces = Surfaces(signal)
-    features, bends, bandwidths, sharpnesses = guides(signal, surfaces, layers)
-    surfaces.bend = surfaces.bend * bends
+    features, bandwidths, sharpnesses = guides(signal, surfaces, layers)
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
     for level in range(LEVELS):

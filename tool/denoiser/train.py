@@ -118,14 +118,16 @@ def samples_of(folder, pairs):
     found, progress = [], Progress("reading")
     for done, (family, seed) in enumerate(pairs):
         progress(done / len(pairs))
-        for signal, truth, count in data.load(data.path_of(folder, family, seed)):
-            sample = network.tensors(signal, truth)
+        for signal, truth in data.load(data.path_of(folder, family, seed)):
+            sample = network.tensors(signal)
+            sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
+            sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
             with torch.no_grad():
                 batch = batch_of([sample])
                 plain = network.plain_filter(batch)
                 error = network.relative_error(plain, batch)
             sample.update(plain=plain[0], filtered=error.clamp(min=1e-5).reshape(1, 1, 1))
-            found.append((sample, family, count))
+            found.append((sample, family, int(truth["count"])))
     progress(1.0)
     return found
 
