@@ -316,6 +316,16 @@ class Traced(command.CommandTest):
         for layer in (b"albedo.R", b"normal.X", b"Z", b"samples", b"error"):
             self.assertIn(layer + b"\0", header)
 
+    def test_denoises(self):
+        self.trace("noisy.exr", 4)
+        self.trace("smooth.exr", 4, "--denoise")
+        header = (self.folder / "smooth.exr").read_bytes()[:2000]
+        for layer in (b"noisy.R", b"noisy.G", b"noisy.B"):
+            self.assertIn(layer + b"\0", header)
+        ended = self.succeeds("compare", "noisy.exr", "smooth.exr", "--json")
+        self.assertGreater(json.loads(ended.stdout)["maximum"], 0)
+        self.refused("render", self.scene(SCENE), "-o", "out.png", "--denoise", says="--denoise is for the path tracer", status=2)
+
     def test_formats_without_layers(self):
         self.trace("plain.hdr", 4)
         self.trace("layers.exr", 4)

@@ -143,6 +143,7 @@ private:
     const char* option = this->Options.Samples ? "--spp"
       : this->Options.Error                    ? "--error"
       : !this->Options.Checkpoint.empty()      ? "--checkpoint"
+      : this->Options.Denoise                  ? "--denoise"
                                                : nullptr;
     if (option && (this->Options.Stock || !pass->GetTechnique("path-tracing")->GetEnabled()))
     {
@@ -208,7 +209,7 @@ private:
   {
     std::string text;
     const std::set<std::string> others = { "--output", "--spp", "--error", "--checkpoint",
-      "--frames", "--stats", "--quiet", "--verbose", "--backend", "--help" };
+      "--frames", "--stats", "--quiet", "--verbose", "--backend", "--help", "--denoise" };
     for (const CLI::Option* option : this->Declared->get_options())
     {
       if (option->count() > 0 && others.count(option->get_name()) == 0)

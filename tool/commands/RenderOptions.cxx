@@ -99,6 +99,8 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
     ->required();
   output.Add("--frames", options.Frames, "number of frames to accumulate [16]", Bounds{ 1, 65536 });
   output.Add("--spp", options.Samples, "paths per pixel, with --preset reference");
+  output.Flag("--denoise", options.Denoise,
+    "filter the noise of few paths, with --preset reference; an exr also holds the noisy picture");
   output.Add("--error", options.Error,
     "stop tracing at this standard error, relative to the mean luminance of the picture");
   output.Add("--checkpoint", options.Checkpoint,

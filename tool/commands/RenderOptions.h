@@ -51,6 +51,7 @@ struct RenderOptions
   std::optional<int> Frames;
   std::optional<int> Samples;
   std::optional<double> Error;
+  bool Denoise = false;
   std::string Checkpoint;
   long long MaximumTriangles = 10000000;
   bool Statistics = false;

@@ -136,6 +136,10 @@ void ApplyTechniqueOptions(const RenderOptions& options, TechniqueSettings& sett
 {
   settings.Preset = options.Preset.empty() ? settings.Preset : options.Preset;
   settings.On.insert(settings.On.end(), options.On.begin(), options.On.end());
+  if (options.Denoise)
+  {
+    settings.On.push_back("denoising");
+  }
   settings.Off.insert(settings.Off.end(), options.Off.begin(), options.Off.end());
   for (const std::string& text : options.Set)
   {

@@ -159,8 +159,14 @@ void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& pictur
   }
   const auto& [albedo, normal, shown, encoded] = buffers;
   const auto samples = static_cast<float>(tracer->GetSamplesTaken(renderer));
-  const std::vector<std::string> names = { "albedo.R", "albedo.G", "albedo.B", "normal.X",
-    "normal.Y", "normal.Z", "Z", "samples", "error" };
+  std::vector<std::string> names = { "albedo.R", "albedo.G", "albedo.B", "normal.X", "normal.Y",
+    "normal.Z", "Z", "samples", "error" };
+  vtkGITechnique* denoising = pass->GetTechnique("denoising");
+  const bool filtered = denoising && denoising->GetEnabled();
+  if (filtered)
+  {
+    names.insert(names.end(), { "noisy.R", "noisy.G", "noisy.B" });
+  }
   Picture all(picture.Width, picture.Height, picture.Channels + static_cast<int>(names.size()));
   all.Layers = names;
   for (std::size_t i = 0; i < all.PixelCount(); ++i)
@@ -172,7 +178,12 @@ void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& pictur
     out = std::transform(
       normal.Pixel(i), normal.Pixel(i) + 4, out, [hits](float v) { return v / hits; });
     *out++ = samples;
-    *out = StandardError(shown.Pixel(i), encoded.Pixel(i), samples);
+    *out++ = StandardError(shown.Pixel(i), encoded.Pixel(i), samples);
+    if (filtered)
+    {
+      std::transform(shown.Pixel(i), shown.Pixel(i) + 3, encoded.Pixel(i), out,
+        [samples](float a, float b) { return (a + b) / samples; });
+    }
   }
   picture = std::move(all);
 }

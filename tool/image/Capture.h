@@ -24,6 +24,6 @@ Picture CaptureRadiance(
   vtkGIPass* pass, vtkRenderer* renderer, bool alpha, const std::function<void()>& redraw);
 
 /// Appends layers of the path tracer, if it is enabled: albedo, normal (in world coordinates), and depth of the surfaces,
-/// the number of samples, and the standard error of each pixel's luminance.
+/// the number of samples, and the standard error of each pixel's luminance; if denoising is enabled, the picture before it.
 void AppendSurfaceLayers(vtkGIPass* pass, vtkRenderer* renderer, Picture& picture);
 }

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Pictures of the path tracer with few paths per pixel, denoised.
+ */
+#include "RoomStage.h"
+
+#include "vtkGIPathTracing.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+using namespace penumbra_test;
+
+namespace
+{
+class DenoisedPaths : public RoomStage
+{
+protected:
+  void SetUp() override
+  {
+    this->Prepare("path-tracing", Width, Height);
+    this->Paths = vtkGIPathTracing::SafeDownCast(this->Pass->GetTechnique("path-tracing"));
+    this->Paths->SetSamples(Most);
+    this->Filter = this->Pass->GetTechnique("denoising");
+  }
+
+  /// The picture of some paths. method: "" for no filter.
+  Values Draw(const std::string& method, int paths, int seed = 0)
+  {
+    this->Filter->SetEnabled(!method.empty());
+    if (!method.empty())
+    {
+      this->Filter->SetParameterFromText("method", method.c_str());
+    }
+    this->Paths->SetSeed(seed);
+    this->Pass->Restart();
+    return this->After(paths);
+  }
+
+  static constexpr int Width = 60;
+  static constexpr int Height = 45;
+  static constexpr int Most = 10000;
+  static constexpr int Few = 16;
+  static constexpr int Many = 700;
+  vtkGIPathTracing* Paths = nullptr;
+  vtkGITechnique* Filter = nullptr;
+};
+}
+
+TEST_F(DenoisedPaths, LeaveLittleNoise)
+{
+  this->AddRoomWithPanel();
+  const Values truth = this->Draw("", Many, 1);
+  const double noise = SquaredError(this->Draw("", Few), truth);
+  const double more = SquaredError(this->Draw("", 4 * Few), truth);
+  for (const char* method : { "filter", "neural" })
+  {
+    const Values filtered = this->Draw(method, Few);
+    std::printf("relMSE of %d paths %.4f, of %d %.4f, of %d with %s %.4f; mean %.5f of %.5f\n", Few,
+      noise, 4 * Few, more, Few, method, SquaredError(filtered, truth), Mean(filtered),
+      Mean(truth));
+    EXPECT_LT(SquaredError(filtered, truth), more);
+    EXPECT_NEAR(Mean(filtered), Mean(truth), 0.02 * Mean(truth));
+  }
+}
+
+// What a surface shines with is no noise: it stays where it is.
+TEST_F(DenoisedPaths, KeepTheEdgesOfLamps)
+{
+  this->AddRoomWithPanel();
+  this->LookFrom(0.8, 0.8, -0.8, 0.0, 0.0, 1.0);
+  const Values truth = this->Draw("", Many, 1);
+  const Values raw = this->Draw("", Few);
+  const Values filtered = this->Draw("filter", Few);
+  EXPECT_LT(SquaredError(filtered, truth), SquaredError(raw, truth));
+  double worst = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+  {
+    worst = std::max(worst, truth[i] < 0.9 ? std::abs(filtered[i] - truth[i]) : 0.0);
+  }
+  std::printf("worst difference beside the lamp %.3f\n", worst);
+  EXPECT_LT(worst, 0.2);
+}
+
+TEST_F(DenoisedPaths, ConvergeToTheUnfilteredMean)
+{
+  this->Scene.Window->SetSize(24, 18);
+  this->AddRoomWithPanel();
+  constexpr int paths = 256; // from which nothing is filtered
+  const Values expected = this->Draw("", paths);
+  EXPECT_EQ(this->Draw("filter", paths), expected);
+  EXPECT_EQ(this->Draw("neural", paths), expected);
+}
+
+TEST_F(DenoisedPaths, KeepTheMean)
+{
+  this->Scene.Window->SetSize(40, 30);
+  this->AddRoomWithPanel();
+  constexpr int seeds = 25;
+  double plain = 0.0;
+  double filtered = 0.0;
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    plain += Mean(this->Draw("", Few, seed));
+    filtered += Mean(this->Draw("filter", Few, seed));
+  }
+  std::printf(
+    "mean of %d seeds: filtered / unfiltered - 1 = %.5f\n", seeds, filtered / plain - 1.0);
+  EXPECT_NEAR(filtered, plain, 0.005 * plain);
+}
+
+// Light may have any unit.
+TEST_F(DenoisedPaths, ScaleWithTheLight)
+{
+  vtkProperty* panel = this->AddRoomWithPanel();
+  for (const double strength : { 1e-3, 1.0 })
+  {
+    panel->SetAmbient(strength);
+    for (const char* method : { "filter", "neural" })
+    {
+      const Values raw = this->Draw("", 4);
+      const Values filtered = this->Draw(method, 4);
+      for (const double value : filtered)
+      {
+        ASSERT_TRUE(std::isfinite(value));
+      }
+      EXPECT_NEAR(Mean(filtered), Mean(raw), 0.1 * Mean(raw)) << method << ", " << strength;
+    }
+  }
+}
+
+TEST_F(DenoisedPaths, LeaveNothingAndOnePixelAsTheyAre)
+{
+  this->Scene.Renderer->SetBackground(0.2, 0.3, 0.4);
+  EXPECT_EQ(this->Draw("neural", 4), this->Draw("", 4)); // nothing but background
+  this->AddRoomWithPanel();
+  this->Scene.Window->SetSize(1, 1);
+  const Values one = this->Draw("", 4);
+  const Values filtered = this->Draw("neural", 4);
+  ASSERT_EQ(one.size(), filtered.size());
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    EXPECT_NEAR(filtered[i], one[i], 1e-3 * one[i]);
+  }
+}
