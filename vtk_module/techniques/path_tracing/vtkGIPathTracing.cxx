@@ -143,15 +143,16 @@ struct penumbra::PathTracer
     return total > 0.0 ? std::sqrt(variances / pixels) / (total / pixels) : 0.0;
   }
 
-  /// Draw from the sums. They are given as textures, because the tracing pass declares them as images.
-  void Draw(FrameContext& context, const char* shader, const Defines& variant, int samples) const
+  /// Draw the mean. The sums are given as textures, because the tracing pass declares them as images.
+  void Show(FrameContext& context, int samples) const
   {
-    Arguments arguments;
-    for (std::size_t i = 0; i < SumCount; ++i)
-    {
-      arguments.Sample(SumImages[i], &this->Sums[i]->Storage);
-    }
-    context.Draw(shader, variant, arguments.Set("samples", static_cast<double>(samples)));
+    context.Draw(ShowShader, {},
+      Arguments()
+        .Sample("sumShown", &this->Sums[0]->Storage)
+        .Sample("sumEncoded", &this->Sums[1]->Storage)
+        .Sample("sumAlbedo", &this->Sums[2]->Storage)
+        .Sample("sumUnlit", &this->Sums[4]->Storage)
+        .Set("samples", static_cast<double>(samples)));
   }
 
   /// Have a pass know what paths need.
@@ -182,8 +183,9 @@ struct penumbra::PathTracer
     }
     return pass.ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
       .Offer(frame.GetView().ToScene(this->Rays->Origin()))
-      .Execute([*this, shader, variant, &samples](
-                 FrameContext& context) { this->Draw(context, shader, variant, samples); });
+      .Execute([shader, variant, &samples](FrameContext& context) {
+        context.Draw(shader, variant, Arguments().Set("samples", static_cast<double>(samples)));
+      });
   }
 };
 
@@ -332,7 +334,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
         current.Error =
           updateError ? tracer.EstimateError(context, current.Samples) : current.Error;
       }
-      tracer.Draw(context, ShowShader, {}, current.Samples);
+      tracer.Show(context, current.Samples);
     });
   if (frame.Plan().FiltersNoise())
   {
