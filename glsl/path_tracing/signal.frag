@@ -12,6 +12,7 @@ uniform mat3 viewToScene;
 const float LEAST = 4.0;         // samples from which the error is known
 const float LEAST_ERROR = 1e-3;  // 0 would mean that it is unknown
 const float MOST_ERROR = 0.99;
+const float STRATIFIED = 0.5;    // points are spread more evenly than the independent ones that the estimate assumes
 const float BRIGHTEST = 6e4;     // what half floats hold; brighter light is not filtered
 
 layout(location = 0) out vec4 light;
@@ -22,7 +23,7 @@ float errorOf(ivec2 pixel, GiLit lit)
   vec4 encoded = texelFetch(sumEncoded, pixel, 0);
   float mean = giLuminance(texelFetch(sumShown, pixel, 0).rgb + encoded.rgb) / samples;
   float variance = max(encoded.a / samples - mean * mean, 0.0) / (samples - 1.0);
-  return clamp(sqrt(variance) / max(giLuminance(giMeanReflected(pixel, lit)), 1e-20), LEAST_ERROR, MOST_ERROR);
+  return clamp(STRATIFIED * sqrt(variance) / max(giLuminance(giMeanReflected(pixel, lit)), 1e-20), LEAST_ERROR, MOST_ERROR);
 }
 
 void main()

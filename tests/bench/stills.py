@@ -95,7 +95,8 @@ def main():
             report.figure(f"{name}: relMSE of {PATHS} paths, {method} / none", error / noisy, 1, more=f"as {paths:.0f} paths")
         if args.seeds:
             for method in METHODS:
-                report.figure(f"{name}: mean over {args.seeds} seeds, {method} / none - 1", abs(bias(name, args, method, report)), BIAS)
+                difference = abs(bias(name, args, method, report))
+                report.figure(f"{name}: mean over {args.seeds} seeds, {method} / none - 1", difference, BIAS)
     if len(args.scenes) > SCENES_WANTED:
         report.figure(f"scenes where {PATHS} paths are not as good as {WANTED}", len(args.scenes) - max(reached.values()),
                       len(args.scenes) - SCENES_WANTED)
