@@ -11,7 +11,8 @@ import sys
 
 import numpy as np
 import penumbra
-from denoiser import SCENES, named
+from denoiser import SCENES, named  # finds tool/denoiser too
+from data import LUMINANCE  # noqa: E402
 from indirect_light import kept, write
 from ray_scenes import Film, Report
 
@@ -47,7 +48,7 @@ def bias(name, args, method, report):
             report.going_on(f"{name}: seed {seed}, {way or 'no'} denoiser")
             shot.gi.GetTechnique("path-tracing").SetParameter("seed", seed)
             sums[way] = sums.get(way, 0) + shot.picture(args.paths)
-    plain, filtered = (float((sums[way] @ (0.2126, 0.7152, 0.0722)).mean()) for way in (None, method))
+    plain, filtered = (float((sums[way] @ LUMINANCE).mean()) for way in (None, method))
     return filtered / plain - 1
 
 

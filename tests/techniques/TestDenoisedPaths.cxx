@@ -111,23 +111,24 @@ TEST_F(DenoisedPaths, KeepTheMean)
   EXPECT_NEAR(filtered, plain, 0.005 * plain);
 }
 
-// Light may have any unit.
+// Light may have any unit. Half floats hold dim light with fewer digits.
 TEST_F(DenoisedPaths, ScaleWithTheLight)
 {
   vtkProperty* panel = this->AddRoomWithPanel();
-  for (const double strength : { 1e-3, 1.0 })
+  constexpr double dimmer = 1e-3;
+  for (const char* method : { "filter", "neural" })
   {
-    panel->SetAmbient(strength);
-    for (const char* method : { "filter", "neural" })
+    panel->SetAmbient(1.0);
+    const Values bright = this->Draw(method, Few);
+    panel->SetAmbient(dimmer);
+    const Values dim = this->Draw(method, Few);
+    double difference = 0.0;
+    for (std::size_t i = 0; i < bright.size(); ++i)
     {
-      const Values raw = this->Draw("", 4);
-      const Values filtered = this->Draw(method, 4);
-      for (const double value : filtered)
-      {
-        ASSERT_TRUE(std::isfinite(value));
-      }
-      EXPECT_NEAR(Mean(filtered), Mean(raw), 0.1 * Mean(raw)) << method << ", " << strength;
+      difference += std::abs(dim[i] / dimmer - bright[i]) / static_cast<double>(bright.size());
     }
+    std::printf("%s: differences %.6f of %.5f\n", method, difference, Mean(bright));
+    EXPECT_LT(difference, 0.01 * Mean(bright)) << method;
   }
 }
 

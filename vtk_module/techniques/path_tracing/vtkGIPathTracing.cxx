@@ -44,7 +44,6 @@ constexpr const char* ShowShader = "path_tracing/show.frag";
 // fewer samples will do.
 constexpr const char* OwnName = "path-tracing.own";
 constexpr const char* OwnImage = "sumOwn";
-
 }
 
 struct penumbra::PathTracer
