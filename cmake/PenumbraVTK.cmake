@@ -34,7 +34,7 @@ find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
 set(_vtk_components
   CommonCore CommonDataModel CommonMath CommonSystem CommonTransforms CommonExecutionModel
-  RenderingCore RenderingOpenGL2 RenderingUI
+  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingOpenGL2 RenderingUI
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   ImagingCore IOImage IOXML IOXMLParser)
 if(PENUMBRA_WRAP_PYTHON)

@@ -16,7 +16,10 @@ import sys
 NOTICE = ("// SPDX-FileCopyrightText: Penumbra authors\n// SPDX-License-Identifier: BSD-3-Clause\n"
           "// Generated from vtk_module/techniques/*/{stem}.json: edit that file instead.\n")
 CXX_TYPES = {"bool": "bool", "int": "int", "double": "double", "enum": "int"}
-TECHNIQUE_KEYS = {"name", "title", "term", "verb", "dynamic", "source", "parameters", "presets"}
+TECHNIQUE_KEYS = {"name", "title", "term", "verb", "approach", "dynamic", "source", "parameters", "presets"}
+OPTIONAL_KEYS = {"budget"}
+APPROACHES = {"precompute", "approximate", "amortise", "none"}
+BUDGET_KEYS = {"unit", "per-pixel", "work", "levels", "error"}
 PARAMETER_KEYS = {"name", "type", "default", "range", "unit", "values", "doc"}
 
 
@@ -40,10 +43,12 @@ def number(parameter, value):
 
 
 def check(path, technique):
-    unknown = set(technique) - TECHNIQUE_KEYS
+    unknown = set(technique) - TECHNIQUE_KEYS - OPTIONAL_KEYS
     missing = TECHNIQUE_KEYS - set(technique)
     if unknown or missing:
         fail(path, f"unknown keys {sorted(unknown)}, missing keys {sorted(missing)}")
+    if technique["approach"] not in APPROACHES:
+        fail(path, f"approach must be one of {', '.join(sorted(APPROACHES))}")
     for parameter in technique["parameters"]:
         if set(parameter) - PARAMETER_KEYS:
             fail(path, f"{parameter['name']}: unknown keys {sorted(set(parameter) - PARAMETER_KEYS)}")
@@ -58,6 +63,26 @@ def check(path, technique):
     for preset, values in technique["presets"].items():
         if set(values) - names:
             fail(path, f"preset {preset}: unknown parameters {sorted(set(values) - names)}")
+    check_budget(path, technique)
+
+
+def check_budget(path, technique):
+    """The levels that a frame budget chooses from, if there are any: see docs/frame-budget.md."""
+    budget = technique.get("budget")
+    if budget is None:
+        return
+    by_name = {parameter["name"]: parameter for parameter in technique["parameters"]}
+    if set(budget) != BUDGET_KEYS:
+        fail(path, f"budget: the keys must be {', '.join(sorted(BUDGET_KEYS))}")
+    for name, work in budget["work"].items():
+        needed = by_name[name] if name in by_name else fail(path, f"budget: there is no parameter {name}")
+        if needed["type"] == "enum" and len(work) != len(needed["values"]):
+            fail(path, f"budget: {name} needs a factor for each value")
+    for level in budget["levels"]:
+        if set(level) != set(budget["work"]):
+            fail(path, f"budget: each level must set {', '.join(budget['work'])}")
+    if len(budget["error"]) != len(budget["levels"]):
+        fail(path, "budget: there must be an error for each level")
 
 
 def accessors(parameter):
@@ -82,7 +107,7 @@ def accessors(parameter):
 def header(stem, technique):
     cls = f"vtkGI{stem}Parameters"
     rows = [f"  const char* Get{key.capitalize()}() override {{ return {quote(technique[key])}; }}"
-            for key in ("name", "title", "term", "verb", "dynamic", "source")]
+            for key in ("name", "title", "term", "verb", "approach", "dynamic", "source")]
     members = [f"  {CXX_TYPES[p['type']]} {p['name']} = {json.dumps(number(p, p['default']) if p['type'] != 'bool' else p['default'])};"
                for p in technique["parameters"]]
     body = [line for parameter in technique["parameters"] for line in accessors(parameter)]
@@ -93,7 +118,8 @@ def header(stem, technique):
         f"  vtkTypeMacro({cls}, vtkGITechnique);", ""] + rows + [""] + body + [
         "protected:", f"  {cls}();", f"  ~{cls}() override;", "",
         "  const std::vector<penumbra::ParameterInfo>& ParameterTable() override;",
-        "  const std::vector<penumbra::PresetValue>& PresetTable() override;", ""] + members + ["",
+        "  const std::vector<penumbra::PresetValue>& PresetTable() override;"] + (
+            ["  const penumbra::BudgetInfo* BudgetTable() override;"] if "budget" in technique else []) + [""] + members + ["",
         "private:", f"  {cls}(const {cls}&) = delete;", f"  void operator=(const {cls}&) = delete;",
         "};", "", "#endif", ""])
 
@@ -111,7 +137,8 @@ def source(stem, technique):
             f"      {float(number(p, p['default']))!r}, {float(p['range'][0])!r}, {float(p['range'][1])!r}, "
             f"{{ {values} }},\n"
             f"      [](vtkGITechnique* t) {{ return static_cast<double>(static_cast<{cls}*>(t)->Get{p['name']}()); }},\n"
-            f"      [](vtkGITechnique* t, double v) {{ static_cast<{cls}*>(t)->Set{p['name']}({value}); }} }},")
+            f"      [](vtkGITechnique* t, double v) {{ static_cast<{cls}*>(t)->Set{p['name']}({value}); }},\n"
+            f"      [](vtkGITechnique* t, double v) {{ static_cast<{cls}*>(t)->{p['name']} = {value}; }} }},")
     by_name = {p["name"]: p for p in technique["parameters"]}
     for preset, values in technique["presets"].items():
         for key, value in values.items():
@@ -125,7 +152,28 @@ def source(stem, technique):
         f"const std::vector<penumbra::ParameterInfo>& {cls}::ParameterTable()", "{",
         "  static const std::vector<penumbra::ParameterInfo> table = {"] + table + ["  };", "  return table;", "}", "",
         f"const std::vector<penumbra::PresetValue>& {cls}::PresetTable()", "{",
-        "  static const std::vector<penumbra::PresetValue> table = {"] + presets + ["  };", "  return table;", "}", ""])
+        "  static const std::vector<penumbra::PresetValue> table = {"] + presets + ["  };", "  return table;", "}", ""] +
+        budget_source(cls, technique))
+
+
+def budget_source(cls, technique):
+    if "budget" not in technique:
+        return []
+    budget = technique["budget"]
+    by_name = {p["name"]: p for p in technique["parameters"]}
+    work = []
+    for name, value in budget["work"].items():
+        exponent = 1.0 if isinstance(value, list) else float(value)
+        factors = [float(v) for v in value if not isinstance(v, str)] if isinstance(value, list) else []
+        zero = [quote(kebab(v)) for v in value if isinstance(v, str)] if isinstance(value, list) else []
+        work.append(f"      {{ {quote(kebab(name))}, {exponent!r}, {{ {', '.join(map(repr, factors))} }}, {{ {', '.join(zero)} }} }},")
+    levels = []
+    for level, error in zip(budget["levels"], budget["error"]):
+        values = ", ".join(repr(float(number(by_name[name], level[name]))) for name in budget["work"])
+        levels.append(f"      {{ {{ {values} }}, {float(error)!r} }},")
+    return [f"const penumbra::BudgetInfo* {cls}::BudgetTable()", "{",
+            f"  static const penumbra::BudgetInfo table = {{ {quote(budget['unit'])}, {str(budget['per-pixel']).lower()},",
+            "    {"] + work + ["    },", "    {"] + levels + ["    } };", "  return &table;", "}", ""]
 
 
 def registry(stems):

@@ -10,7 +10,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Rooms from bottom to top. Subfolders of a room belong to it. Rooms in one tuple do not include each other.
-MODULE = (("base",), ("gpu",), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique", "sky"), ("pass",),
+MODULE = (("base", "budget", "instrument"), ("gpu",), ("graph", "headless"), ("rays",), ("capture",), ("light",), ("technique", "sky"), ("pass",),
           ("bake",), ("probes", "shadows"), ("techniques/*",), ("looks",))
 TOOL = (("common",), ("image",), ("scene/model",), ("scene/readers",), ("scene/build",), ("scene/file",),
         ("bake/*",), ("console",), ("commands",))

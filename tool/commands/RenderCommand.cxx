@@ -3,6 +3,7 @@
 // penumbra render: a picture of data files or a scene file.
 #include "commands/Checkpoint.h"
 #include "commands/Commands.h"
+#include "commands/Flight.h"
 #include "commands/PassSetup.h"
 #include "commands/RenderOptions.h"
 
@@ -10,6 +11,7 @@
 #include "common/VtkMessages.h"
 #include "common/Windows.h"
 #include "image/Capture.h"
+#include "image/FrameChartFile.h"
 #include "scene/build/SceneBuilder.h"
 
 #include <fmt/ranges.h>
@@ -103,6 +105,7 @@ public:
     console.SetVerbose(this->Options.Verbose);
     const Scene scene = MakeScene(this->Options);
     RequireWritablePicture(this->Options.Output);
+    this->CheckStock();
     const auto start = Clock::now();
     vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Options.Backend);
     vtkNew<vtkGIPass> pass;
@@ -111,6 +114,7 @@ public:
       SetUpPass(scene, pass, console);
     }
     this->CheckTracing(pass);
+    this->CheckBudget(pass);
     const BuiltScene built = BuildScene(scene, this->Options.MaximumTriangles, console);
     ApplyLook(scene, built.Renderer, this->Options.Stock ? nullptr : pass.Get(), console);
     ConfigureWindow(scene, built, window);
@@ -123,12 +127,14 @@ public:
     if (!this->Options.Stock)
     {
       pass->SetKeepRadiance(HoldsRadiance(this->Options.Output));
-      pass->SetCollectStatistics(this->Options.Statistics);
+      pass->SetCollectStatistics(this->Options.Statistics || !this->Options.StatisticsPlot.empty());
+      pass->SetFrameBudget(this->Options.Budget.value_or(0.0));
       built.Renderer->SetPass(pass);
     }
     this->Draw(window, built, pass, scene, console);
     this->Write(built.Renderer, pass, scene, console);
     this->ReportScene(scene, built, pass);
+    this->WritePlot(pass);
     if (this->Options.Statistics)
     {
       Print(this->Report.dump(2) + "\n");
@@ -138,6 +144,34 @@ public:
   }
 
 private:
+  void CheckStock() const
+  {
+    if (this->Options.Stock && (this->Options.Budget || !this->Options.StatisticsPlot.empty()))
+    {
+      FailUsage("{} is for Penumbra's frames: leave out --stock",
+        this->Options.Budget ? "--budget" : "--stats-plot");
+    }
+  }
+
+  void CheckBudget(vtkGIPass* pass) const
+  {
+    if (this->Options.Budget && pass->GetTechnique("path-tracing")->GetEnabled())
+    {
+      FailUsage("--budget is for moving pictures, and the path tracer makes still ones: choose "
+                "another preset");
+    }
+  }
+
+  void WritePlot(vtkGIPass* pass) const
+  {
+    std::string error;
+    if (!this->Options.StatisticsPlot.empty() &&
+      !WriteFrameChart(this->Options.StatisticsPlot, pass->GetStatistics(), 1200, 500, error))
+    {
+      Fail("{}", error);
+    }
+  }
+
   void CheckTracing(vtkGIPass* pass)
   {
     const char* option = this->Options.Samples ? "--spp"
@@ -159,6 +193,7 @@ private:
   {
     const bool repeat = !this->Options.Stock || this->Options.Frames;
     int frames = !repeat ? 1 : scene.FramesGiven ? scene.Frames : RequiredFrames(scene, pass);
+    frames = this->Options.Budget && !scene.FramesGiven ? FlightFrames : frames;
     vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
     std::optional<Checkpoint> checkpoint;
     if (!this->Options.Checkpoint.empty())
@@ -168,10 +203,19 @@ private:
       frames = std::max(1, frames - checkpoint->Resume());
     }
     Step step(console, fmt::format("rendering '{}'", this->Options.Output));
-    std::vector<double> times;
-    for (int frame = 0; frame < frames && (frame < scene.Frames || !IsFinished(pass, renderer));
-         ++frame)
+    std::optional<Flight> flight;
+    if (this->Options.Budget)
     {
+      flight.emplace(renderer);
+    }
+    std::vector<double> times;
+    for (int frame = 0;
+         frame < frames && (flight || frame < scene.Frames || !IsFinished(pass, renderer)); ++frame)
+    {
+      if (flight)
+      {
+        flight->Place(frames - 1 - frame);
+      }
       const auto start = Clock::now();
       window->Render();
       window->WaitForCompletion();
@@ -187,7 +231,7 @@ private:
       {
         this->ReportNotes(pass, console);
         // Techniques that stand in for others are known only now.
-        frames = scene.FramesGiven || checkpoint ? frames : RequiredFrames(scene, pass);
+        frames = scene.FramesGiven || checkpoint || flight ? frames : RequiredFrames(scene, pass);
       }
       if (checkpoint)
       {
@@ -209,7 +253,8 @@ private:
   {
     std::string text;
     const std::set<std::string> others = { "--output", "--spp", "--error", "--checkpoint",
-      "--frames", "--stats", "--quiet", "--verbose", "--backend", "--help", "--denoise" };
+      "--frames", "--stats", "--stats-plot", "--quiet", "--verbose", "--backend", "--help",
+      "--denoise" };
     for (const CLI::Option* option : this->Declared->get_options())
     {
       if (option->count() > 0 && others.count(option->get_name()) == 0)

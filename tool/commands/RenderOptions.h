@@ -54,7 +54,9 @@ struct RenderOptions
   bool Denoise = false;
   std::string Checkpoint;
   long long MaximumTriangles = 10000000;
+  std::optional<double> Budget;
   bool Statistics = false;
+  std::string StatisticsPlot;
   bool Stock = false;
   bool Quiet = false;
   bool Verbose = false;

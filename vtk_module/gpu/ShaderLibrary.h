@@ -110,6 +110,9 @@ public:
   /// compiler's message if it does not compile.
   void Check(const std::string& name, GLenum stage, const std::string& text) const;
 
+  /// Number of programs that were compiled and are kept.
+  std::size_t NumberOfPrograms() const { return this->Programs.size(); }
+
   /// Free all programs. The context that created them must be current.
   void Release() { this->Programs.clear(); }
 

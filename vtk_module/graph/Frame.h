@@ -24,12 +24,16 @@ public:
   }
   PassDeclaration& AddPass(const std::string& name)
   {
-    return this->Graph.AddPass(name).Offer(this->Offered);
+    return this->Graph.AddPass(name).OwnedBy(this->Owner).Offer(this->Offered);
   }
   /// Whether a pass that was added writes this resource.
   bool IsWritten(const std::string& resource) const { return this->Graph.IsWritten(resource); }
-  /// Offer arguments to the shaders of all passes that are added from now on.
-  void Offer(const Arguments& arguments) { this->Offered = arguments; }
+  /// From now on, passes are added for a technique, or for none if "", and their shaders are offered these arguments.
+  void AddFor(const std::string& technique, const Arguments& offered)
+  {
+    this->Owner = technique;
+    this->Offered = offered;
+  }
 
   /// History of the view with this name. It is created if the view has none of this shape.
   History& Keep(const std::string& name, const TextureDesc& desc)
@@ -46,6 +50,8 @@ public:
   }
 
 protected:
+  const std::string& GetOwner() const { return this->Owner; }
+
   View& CurrentView;
 
 private:
@@ -53,6 +59,7 @@ private:
   vtkOpenGLRenderer* Renderer;
   ResourcePool& Pool;
   std::string ViewName;
+  std::string Owner;
   Arguments Offered;
 };
 }

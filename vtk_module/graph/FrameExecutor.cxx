@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "graph/FrameExecutor.h"
 
-#include "base/ScopeExit.h"
 #include "gpu/ScopedState.h"
 
 #include "view.h"
@@ -117,18 +116,10 @@ void FrameExecutor::Run(const FrameGraph& graph, GpuTimer* timer)
     context.Executor = this;
     context.Step = &step;
     this->Held.Restore(this->State);
+    (*step.Action)(context);
     if (timer)
     {
-      timer->Begin(step.Name);
-    }
-    {
-      const ScopeExit end([timer] {
-        if (timer)
-        {
-          timer->End();
-        }
-      });
-      (*step.Action)(context);
+      timer->Mark(step.Name, step.Owner);
     }
     for (History* history : step.Written)
     {

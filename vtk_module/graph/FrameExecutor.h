@@ -30,8 +30,8 @@ public:
     const std::string& viewName, Buffer& viewBlock);
   ~FrameExecutor();
 
-  /// Run the graph. The textures that VTK keeps bound are bound at the beginning of each step and at the end. timer may
-  /// be nullptr.
+  /// Run the graph. The textures that VTK keeps bound are bound at the beginning of each step and at the end. timer: told
+  /// when each step is done; may be nullptr.
   void Run(const FrameGraph& graph, GpuTimer* timer);
 
 private:

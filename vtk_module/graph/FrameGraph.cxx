@@ -80,6 +80,12 @@ PassDeclaration& PassDeclaration::SideEffect()
   return *this;
 }
 
+PassDeclaration& PassDeclaration::OwnedBy(const std::string& technique)
+{
+  this->Owner = technique;
+  return *this;
+}
+
 PassDeclaration& PassDeclaration::Offer(const Arguments& arguments)
 {
   this->Offered.Add(arguments);
@@ -367,6 +373,7 @@ FrameGraph::Step FrameGraph::MakeStep(
   step.Name = pass.Name;
   step.Inputs = links.Inputs[number];
   step.Outputs = links.Outputs[number];
+  step.Owner = pass.Owner;
   step.Offered = pass.Offered;
   step.Action = &pass.Action;
   for (const auto& access : pass.Accesses)

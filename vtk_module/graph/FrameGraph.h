@@ -80,6 +80,8 @@ public:
   PassDeclaration& SideEffect();
   /// Offer arguments that only some of the pass's shaders use.
   PassDeclaration& Offer(const Arguments& arguments);
+  /// The technique that the pass belongs to, for statistics.
+  PassDeclaration& OwnedBy(const std::string& technique);
 
   /// Set the pass's action: run a compute shader,
   PassDeclaration& Compute(
@@ -127,6 +129,7 @@ private:
     std::string Argument;
   };
   std::string Name;
+  std::string Owner;
   std::vector<Access> Accesses;
   std::vector<HistoryUse> Histories;
   Arguments Offered;
@@ -154,6 +157,7 @@ public:
   struct Step
   {
     std::string Name;
+    std::string Owner; ///< a technique, or ""
     std::map<std::string, int> Inputs;
     std::map<std::string, int> Outputs;
     std::vector<std::string> OutputOrder;             ///< as declared

@@ -181,6 +181,8 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
     record.FirstFrame = record.FrameNumber;
     record.Motion = MotionTable(); // nothing is reprojected from earlier frames
   }
+  this->BeginTimes(record,
+    self->GetCollectStatistics() || self->CurrentFrameBudget(renderer->GetRenderWindow()) > 0.0);
   try
   {
     if (this->ShaderPath != this->Shaders.OverrideFolder() || this->ShadersInvalid)
@@ -198,6 +200,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   catch (const std::exception& error)
   {
     problem = error.what();
+    this->Timed = nullptr;
     // Techniques may have counted work that was not done.
     this->Pool.ForgetView(record.Name);
     record.States = ViewState();
@@ -211,6 +214,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
       ++it;
       continue;
     }
+    this->LastTimed = this->LastTimed == &it->second ? nullptr : this->LastTimed;
     this->ForgetView(it->first);
     it = this->Views.erase(it);
   }
@@ -277,6 +281,7 @@ bool vtkGIPass::Internals::DrawFrame(
   View view = this->MakeView(renderer, record);
   view.KeepsRadiance = self->GetKeepRadiance();
   view.StandsAlone = standsAlone;
+  this->ApplyBudget(self, renderer, record, view);
   this->Capture.Collect(state);
   this->Lights.Collect(renderer);
 
@@ -304,11 +309,11 @@ bool vtkGIPass::Internals::DrawFrame(
   for (vtkGITechnique* technique : chosen)
   {
     technique->SetTookPart(true);
-    builder.Offer(technique->GetShaderParameters());
+    builder.AddFor(technique->GetName(), technique->GetShaderParameters());
     technique->Contribute(builder);
     lit |= technique->ChangesLight();
   }
-  builder.Offer({});
+  builder.AddFor({}, {});
   this->Capture.SetMendsNormals(lit);
   this->DrawnByRays = plan.IsDrawnByRays() ? &rays : nullptr;
   ContributeIndirectLight(builder, builder.GetIndirectLights());
@@ -330,6 +335,10 @@ bool vtkGIPass::Internals::DrawFrame(
   {
     this->KeepRadiance(builder, record);
   }
+  if (!record.Budget.Problem().empty())
+  {
+    builder.AddNote(record.Budget.Problem());
+  }
   builder.AddLastPasses();
   this->Notes.clear();
   for (const auto& note : builder.GetNotes())
@@ -341,17 +350,22 @@ bool vtkGIPass::Internals::DrawFrame(
   this->Lights.Upload();
 
   const WindowTarget target = BoundWindow(window, this->Capture.HasSurfaces());
-  GpuTimer timer;
   FrameExecutor executor(
     this->Pool, this->Shaders, view, renderer, target, this->Held, record.Name, this->ViewBlock);
   const int skies = DrawSkies(renderer, this->Capture.Skies());
-  executor.Run(graph, self->GetCollectStatistics() ? &timer : nullptr);
+  GpuTimer* timer = this->Timed ? &*record.Timer : nullptr;
+  if (timer)
+  {
+    timer->Mark("frame-setup");
+  }
+  executor.Run(graph, timer);
   this->CapturedProps = this->Capture.CapturedProps() + skies + this->Capture.DrawOthers(renderer);
   this->Forward->SetLights(this->Lights, builder.GetForwardLight());
-  if (self->GetCollectStatistics())
-  {
-    this->WriteStatistics(timer.Collect(), view);
-  }
+  FrameStatistics& statistics = record.Statistics;
+  statistics.Textures = static_cast<int>(this->Pool.Count());
+  statistics.Bytes = this->Pool.Bytes();
+  statistics.Lights = this->Lights.Lights().size();
+  statistics.Frames = view.StillFrames + 1;
   if (window->GetAbortRender())
   {
     return false; // the next frame is compared with the last complete one
@@ -423,26 +437,6 @@ bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* ima
   }
   image->DeepCopy(record->Radiance);
   return true;
-}
-
-void vtkGIPass::Internals::WriteStatistics(
-  const std::vector<GpuTimer::Span>& spans, const View& view)
-{
-  std::ostringstream json;
-  json << "{\"passes\": [";
-  double total = 0.0;
-  const char* separator = "";
-  for (const auto& span : spans)
-  {
-    json << separator << "{\"name\": \"" << span.Name
-         << "\", \"milliseconds\": " << span.Milliseconds << "}";
-    separator = ", ";
-    total += span.Milliseconds;
-  }
-  json << "], \"milliseconds\": " << total << ", \"textures\": " << this->Pool.Count()
-       << ", \"bytes\": " << this->Pool.Bytes() << ", \"lights\": " << this->Lights.Lights().size()
-       << ", \"frames\": " << view.StillFrames + 1 << "}";
-  this->Statistics = json.str();
 }
 
 void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)

@@ -15,6 +15,8 @@
 #include "graph/ViewState.h"
 #include "light/ForwardHooks.h"
 #include "light/LightTable.h"
+#include "pass/FrameBudget.h"
+#include "pass/FrameStatistics.h"
 #include "pass/PlaceholderLight.h"
 #include "pass/SceneSignature.h"
 #include "pass/WholePicture.h"
@@ -38,6 +40,9 @@ public:
   /// Draw the opaque props of a frame. Returns the reason if that failed, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
+  /// Tell that a frame is over, with everything that VTK draws after the opaque props, or that it failed.
+  void EndFrame();
+
   /// Skip a frame without pixels, and drop the radiance of the previous frame.
   void SkipFrame(vtkRenderer* renderer);
 
@@ -50,6 +55,8 @@ public:
   void Restart();
   bool ReadHistory(vtkRenderer* renderer, const std::string& name, vtkImageData* image);
   bool ReadRadiance(vtkRenderer* renderer, vtkImageData* image);
+  /// Statistics of the last frame, as JSON. Waits for its times.
+  const std::string& ReadStatistics();
 
   /// A view is one renderer seen by one eye.
   using ViewKey = std::pair<vtkRenderer*, int>;
@@ -65,6 +72,9 @@ public:
     int FrameNumber = 0;
     int FirstFrame = 0;                     ///< since the last Restart()
     vtkSmartPointer<vtkImageData> Radiance; ///< radiance of the last frame, if it was kept
+    std::optional<penumbra::GpuTimer> Timer; ///< while times are wanted
+    penumbra::FrameStatistics Statistics;
+    penumbra::FrameBudget Budget;
     penumbra::WholePicture Whole;           ///< larger than the window, while tiles are shown
   };
   const ViewRecord* FindRecord(vtkRenderer* renderer) const;
@@ -75,7 +85,6 @@ public:
   std::string ShaderPath;
   std::string LastError;
   std::string Notes;
-  std::string Statistics = "{}";
   int Restarts = 0; ///< number of calls of Restart()
   int CapturedProps = 0;
   penumbra::PlaceholderLight Placeholder; ///< added while a picture is drawn
@@ -94,8 +103,11 @@ private:
     vtkGIPass* self, const vtkRenderState* state, ViewRecord& record, bool standsAlone);
   void ForgetView(const ViewKey& key); ///< free what is kept for a view that is gone
   void KeepRadiance(penumbra::FrameBuilder& frame, ViewRecord& record);
-  void WriteStatistics(
-    const std::vector<penumbra::GpuTimer::Span>& spans, const penumbra::View& view);
+  void BeginTimes(ViewRecord& record, bool wanted);
+  /// Lower the techniques' settings for this frame, as far as its budget demands.
+  void ApplyBudget(
+    vtkGIPass* self, vtkOpenGLRenderer* renderer, ViewRecord& record, penumbra::View& view);
+  void TakeTimes(ViewRecord& record, std::vector<penumbra::TimedFrame> frames);
 
   penumbra::ShaderLibrary Shaders;
   penumbra::ResourcePool Pool;
@@ -105,6 +117,11 @@ private:
   std::map<vtkRenderer*, penumbra::RayProps> RayScenes; ///< one per renderer in Views
   penumbra::Buffer ViewBlock;
   int ViewCount = 0;
+  ViewRecord* Timed = nullptr;     ///< of the frame whose parts are being timed
+  ViewRecord* Governed = nullptr;  ///< whose budget has lowered settings in this frame
+  ViewRecord* LastTimed = nullptr; ///< of the last frame that was timed
+  std::size_t ProgramsBefore = 0;  ///< number of programs when the frame began
+  std::string StatisticsText;
   bool ShadersInvalid = false; ///< those of the last folder did not compile
   vtkNew<vtkGIContextGuard> Guard;
 };

@@ -38,6 +38,7 @@ void vtkGIPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "FrameBudget: " << this->FrameBudget << " ms\n";
   for (int i = 0; i < this->GetNumberOfTechniques(); ++i)
   {
     os << indent << this->GetTechnique(i)->GetName() << ":\n";
@@ -74,6 +75,29 @@ bool vtkGIPass::SetPreset(const char* preset)
   std::strcpy(this->Preset, preset);
   this->Modified();
   return true;
+}
+
+bool vtkGIPass::SetFrameBudget(double milliseconds)
+{
+  // Also false for no number.
+  if (milliseconds != 0.0 && !(milliseconds >= 1.0 && milliseconds <= MaximumFrameBudget))
+  {
+    vtkErrorMacro(<< "a frame budget of " << milliseconds
+                  << " ms is not possible: it must be from 1 to 10000, or 0 for none.");
+    return false;
+  }
+  if (milliseconds != this->FrameBudget)
+  {
+    this->FrameBudget = milliseconds;
+    this->Modified();
+  }
+  return true;
+}
+
+double vtkGIPass::CurrentFrameBudget(vtkRenderWindow* window) const
+{
+  const double rate = window->GetDesiredUpdateRate();
+  return this->UseDesiredUpdateRate && rate > 1.0 ? 1e3 / rate : this->FrameBudget;
 }
 
 int vtkGIPass::GetNumberOfTechniques()
@@ -116,7 +140,7 @@ const char* vtkGIPass::GetShaderPath()
 
 const char* vtkGIPass::GetStatistics()
 {
-  return this->Impl->Statistics.c_str();
+  return this->Impl->ReadStatistics().c_str();
 }
 
 const char* vtkGIPass::GetNotes()
@@ -187,7 +211,10 @@ void vtkGIPass::Render(const vtkRenderState* state)
 
 void vtkGIPass::RenderPicture(const vtkRenderState* state)
 {
-  const penumbra::ScopeExit removePlaceholder([this] { this->Impl->Placeholder.Remove(); });
+  const penumbra::ScopeExit end([this] {
+    this->Impl->Placeholder.Remove();
+    this->Impl->EndFrame();
+  });
   penumbra::StockStages stages(state);
   stages.UpdateCameraAndLights();
   if (stages.RenderSelection())

@@ -32,6 +32,7 @@
 class vtkGITechnique;
 class vtkImageData;
 class vtkRenderer;
+class vtkRenderWindow;
 
 class VTKRENDERINGGI_EXPORT vtkGIPass : public vtkRenderPass
 {
@@ -138,8 +139,32 @@ public:
 
   ///@{
   /**
+   * Milliseconds that a frame may take while anything moves; 0, the default, for no limit. Range: 1 to 10000. Techniques then
+   * use lower settings than their own (see docs/frame-budget.md), as far as that is needed on this machine: the steps that
+   * cost the least accuracy, by measured times and errors. They get their own settings back as soon as nothing has
+   * changed for 150 ms, for tiles of larger pictures, and for the frame after Restart(), so that still pictures do not
+   * depend on the machine. The limit is that of the window; renderers that share this pass share it. Returns false, with an error,
+   * for another value.
+   */
+  bool SetFrameBudget(double milliseconds);
+  vtkGetMacro(FrameBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Use 1/DesiredUpdateRate of the window as the limit where that rate is above 1 frame per second, as interactors
+   * set it while the user turns the scene, and FrameBudget otherwise. Off by default.
+   */
+  vtkSetMacro(UseDesiredUpdateRate, bool);
+  vtkGetMacro(UseDesiredUpdateRate, bool);
+  vtkBooleanMacro(UseDesiredUpdateRate, bool);
+  ///@}
+
+  ///@{
+  /**
    * Measure each pass of the frame on the GPU. GetStatistics() returns those of the last frame as JSON: milliseconds
-   * per pass, textures and bytes in the pool, lights, accumulated frames.
+   * per pass, textures and bytes in the pool, lights, accumulated frames; with a frame budget, also the levels in force, their
+   * predicted costs and errors, and the times of the last 120 frames. It waits for the GPU; frames do not.
    */
   vtkSetMacro(CollectStatistics, bool);
   vtkGetMacro(CollectStatistics, bool);
@@ -165,6 +190,8 @@ protected:
   char* Preset = nullptr;
   bool KeepRadiance = false;
   bool CollectStatistics = false;
+  double FrameBudget = 0.0;
+  bool UseDesiredUpdateRate = false;
   bool JoinTiles = false;
   bool CopiedTile = false;
 
@@ -172,7 +199,9 @@ private:
   vtkGIPass(const vtkGIPass&) = delete;
   void operator=(const vtkGIPass&) = delete;
 
+  static constexpr double MaximumFrameBudget = 10000.0;
   void RenderPicture(const vtkRenderState* state);
+  double CurrentFrameBudget(vtkRenderWindow* window) const;
 
   friend class vtkGIPassOrder; // tests/pass/TestPlan.cxx: techniques in another order
   class Internals;

@@ -98,10 +98,12 @@ void FrameBuilder::RequestSurroundings()
 
 void FrameBuilder::AddLastPasses()
 {
-  for (const auto& addPasses : this->Last)
+  for (const auto& [technique, addPasses] : this->Last)
   {
+    this->AddFor(technique, {});
     addPasses(*this);
   }
+  this->AddFor({}, {});
 }
 
 void FrameBuilder::AddSurface(

@@ -86,7 +86,7 @@ public:
   /// can.
   void AddLast(std::function<void(FrameBuilder& frame)> addPasses)
   {
-    this->Last.push_back(std::move(addPasses));
+    this->Last.emplace_back(this->GetOwner(), std::move(addPasses));
   }
   void AddLastPasses();
 
@@ -132,7 +132,8 @@ private:
   bool LitRadianceRequested = false;
   std::map<std::string, int> Sharing;
   bool StillFramesAveraged = false;
-  std::vector<std::function<void(FrameBuilder&)>> Last;
+  std::vector<std::pair<std::string, std::function<void(FrameBuilder&)>>>
+    Last; ///< with the technique
   ForwardPart Visibility;
   ForwardPart Display;
   std::optional<Arguments> DirectDisplay;

@@ -26,7 +26,9 @@ namespace penumbra
 class Arguments;
 class FrameBuilder;
 class LightingPlan;
+class TechniqueKnob;
 class ViewDirectory;
+struct BudgetInfo;
 struct ParameterInfo;
 struct PresetValue;
 }
@@ -52,13 +54,15 @@ public:
   ///@{
   /**
    * The description of the technique: the name used in scripts and on the command line ("shadow-maps"), a title for
-   * people, what it computes (GetTerm()), its method (GetVerb()), whether it supports dynamic scenes, and its source
-   * in the literature.
+   * people, what it computes (GetTerm()), its method (GetVerb()), how it keeps a frame cheap (GetApproach():
+   * "precompute", "approximate" or "amortise"; "none" if it computes no term of light), whether it supports dynamic
+   * scenes, and its source in the literature.
    */
   virtual const char* GetName() = 0;
   virtual const char* GetTitle() = 0;
   virtual const char* GetTerm() = 0;
   virtual const char* GetVerb() = 0;
+  virtual const char* GetApproach() = 0;
   virtual const char* GetDynamic() = 0;
   virtual const char* GetSource() = 0;
   ///@}
@@ -193,6 +197,7 @@ protected:
 
   virtual const std::vector<penumbra::ParameterInfo>& ParameterTable() = 0;
   virtual const std::vector<penumbra::PresetValue>& PresetTable() = 0;
+  virtual const penumbra::BudgetInfo* BudgetTable() { return nullptr; }
 
   const penumbra::ViewDirectory* Views = nullptr;
   bool Enabled = false;
@@ -201,6 +206,7 @@ protected:
   vtkSetStringMacro(LastError);
 
 private:
+  friend class penumbra::TechniqueKnob;
   const penumbra::ParameterInfo* FindParameter(const char* name);
 
   vtkGITechnique(const vtkGITechnique&) = delete;

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/// Files with a chart of a frame's cost.
+#pragma once
+
+#include <string>
+
+namespace penumbra::tool
+{
+/// Writes the chart of vtkGIPass::GetStatistics() as .svg or .png, depending on the path. Returns false with a sentence in
+/// error if that is impossible. Only .png needs an OpenGL context.
+bool WriteFrameChart(
+  const std::string& path, const char* json, int width, int height, std::string& error);
+}

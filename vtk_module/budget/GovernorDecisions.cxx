@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * When the governor changes levels, and to which.
+ */
+#include "budget/Governor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace penumbra
+{
+namespace
+{
+// So many frames after a start or a change of the scene, costs are known well enough to exchange levels between knobs.
+constexpr int FreshFrames = 24;
+// Frames from a change of levels to a step up.
+constexpr int UpWait = 30;
+// Short enough to settle within a second.
+constexpr int UpWaitSettling = 8;
+// Measured frames that must support a step up.
+constexpr std::size_t UpSupport = 30;
+// While settling, if times fluctuate much, and else.
+constexpr std::size_t UpSupportNoisy = 20;
+constexpr std::size_t UpSupportSettling = 7;
+// Frames from a step down to a step up, so that no change is undone soon.
+constexpr int DownWait = 60;
+constexpr int DownWaitSettling = 16;
+// A step up is to blame for a step down within so many frames.
+constexpr int BlameFrames = 60;
+// Such a step is barred for so many frames, twice as many each time.
+constexpr int BarFrames = 240;
+constexpr int MostBarFrames = 1 << 16;
+// Levels that were never measured are tried in so many frames after a start or a change of the scene, so that a failure
+// is over once costs are settled.
+constexpr int TryFrames = 48;
+// Share of the budget that is used at most while few frames support a step up.
+constexpr double SettlingShare = 0.9;
+// Share of the present error that a step up must remove to be worth a visible change.
+constexpr double LeastGain = 0.05;
+// Times the added cost of a level that was never measured, as it may prove higher: in a choice from scratch.
+constexpr double Caution = 1.5;
+// Times the budget: most that a try may seem to cost.
+constexpr double MostTried = 1.5;
+// Times by which the added cost of a level that was never measured may be wrong, up or down.
+constexpr double Surprise = 3.0;
+}
+
+bool Governor::IsLowest(const std::vector<int>& levels) const
+{
+  return std::all_of(levels.begin(), levels.end(), [](int level) { return level == 0; });
+}
+
+bool Governor::IsWithin(long long frame, int frames) const
+{
+  return this->Number - frame < frames;
+}
+
+bool Governor::IsSettling() const
+{
+  return this->IsWithin(this->SettleFrom, SettleFrames);
+}
+
+std::vector<LevelValues> Governor::Values(double caution) const
+{
+  std::vector<LevelValues> all;
+  for (std::size_t i = 0; i < this->Knobs.size(); ++i)
+  {
+    const int knob = static_cast<int>(i);
+    const Bar& bar = this->Bars[i];
+    const int current = this->Levels[i];
+    LevelValues values;
+    values.Most = std::max(static_cast<int>(this->Knobs[i].Levels.size()) - 1, 0);
+    if (bar.Until > this->Number)
+    {
+      values.Most = std::min(values.Most, std::max(bar.Level - 1, current));
+    }
+    for (int level = 0; level == 0 || level < static_cast<int>(this->Knobs[i].Levels.size());
+         ++level)
+    {
+      const double cost = this->Predicted(knob, level);
+      const double added = cost - this->Predicted(knob, current);
+      const bool isGuess = level > current && !this->Model.IsSeen(knob, level) && added > 0.0;
+      values.Costs.push_back(isGuess ? cost + (caution - 1.0) * added : cost);
+      const double error = this->Knobs[i].Levels.empty() ? 0.0 : this->Knobs[i].Levels[level].Error;
+      values.Errors.push_back(std::isfinite(error) ? error : 0.0);
+    }
+    all.push_back(values);
+  }
+  return all;
+}
+
+double Governor::MedianTotal() const
+{
+  const std::size_t count = std::min<std::size_t>(this->Totals.size(), 5);
+  std::vector<double> last(
+    this->Totals.end() - static_cast<std::ptrdiff_t>(count), this->Totals.end());
+  std::sort(last.begin(), last.end());
+  return last.empty() ? 0.0 : last[(count - 1) / 2];
+}
+
+bool Governor::IsOftenSlow() const
+{
+  // A median notices only when half of the frames are slow.
+  const double spike = SpikeShare * this->PredictedTotal();
+  const auto slowIn = [&](std::size_t most) {
+    const std::size_t count = std::min(this->Totals.size(), most);
+    return std::count_if(this->Totals.end() - static_cast<std::ptrdiff_t>(count),
+      this->Totals.end(), [&](double total) { return total > this->Budget && total < spike; });
+  };
+  // Few slow frames prove little, and are no reason to undo a change soon.
+  const bool isLong = this->Totals.size() >= DownWait;
+  return slowIn(30) >= 6 ||
+    (isLong && 12 * slowIn(MostTotals) > static_cast<int>(this->Totals.size()));
+}
+
+bool Governor::IsMistaken() const
+{
+  // While settling, a level may prove dearer than predicted, and leave less than the usual fluctuation.
+  const double limit = 0.5 * (this->Target() + this->Budget);
+  return this->IsSettling() && this->Predictions.size() >= UpSupportSettling &&
+    *std::min_element(this->Predictions.end() - 3, this->Predictions.end()) > limit;
+}
+
+double Governor::OverrunNow() const
+{
+  if (this->IsLowest(this->Levels))
+  {
+    return 0.0;
+  }
+  const double predicted = std::max(this->PredictedTotal(), 1e-9);
+  const std::size_t count = this->Totals.size();
+  if (this->PixelsGrew)
+  {
+    return predicted > this->Target() ? 1.0 : 0.0;
+  }
+  if (count >= 3 && this->MedianTotal() > this->Budget)
+  {
+    return std::max(this->MedianTotal() / predicted, 1.0);
+  }
+  if (count >= 2)
+  {
+    const double lower = std::min(this->Totals[count - 1], this->Totals[count - 2]);
+    if (lower > 1.25 * this->Budget)
+    {
+      return std::max(lower / predicted, 1.0);
+    }
+  }
+  // The first frame of new levels may be slow only because of the change.
+  const bool isSecond = count >= 2 || this->LastChange < this->LastJump;
+  if (count >= 1 && isSecond && this->IsWithin(this->LastJump, JumpFrames) &&
+    this->Totals.back() > this->Budget)
+  {
+    // The model has already believed this frame, which may have been faster than usual.
+    return this->Budget / this->Target();
+  }
+  return this->IsMistaken() || this->IsOftenSlow() ? 1.0 : 0.0;
+}
+
+void Governor::GoDown(double overrun)
+{
+  if (this->IsWithin(this->LastUp, BlameFrames))
+  {
+    Bar& bar = this->Bars[this->LastUpKnob];
+    bar.Level = this->Levels[this->LastUpKnob];
+    bar.Length = bar.Length > 0 ? std::min(2 * bar.Length, MostBarFrames) : BarFrames;
+    bar.Until = this->Number + bar.Length;
+  }
+  this->LastUp = Never;
+  this->LastDown = this->Number;
+  // Whatever the model believes, the new levels must be cheaper than the current ones.
+  const double limit = std::min({ this->Target() / overrun, DownShare * this->Budget / overrun,
+    0.95 * this->PredictedTotal() });
+  this->Set(ChooseLevels(this->Values(Surprise), limit - this->Model.Rest(this->Pixels)));
+}
+
+bool Governor::IsSupported(double added) const
+{
+  // Would the frames since the last change have been fast enough with the step, and their predictions too? A single
+  // prediction may be low by chance.
+  const double predicted = this->PredictedTotal();
+  const double growth = predicted > 0.0 ? (predicted + std::max(added, 0.0)) / predicted : 1.0;
+  const std::size_t count = std::min<std::size_t>(this->Totals.size(), UpSupport);
+  const auto slow = std::count_if(this->Totals.end() - static_cast<std::ptrdiff_t>(count),
+    this->Totals.end(), [&](double total) { return total * growth > this->Budget; });
+  const double limit =
+    this->IsSettling() ? std::min(this->Target(), SettlingShare * this->Budget) : this->Target();
+  // The first predictions still learn from the change.
+  const auto isNew =
+    static_cast<std::ptrdiff_t>(std::min<std::size_t>(count, UpSupportSettling) / 2);
+  const auto first = this->Predictions.end() - static_cast<std::ptrdiff_t>(count) + isNew;
+  const double highest =
+    first == this->Predictions.end() ? 0.0 : *std::max_element(first, this->Predictions.end());
+  const bool isNoisy = this->Target() < SettlingShare * this->Budget;
+  const std::size_t few = isNoisy ? UpSupportNoisy : UpSupportSettling;
+  const std::size_t least = this->IsSettling() ? few : UpSupport;
+  // Do not step from a cost that is still being learned.
+  const bool isLearned = this->MedianTotal() > 0.85 * predicted;
+  return count >= least && isLearned && 15 * static_cast<std::size_t>(slow) <= count &&
+    highest * growth <= limit;
+}
+
+void Governor::Refresh()
+{
+  const std::vector<LevelValues> values = this->Values(Caution);
+  const double limit = DownShare * this->Budget;
+  const std::vector<int> levels =
+    ChooseLevels(values, std::min(this->Target(), limit) - this->Model.Rest(this->Pixels));
+  const double added = this->Model.Total(levels, this->Pixels) - this->PredictedTotal();
+  if (this->Error(levels) < (1.0 - LeastGain) * this->Error(this->Levels) &&
+    this->IsSupported(added))
+  {
+    this->Set(levels);
+  }
+}
+
+double Governor::Error(const std::vector<int>& levels) const
+{
+  double error = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    error += this->Knobs[i].Levels.empty() ? 0.0 : this->Knobs[i].Levels[levels[i]].Error;
+  }
+  return error;
+}
+
+void Governor::GoUp()
+{
+  const bool isSettling = this->IsSettling();
+  if (this->Number == this->SettleFrom + FreshFrames)
+  {
+    this->Refresh();
+    return;
+  }
+  if (this->IsWithin(this->Since, isSettling ? UpWaitSettling : UpWait) ||
+    this->IsWithin(this->LastDown, isSettling ? DownWaitSettling : DownWait))
+  {
+    return;
+  }
+  const bool mayTry = this->IsWithin(this->SettleFrom, TryFrames);
+  std::vector<LevelValues> values = this->Values(mayTry ? 1.0 : Surprise);
+  for (std::size_t i = 0; i < values.size() && !isSettling; ++i)
+  {
+    // Nothing is undone soon.
+    const bool isRecent = this->IsWithin(this->Left[i].Frame, DownWait);
+    values[i].Most =
+      isRecent && this->Left[i].Level > this->Levels[i] ? this->Levels[i] : values[i].Most;
+  }
+  const double error = this->Error(this->Levels);
+  const double predicted = this->PredictedTotal();
+  LevelStep step = BestStep(values, this->Levels, this->Target() - predicted, LeastGain * error);
+  if (step.Knob < 0 && mayTry && predicted < 0.75 * this->Budget)
+  {
+    // Much of the budget is left: a level that was never measured may be cheaper than it seems. Only while settling, as
+    // a try that fails is seen.
+    const std::vector<LevelValues> hopeful = this->Values(1.0 / Surprise);
+    step = BestStep(hopeful, this->Levels, this->Target() - predicted, LeastGain * error);
+    const double seeming = step.Knob < 0 ? 0.0
+                                         : this->Predicted(step.Knob, step.Level) -
+        this->Predicted(step.Knob, this->Levels[step.Knob]);
+    step.Knob = predicted + seeming > MostTried * this->Budget ? -1 : step.Knob;
+  }
+  if (step.Knob < 0 || !this->IsSupported(step.Cost))
+  {
+    return;
+  }
+  std::vector<int> levels = this->Levels;
+  levels[step.Knob] = step.Level;
+  this->LastUp = this->Number;
+  this->LastUpKnob = step.Knob;
+  this->Set(levels);
+}
+}

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pass/FrameBudget.h"
+
+#include "vtkGITechnique.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace penumbra
+{
+namespace
+{
+// A hand on the mouse pauses for shorter than this while it turns the scene.
+constexpr double RestMilliseconds = 150.0;
+// A window that answers within this time seems to answer at once (Card, Robertson and Mackinlay 1991, The Information
+// Visualizer).
+constexpr double ResponsiveMilliseconds = 100.0;
+constexpr int RefiningFrames = 8;
+
+const char* NameOf(FrameBudget::State state)
+{
+  constexpr const char* Names[] = { "off", "moving", "refining", "settled" };
+  return Names[static_cast<int>(state)];
+}
+}
+
+FrameBudget::State FrameBudget::NextState(const Situation& situation)
+{
+  if (!(situation.Budget > 0.0) || situation.Exempt)
+  {
+    return State::Off;
+  }
+  if (situation.Changed)
+  {
+    this->LastChange = situation.Now;
+    this->Refined = 0;
+    return State::Moving;
+  }
+  const bool atRest = situation.Now - this->LastChange > RestMilliseconds;
+  // What has settled stays so until something changes.
+  if (!atRest || this->Current == State::Settled)
+  {
+    return atRest ? State::Settled : State::Moving;
+  }
+  const double limit = std::max(situation.Budget, ResponsiveMilliseconds);
+  std::vector<int> own;
+  for (const TechniqueKnob& knob : this->Knobs)
+  {
+    own.push_back(knob.NumberOfLevels() - 1);
+  }
+  const bool isCheap = this->Chooser.Frame() > 0 && this->CostAt(own) <= limit;
+  return isCheap || ++this->Refined > RefiningFrames ? State::Settled : State::Refining;
+}
+
+double FrameBudget::CostOfOthers() const
+{
+  double cost = this->Chooser.Floor();
+  for (std::size_t k = 0; k < this->Knobs.size(); ++k)
+  {
+    cost -= this->Chooser.Predicted(static_cast<int>(k), 0);
+  }
+  return cost;
+}
+
+double FrameBudget::CostAt(const std::vector<int>& levels) const
+{
+  double cost = this->CostOfOthers();
+  for (std::size_t k = 0; k < levels.size(); ++k)
+  {
+    cost += this->Chooser.Predicted(static_cast<int>(k), levels[k]);
+  }
+  return cost;
+}
+
+std::vector<int> FrameBudget::ChooseFor(double milliseconds) const
+{
+  std::vector<LevelValues> values;
+  for (std::size_t k = 0; k < this->Declared.size(); ++k)
+  {
+    LevelValues knob;
+    knob.Most = static_cast<int>(this->Declared[k].Levels.size()) - 1;
+    for (int level = 0; level <= knob.Most; ++level)
+    {
+      knob.Costs.push_back(this->Chooser.Predicted(static_cast<int>(k), level));
+      knob.Errors.push_back(this->Declared[k].Levels[level].Error);
+    }
+    values.push_back(std::move(knob));
+  }
+  return ChooseLevels(values, milliseconds - this->CostOfOthers());
+}
+
+void FrameBudget::FindKnobs(const std::vector<vtkSmartPointer<vtkGITechnique>>& techniques)
+{
+  this->Knobs.clear();
+  this->Declared.clear();
+  // Others may have taken a technique's place. Before the first frame nothing is known of that.
+  const bool isKnown = std::any_of(techniques.begin(), techniques.end(),
+    [](vtkGITechnique* technique) { return technique->GetTookPart(); });
+  for (vtkGITechnique* technique : techniques)
+  {
+    if (!technique->GetEnabled() || (isKnown && !technique->GetTookPart()))
+    {
+      continue;
+    }
+    TechniqueKnob knob(technique);
+    if (knob.NumberOfLevels() > 1)
+    {
+      this->Declared.push_back(knob.ToKnob());
+      this->Knobs.push_back(std::move(knob));
+    }
+  }
+}
+
+bool FrameBudget::Begin(const std::vector<vtkSmartPointer<vtkGITechnique>>& techniques,
+  const Situation& situation, long long number)
+{
+  this->End();
+  std::vector<std::string> before = std::move(this->InForce);
+  this->InForce.clear();
+  this->Budget = situation.Budget;
+  if (situation.Budget > 0.0)
+  {
+    this->FindKnobs(techniques);
+  }
+  this->Current = this->NextState(situation);
+  if (this->Current == State::Moving)
+  {
+    this->Levels = this->Chooser.Choose(
+      this->Declared, { situation.Budget, situation.Pixels, situation.SceneChanged });
+    Asked asked{ number, this->Chooser.Frame(), {} };
+    for (const TechniqueKnob& knob : this->Knobs)
+    {
+      asked.Knobs.emplace_back(knob.Technique()->GetName());
+    }
+    this->Waiting.push_back(std::move(asked));
+    this->WatchFloor();
+  }
+  else if (this->Current == State::Refining)
+  {
+    this->Levels = this->ChooseFor(std::max(situation.Budget, ResponsiveMilliseconds));
+  }
+  else
+  {
+    this->Levels.clear(); // the user's own settings
+  }
+  for (std::size_t k = 0; k < this->Levels.size(); ++k)
+  {
+    const TechniqueKnob& knob = this->Knobs[k];
+    if (this->Levels[k] < knob.NumberOfLevels() - 1)
+    {
+      this->InForce.push_back(
+        std::string(knob.Technique()->GetName()) + " " + knob.Name(this->Levels[k]));
+      this->PutBack.push_back(knob.Apply(this->Levels[k]));
+    }
+  }
+  return this->InForce != before;
+}
+
+void FrameBudget::End()
+{
+  for (const auto& putBack : this->PutBack)
+  {
+    putBack();
+  }
+  this->PutBack.clear();
+}
+
+void FrameBudget::Ignore(long long number)
+{
+  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
+                        [number](const Asked& asked) { return asked.Number == number; }),
+    this->Waiting.end());
+}
+
+void FrameBudget::Measure(const TimedFrame& frame)
+{
+  while (!this->Waiting.empty() && this->Waiting.front().Number < frame.Number)
+  {
+    this->Waiting.pop_front(); // not timed
+  }
+  if (this->Waiting.empty() || this->Waiting.front().Number != frame.Number)
+  {
+    return;
+  }
+  const Asked& asked = this->Waiting.front();
+  FrameCost cost{ asked.GovernorFrame, frame.Milliseconds, {} };
+  for (const std::string& technique : asked.Knobs)
+  {
+    double sum = 0.0;
+    for (const TimedSpan& span : frame.Spans)
+    {
+      sum += span.Technique == technique ? span.Milliseconds : 0.0;
+    }
+    cost.ByKnob.push_back(sum);
+  }
+  this->Chooser.Measure(cost);
+  this->Waiting.pop_front();
+}
+
+void FrameBudget::WatchFloor()
+{
+  if (!this->Chooser.FloorExceedsBudget())
+  {
+    this->Sentence.clear();
+    return;
+  }
+  if (!this->Sentence.empty())
+  {
+    return;
+  }
+  const double others = this->CostOfOthers();
+  std::size_t dearest = 0;
+  for (std::size_t k = 1; k < this->Knobs.size(); ++k)
+  {
+    const auto cost = [this](std::size_t knob) {
+      return this->Chooser.Predicted(static_cast<int>(knob), 0);
+    };
+    dearest = cost(k) > cost(dearest) ? k : dearest;
+  }
+  const bool geometry = others > this->Budget || this->Knobs.empty();
+  char text[256];
+  std::snprintf(text, sizeof(text), "%s %.1f of the budget's %.1f ms: %s%s",
+    geometry ? "Geometry and lights alone take" : "The lowest levels still take",
+    geometry ? others : this->Chooser.Floor(), this->Budget,
+    geometry ? "a level of detail with fewer triangles, or a smaller window, would help"
+             : "what would help most is to switch off ",
+    geometry ? "" : this->Knobs[dearest].Technique()->GetName());
+  this->Sentence = text;
+}
+
+nlohmann::ordered_json FrameBudget::Describe() const
+{
+  using nlohmann::ordered_json;
+  ordered_json knobs = ordered_json::array();
+  for (std::size_t k = 0; this->Chooser.Frame() > 0 && k < this->Knobs.size(); ++k)
+  {
+    const TechniqueKnob& knob = this->Knobs[k];
+    ordered_json levels = ordered_json::array();
+    for (int level = 0; level < knob.NumberOfLevels(); ++level)
+    {
+      levels.push_back({ { "name", knob.Name(level) },
+        { "milliseconds", this->Chooser.Predicted(static_cast<int>(k), level) },
+        { "error", this->Declared[k].Levels[level].Error } });
+    }
+    knobs.push_back({ { "technique", knob.Technique()->GetName() },
+      { "approach", knob.Technique()->GetApproach() },
+      { "level", this->Levels.empty() ? knob.NumberOfLevels() - 1 : this->Levels[k] },
+      { "levels", levels } });
+  }
+  return { { "milliseconds", this->Budget }, { "state", NameOf(this->Current) },
+    { "floor", this->Chooser.Floor() }, { "predicted", this->Chooser.PredictedTotal() },
+    { "knobs", knobs } };
+}
+}

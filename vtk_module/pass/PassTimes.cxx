@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The part of vtkGIPass's implementation that times frames and keeps to their budget.
+#include "pass/PassInternals.h"
+
+#include "vtkOpenGLRenderer.h"
+#include "vtkRendererCollection.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+
+using namespace penumbra;
+
+namespace
+{
+// The budget is the window's: renderers that share a pass share it.
+int RenderersOf(vtkGIPass* pass, vtkRenderWindow* window)
+{
+  int count = 0;
+  vtkCollectionSimpleIterator cookie;
+  vtkRendererCollection* renderers = window->GetRenderers();
+  renderers->InitTraversal(cookie);
+  while (vtkRenderer* renderer = renderers->GetNextRenderer(cookie))
+  {
+    count += renderer->GetPass() == pass && renderer->GetDraw() ? 1 : 0;
+  }
+  return std::max(count, 1);
+}
+}
+
+void vtkGIPass::Internals::BeginTimes(ViewRecord& record, bool wanted)
+{
+  this->Timed = wanted ? &record : nullptr;
+  if (!wanted)
+  {
+    record.Timer.reset();
+    return;
+  }
+  if (!record.Timer)
+  {
+    record.Timer.emplace();
+  }
+  this->TakeTimes(record, record.Timer->Collect());
+  this->ProgramsBefore = this->Shaders.NumberOfPrograms();
+  record.Timer->BeginFrame(record.FrameNumber);
+}
+
+void vtkGIPass::Internals::ApplyBudget(
+  vtkGIPass* self, vtkOpenGLRenderer* renderer, ViewRecord& record, View& view)
+{
+  const double budget = self->CurrentFrameBudget(renderer->GetRenderWindow());
+  if (budget == 0.0 && record.Budget.CurrentState() == FrameBudget::State::Off)
+  {
+    return;
+  }
+  const std::chrono::duration<double, std::milli> now =
+    std::chrono::steady_clock::now().time_since_epoch();
+  FrameBudget::Situation situation;
+  situation.Budget = budget / RenderersOf(self, renderer->GetRenderWindow());
+  situation.Exempt = view.StandsAlone || WholePicture::IsTile(renderer);
+  situation.Changed = view.Changes.Any;
+  situation.SceneChanged = view.Changes.Presence || view.Changes.Appearance;
+  situation.Pixels = double(view.Viewport.z) * view.Viewport.w;
+  situation.Now = now.count();
+  this->Governed = &record;
+  if (record.Budget.Begin(this->Techniques, situation, record.FrameNumber))
+  {
+    record.StillFrames = 0;
+    view.StillFrames = 0;
+    view.Sequence = 0;
+  }
+}
+
+void vtkGIPass::Internals::EndFrame()
+{
+  if (this->Governed)
+  {
+    this->Governed->Budget.End();
+    this->Governed = nullptr;
+  }
+  if (this->Timed)
+  {
+    this->Timed->Timer->Mark("other-props");
+    this->Timed->Timer->EndFrame();
+    if (this->Shaders.NumberOfPrograms() != this->ProgramsBefore)
+    {
+      this->Timed->Budget.Ignore(this->Timed->FrameNumber - 1); // compiling took most of its time
+    }
+    this->LastTimed = this->Timed;
+    this->Timed = nullptr;
+  }
+}
+
+void vtkGIPass::Internals::TakeTimes(ViewRecord& record, std::vector<TimedFrame> frames)
+{
+  for (TimedFrame& frame : frames)
+  {
+    record.Budget.Measure(frame);
+    record.Statistics.Add(std::move(frame), this->Techniques);
+  }
+}
+
+const std::string& vtkGIPass::Internals::ReadStatistics()
+{
+  this->StatisticsText = "{}";
+  if (!this->LastTimed)
+  {
+    return this->StatisticsText;
+  }
+  ViewRecord& record = *this->LastTimed;
+  if (record.Timer && this->Guard->Window())
+  {
+    this->Guard->Window()->MakeCurrent();
+    this->TakeTimes(record, record.Timer->Wait());
+  }
+  const bool governed = record.Budget.CurrentState() != FrameBudget::State::Off;
+  this->StatisticsText = record.Statistics.ToText(
+    this->Techniques, governed ? record.Budget.Describe() : nlohmann::ordered_json());
+  return this->StatisticsText;
+}

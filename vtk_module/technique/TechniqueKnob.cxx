@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Penumbra authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "technique/TechniqueKnob.h"
+
+#include "technique/Parameters.h"
+#include "vtkGITechnique.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace penumbra
+{
+TechniqueKnob::TechniqueKnob(vtkGITechnique* technique)
+  : Owner(technique)
+{
+  std::vector<double> own;
+  const BudgetInfo* table = technique->BudgetTable();
+  if (table)
+  {
+    for (const BudgetFactor& factor : table->Work)
+    {
+      own.push_back(technique->FindParameter(factor.Parameter)->Get(technique));
+    }
+    const double ownWork = this->Work(own);
+    for (const BudgetLevel& declared : table->Levels)
+    {
+      Level level{ declared.Values, 0.0, declared.Error };
+      for (std::size_t i = 0; i < own.size(); ++i)
+      {
+        const BudgetFactor& factor = table->Work[i];
+        const bool cheaper =
+          this->Amount(factor, level.Values[i]) < this->Amount(factor, own[i]);
+        level.Values[i] = cheaper ? level.Values[i] : own[i];
+      }
+      level.Work = this->Work(level.Values);
+      const double last = this->Levels.empty() ? 0.0 : this->Levels.back().Work;
+      if (level.Work > last && level.Work < ownWork)
+      {
+        this->Levels.push_back(level);
+      }
+    }
+    // What the user's own settings lack is no error of the levels.
+    const double missing = this->ErrorOf(ownWork);
+    for (Level& level : this->Levels)
+    {
+      level.Error = std::max(level.Error - missing, 0.0);
+    }
+  }
+  this->Levels.push_back({ own, this->Work(own), 0.0 });
+}
+
+double TechniqueKnob::Amount(const BudgetFactor& factor, double value) const
+{
+  if (!factor.Factors.empty())
+  {
+    return factor.Factors[static_cast<std::size_t>(value)];
+  }
+  double number = value;
+  if (value == 0.0 && !factor.Zero.empty())
+  {
+    number = 1.0;
+    for (const char* name : factor.Zero)
+    {
+      number *= this->Owner->FindParameter(name)->Get(this->Owner);
+    }
+  }
+  return std::pow(number, factor.Exponent);
+}
+
+double TechniqueKnob::Work(const std::vector<double>& values) const
+{
+  double work = 1.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    work *= this->Amount(this->Owner->BudgetTable()->Work[i], values[i]);
+  }
+  return work;
+}
+
+double TechniqueKnob::ErrorOf(double work) const
+{
+  const std::vector<BudgetLevel>& levels = this->Owner->BudgetTable()->Levels;
+  double below = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    const double here = this->Work(levels[i].Values);
+    if (work <= here)
+    {
+      const double share = i == 0 ? 1.0 : std::log(work / below) / std::log(here / below);
+      return i == 0 ? levels[i].Error
+                    : levels[i - 1].Error + share * (levels[i].Error - levels[i - 1].Error);
+    }
+    below = here;
+  }
+  return levels.back().Error;
+}
+
+Knob TechniqueKnob::ToKnob() const
+{
+  const BudgetInfo* table = this->Owner->BudgetTable();
+  Knob knob{ this->Owner->GetName(), table && table->PerPixel, {} };
+  for (const Level& level : this->Levels)
+  {
+    knob.Levels.push_back({ level.Work, level.Error });
+  }
+  return knob;
+}
+
+std::string TechniqueKnob::Name(int level) const
+{
+  std::ostringstream name;
+  const std::vector<double>& own = this->Levels.back().Values;
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const double value = this->Levels[level].Values[i];
+    const char* parameter = this->Owner->BudgetTable()->Work[i].Parameter;
+    const ParameterInfo* info = this->Owner->FindParameter(parameter);
+    if (value == own[i])
+    {
+      continue;
+    }
+    name << (name.tellp() > 0 ? " " : "") << parameter << "=";
+    info->Values.empty() ? name << value : name << info->Values[static_cast<std::size_t>(value)];
+  }
+  return name.tellp() > 0 ? name.str() : "own settings";
+}
+
+std::function<void()> TechniqueKnob::Apply(int level) const
+{
+  vtkGITechnique* technique = this->Owner;
+  const auto put = [technique](const std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      technique->FindParameter(technique->BudgetTable()->Work[i].Parameter)
+        ->Put(technique, values[i]);
+    }
+  };
+  put(this->Levels[level].Values);
+  return [put, own = this->Levels.back().Values] { put(own); };
+}
+}
