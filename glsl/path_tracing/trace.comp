@@ -29,6 +29,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef GI_OWN
 layout(rgba32f, binding = 0) uniform image2D sumOwn; // rgb; a: number of samples
 uniform int ownSamples;                              // that number so far
+uniform vec2 shift;                                  // of the ray, in pixels
 #else
 layout(rgba32f, binding = 0) uniform image2D sumShown;   // rgb for display; a: number of PBR samples
 layout(rgba32f, binding = 1) uniform image2D sumEncoded; // linear rgb of PBR samples; a: squared luminance
@@ -69,11 +70,17 @@ void main()
 
   // The matrices contain the frame's jitter.
   vec2 center = vec2(window) + 0.5;
+#ifdef GI_OWN
+  center += shift;
+#endif
   vec3 near = giViewPosition(center, 0.0);
   vec3 path = giViewPosition(center, 1.0) - near;
   vec3 direction = normalize(path);
   Ray ray = Ray(eye + viewToScene * near, 0.0, viewToScene * direction, length(path));
   bool captured = texelFetch(albedoTexture, window, 0).a > 0.0;
+#ifdef GI_OWN
+  captured = captured && shift == vec2(0.0); // else the depth is another ray's
+#endif
   int material = int(texelFetch(normalTexture, window, 0).z * 65535.0 + 0.5);
   float depth = texelFetch(depthTexture, window, 0).r;
   if (captured && (material == GI_MATERIAL_AS_DRAWN || (materials[material].Model.y & GI_MATERIAL_THIN) != 0))

@@ -37,11 +37,16 @@ void RestoreDepth(FrameContext& context, const History& kept)
 }
 }
 
+glm::dvec2 StillFrameJitter(int index)
+{
+  return index > 0 ? glm::dvec2(Halton(index, 2), Halton(index, 3)) - 0.5 : glm::dvec2(0.0);
+}
+
 void ShiftStillFrame(FrameBuilder& frame, int index)
 {
   if (index > 0)
   {
-    frame.SetJitter({ Halton(index, 2) - 0.5, Halton(index, 3) - 0.5 });
+    frame.SetJitter(StillFrameJitter(index));
   }
   const GLenum format = frame.GetView().DepthFormat;
   History& kept = frame.Keep("depth", frame.WindowTexture(format ? format : GL_DEPTH_COMPONENT32F));

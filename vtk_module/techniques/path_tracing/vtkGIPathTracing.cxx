@@ -41,9 +41,10 @@ constexpr std::array<const char*, SumCount> SumImages = { { "sumShown", "sumEnco
 constexpr const char* ShowShader = "path_tracing/show.frag";
 
 // Sum of what lit surfaces show without light, which is not to be filtered. It is no part of saved progress: a mean over
-// fewer samples will do.
+// fewer samples will do, which are traced at once then.
 constexpr const char* OwnName = "path-tracing.own";
 constexpr const char* OwnImage = "sumOwn";
+constexpr int MostOwnAtOnce = 16;
 }
 
 struct penumbra::PathTracer
@@ -85,12 +86,17 @@ struct penumbra::PathTracer
     this->Trace(context, sampleIndex, seed, this->Rays->ShaderDefines(), Arguments());
   }
 
-  /// Add what the same paths meet first to the sum of the pass. ownSamples: number of samples in that so far.
-  void TraceOwn(FrameContext& context, int sampleIndex, int seed, int ownSamples) const
+  /// Add what the same paths meet first to the sum of the pass. ownSamples: number of samples in that so far. earlier: whether
+  /// the paths are those of an earlier frame.
+  void TraceOwn(
+    FrameContext& context, int sampleIndex, int seed, int ownSamples, bool earlier) const
   {
     Defines variant = this->Rays->ShaderDefines();
     variant["GI_OWN"] = "1";
-    this->Trace(context, sampleIndex, seed, variant, Arguments().Set("ownSamples", ownSamples));
+    const glm::vec2 shift =
+      earlier ? context.GetView().Jitter - StillFrameJitter(sampleIndex) : glm::dvec2(0.0);
+    this->Trace(context, sampleIndex, seed, variant,
+      Arguments().Set("ownSamples", ownSamples).Set("shift", shift));
   }
 
   void Trace(FrameContext& context, int sampleIndex, int seed, const Defines& variant,
@@ -361,11 +367,13 @@ void vtkGIPathTracing::AddSignal(FrameBuilder& frame, const PathTracer& tracer, 
     .ReadHistory(*tracer.Sums[0], SumImages[0]) // after the paths
     .UpdateHistory(*tracer.Own, OwnImage)
     .Execute([this, tracer, &progress](FrameContext& context) {
-      if (progress.Traced)
+      progress.OwnSamples = tracer.Own->Written ? progress.OwnSamples : 0;
+      const bool isNew = progress.OwnSamples == 0;
+      const int end = isNew ? std::min(progress.Samples, MostOwnAtOnce) : progress.Samples;
+      for (int i = isNew ? 0 : end - 1; (isNew || progress.Traced) && i < end; ++i)
       {
-        const int before = tracer.Own->Written ? progress.OwnSamples : 0;
-        tracer.TraceOwn(context, progress.Samples - 1, this->Seed, before);
-        progress.OwnSamples = before + 1;
+        const bool earlier = !progress.Traced || i < progress.Samples - 1;
+        tracer.TraceOwn(context, i, this->Seed, progress.OwnSamples++, earlier);
       }
     });
   const TextureDesc floats = frame.WindowTexture(GL_RGBA32F);
