@@ -5,7 +5,7 @@
 
 flight    600 frames around an isosurface that changes: a mesh is loaded, the window grows, a second lamp comes on. Share of frames
           over the budget, and the worst one that is not within ten frames of such a step. Medians of several runs.
-constant  500 frames of the same flight without any of that: changes of levels, those undone within 60 frames, and how much of the
+constant  the same flight without these steps: changes of levels, those undone within 60 frames, and how much of the
           budget is used.
 error     mean relMSE of frames along a flight against the path tracer, with a budget, and with each fixed preset that never
           exceeds it.
@@ -151,8 +151,8 @@ def flight(args, report):
 
 
 def constant(args, report):
-    budget = args.floors * floor_of(args, moving=False)
-    shot = Flight(args.size, args.preset, moving=False)
+    budget = args.floors * floor_of(args)
+    shot = Flight(args.size, args.preset)
     shot.gi.SetFrameBudget(budget)
     changes, undone, used, last, before = 0, 0, [], {}, None
     for i in range(args.frames):

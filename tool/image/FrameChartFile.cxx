@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/FrameChartFile.h"
 
-#include "instrument/FrameChartSvg.h"
-
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkErrorCode.h>
@@ -23,24 +21,11 @@ namespace
 {
 bool WriteSvg(const std::string& path, const char* json, int width, int height, std::string& error)
 {
-  FrameChartData data;
-  if (!ReadFrameChart(json, data, error))
-  {
-    return false;
-  }
-  ChartStyle style;
-  style.Width = width;
-  style.Height = height;
-  std::ofstream file(path, std::ios::binary);
-  file << FrameChartSvg(LayOutFrameChart(data, style), width, height);
-  file.close();
-  if (!file)
-  {
-    error =
-      "The chart cannot be written to \"" + path + "\": check the folder and its permissions.";
-    return false;
-  }
-  return true;
+  vtkNew<vtkGIFrameChart> chart;
+  const bool done =
+    chart->SetStatistics(json) && chart->WriteSVG(path.c_str(), width, height);
+  error = chart->GetLastError();
+  return done;
 }
 
 bool WritePng(const std::string& path, const char* json, int width, int height, std::string& error)
