@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/FrameChartFile.h"
 
+#include "common/Failure.h"
+
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkErrorCode.h>
@@ -75,6 +77,19 @@ bool WritePng(const std::string& path, const char* json, int width, int height, 
   }
   return true;
 }
+}
+
+void RequireChartName(const std::string& path)
+{
+  const std::filesystem::path name(path);
+  if (name.extension() != ".svg" && name.extension() != ".png")
+  {
+    FailUsage("'{}' is no name for a chart: it must end with .svg or .png", path);
+  }
+  if (name.has_parent_path() && !std::filesystem::is_directory(name.parent_path()))
+  {
+    Fail("there is no folder '{}' for the chart", name.parent_path().string());
+  }
 }
 
 bool WriteFrameChart(
