@@ -174,6 +174,18 @@ class Session(Base):
         self.assertRegex(text, "refused: the look '.*/none.json' cannot be read")
 
 
+class Budget(Base):
+    def test_the_budget_lowers_moving_pictures_only(self):
+        text = self.run_script("pvpython", "budget.py", self.folder)
+        for name in ("still", "screenshot", "beside it", "screenshot has none"):
+            with self.subTest(name):
+                self.assertEqual(self.number(name, text), 1.0)
+        self.assertGreater(self.number("moving is lowered", text), 0.005)
+        self.assertGreater(self.number("chart covers", text), 0.3)
+        self.assertEqual(text.count("ms is not possible: it must be from 1 to 10000"), 4)
+        self.assertIn("deleted: [0, 1, 0, 1, 0]", text)
+
+
 class Baked(Base):
     def test_probes_are_baked_written_and_checked(self):
         text = self.run_script("pvpython", "baked.py", "bake", self.folder)

@@ -33,6 +33,10 @@ FrameBudget::State FrameBudget::NextState(const Situation& situation)
   {
     return State::Off;
   }
+  if (situation.Still)
+  {
+    return State::Settled;
+  }
   if (situation.Changed)
   {
     this->LastChange = situation.Now;

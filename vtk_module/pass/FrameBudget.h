@@ -37,6 +37,7 @@ public:
   {
     double Budget = 0.0;       ///< ms; 0: none
     bool Exempt = false;       ///< the picture must not depend on times
+    bool Still = false;        ///< the program knows that this is a still picture
     bool Changed = true;       ///< the picture differs from the previous one by more than noise
     bool SceneChanged = false; ///< a prop appeared, disappeared or changed its shape, so that costs may jump
     double Pixels = 0.0;       ///< of the picture

@@ -59,6 +59,7 @@ void vtkGIPass::Internals::ApplyBudget(
   FrameBudget::Situation situation;
   situation.Budget = budget / RenderersOf(self, renderer->GetRenderWindow());
   situation.Exempt = view.StandsAlone || WholePicture::IsTile(renderer);
+  situation.Still = self->GetStillPicture();
   situation.Changed = view.Changes.Any;
   situation.SceneChanged = view.Changes.Presence || view.Changes.Appearance;
   situation.Pixels = double(view.Viewport.z) * view.Viewport.w;

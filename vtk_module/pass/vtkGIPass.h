@@ -162,6 +162,16 @@ public:
 
   ///@{
   /**
+   * Draw with the techniques' own settings, whatever the budget: for programs that know which of their pictures are still
+   * ones. The budget keeps what it has learned of costs, and does not learn from these pictures. Off by default.
+   */
+  vtkSetMacro(StillPicture, bool);
+  vtkGetMacro(StillPicture, bool);
+  vtkBooleanMacro(StillPicture, bool);
+  ///@}
+
+  ///@{
+  /**
    * Measure each pass of the frame on the GPU. GetStatistics() returns those of the last frame as JSON: milliseconds
    * per pass, textures and bytes in the pool, lights, accumulated frames; with a frame budget, also the levels in force, their
    * predicted costs and errors, and the times of the last 120 frames. It waits for the GPU; frames do not.
@@ -192,6 +202,7 @@ protected:
   bool CollectStatistics = false;
   double FrameBudget = 0.0;
   bool UseDesiredUpdateRate = false;
+  bool StillPicture = false;
   bool JoinTiles = false;
   bool CopiedTile = false;
 

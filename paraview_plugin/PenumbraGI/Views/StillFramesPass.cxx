@@ -37,6 +37,7 @@ void StillFramesPass::Render(const vtkRenderState* state)
   }
   const bool single = IsSingleProcess();
   this->Pass->SetJoinTiles(captured && single);
+  this->Pass->SetStillPicture(still);
   const int frames = still ? std::max(this->Frames, 1) : 1;
   for (int i = 0; i == 0 || (i < frames && !this->Pass->GetCopiedTile()); ++i)
   {
