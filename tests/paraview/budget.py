@@ -72,7 +72,7 @@ def chart():
     view = scenes.make_view()
     view.ViewSize = [700, 320]
     scenes.show(view, scenes.sources())
-    enable(view)
+    enable(view, off="temporal-accumulation")
     layer = view.GetClientSideObject().GetNonCompositedRenderer()
     without = averaged(view, False)
     shot = scenes.saved(view, f"{folder}/without.png", view.ViewSize)
@@ -90,9 +90,12 @@ def chart():
     scenes.Image.fromarray(scenes.capture(view)).save(f"{folder}/chart_moving.png")
     counts = []
     for change in (lambda: setattr(view, "GIFrameChart", 0), lambda: setattr(view, "GIFrameChart", 1),
-                   lambda: disable(view), lambda: enable(view), lambda: simple.Delete(view)):
+                   lambda: disable(view), lambda: enable(view)):
         change()
         counts.append(charts_in(layer))
+    simple.Delete(view)
+    del view, change  # the last references
+    counts.append(charts_in(layer))
     print("charts after off, on, without light, with light, deleted:", counts)
 
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView with the plugin in scripts: pvpython and pvbatch without a display."""
+import json
 import os
 import pathlib
 import re
@@ -291,6 +292,18 @@ class Ranks(Base):
             share = within(picture(self.folder / f"one_{name}.png"), picture(self.folder / f"two_{name}.png"))
             print(f"{name} {share:.5f}")
             self.assertGreaterEqual(share, limit)
+
+
+    def test_two_ranks_keep_one_budget(self):
+        self.run_script("mpirun --oversubscribe -n 2 pvbatch --sym", "budget_ranks.py", self.folder, 80)
+        ranks = [json.loads((self.folder / f"rank{rank}.json").read_text()) for rank in (0, 1)]
+        for number, (one, two) in enumerate(zip(*ranks)):
+            self.assertEqual((one["state"], two["state"]), ("moving", "moving"))
+            self.assertTrue(one["levels"])
+            self.assertEqual(one["levels"], two["levels"], f"frame {number}")
+        for rank in ranks:  # each has frames that IceT does not let it draw, which the other must not wait for
+            pauses = sum(one["milliseconds"] == two["milliseconds"] for one, two in zip(rank, rank[1:]))
+            self.assertGreater(pauses, 10)
 
 
 class Switching(Base):

@@ -27,7 +27,8 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderingGIModule.h"
 
-#include <memory> // for the implementation
+#include <functional> // for ShareFrameBudget
+#include <memory>     // for the implementation
 
 class vtkGITechnique;
 class vtkImageData;
@@ -169,6 +170,17 @@ public:
   vtkGetMacro(StillPicture, bool);
   vtkBooleanMacro(StillPicture, bool);
   ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * For processes that draw one picture together: let the next frame have the same levels in all of them, by the times of the
+   * slowest. All must call it before each frame that moves, also those that draw nothing of it, as it may wait for the
+   * others. maximum: replaces values by their maximum over the processes. Does nothing without a budget, which must be the
+   * same everywhere.
+   */
+  void ShareFrameBudget(
+    vtkRenderer* renderer, const std::function<void(double* values, int count)>& maximum);
+#endif
 
   ///@{
   /**

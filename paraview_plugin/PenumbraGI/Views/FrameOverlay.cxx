@@ -57,7 +57,6 @@ void FrameOverlay::Update(vtkGIPass* pass, bool visible)
   {
     return;
   }
-  // A client whose server draws the view has no times.
   const char* statistics = visible ? pass->GetStatistics() : "{}";
   const bool any = std::strcmp(statistics, "{}") != 0;
   this->Actor->SetVisibility(any && this->Chart->SetStatistics(statistics));

@@ -117,6 +117,11 @@ void vtkPVGISettings::SetFrameChart(bool shown)
   this->UpdateRenderPass();
 }
 
+const char* vtkPVGISettings::GetStatistics()
+{
+  return this->Impl->Pass->GetStatistics();
+}
+
 void vtkPVGISettings::SetLook(const char* nameOrPath)
 {
   this->Impl->Look.Choose(nameOrPath ? nameOrPath : "");
@@ -193,11 +198,25 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   if (view)
   {
     penumbra::PrepareWindow(view->GetRenderWindow());
-    this->Impl->StartOfFrame = view->GetRenderer()->AddObserver(
-      vtkCommand::StartEvent, this, &vtkPVGISettings::UpdateRenderPass);
+    this->Impl->StartOfFrame =
+      view->GetRenderer()->AddObserver(vtkCommand::StartEvent, this, &vtkPVGISettings::BeginFrame);
     this->Impl->EndOfFrame =
       view->GetRenderer()->AddObserver(vtkCommand::EndEvent, this, &vtkPVGISettings::UpdateChart);
     this->UpdateRenderPass();
+  }
+}
+
+void vtkPVGISettings::BeginFrame()
+{
+  this->UpdateRenderPass();
+  vtkPVRenderView* view = this->Impl->View;
+  auto* synchronized = view ? penumbra::SynchronizedRendererOf(view) : nullptr;
+  // Enabled only while all ranks draw one picture together. Other pictures are drawn by one process alone, which must not
+  // wait for the others.
+  if (synchronized && synchronized->GetEnabled() && !penumbra::IsSingleProcess() &&
+    synchronized->GetRenderPass() == this->Impl->Frames.Get())
+  {
+    this->Impl->Frames->ShareBudget(view->GetRenderer());
   }
 }
 
@@ -242,8 +261,10 @@ void vtkPVGISettings::UpdateChart()
   vtkPVRenderView* view = this->Impl->View;
   if (view && !view->GetRenderer()->GetSelector())
   {
+    // A client has no times of pictures that a server drew. A rank may have nothing to draw for a moment.
+    const bool known = this->Impl->Frames->TakeRendered() || !penumbra::IsSingleProcess();
     // A saved picture shall not contain the machine's times.
-    this->Impl->Overlay.Update(this->Impl->Pass, !penumbra::IsCaptured(view));
+    this->Impl->Overlay.Update(this->Impl->Pass, known && !penumbra::IsCaptured(view));
   }
 }
 

@@ -59,6 +59,11 @@ public:
    */
   void SetFrameChart(bool shown);
 
+  /**
+   * The cost of the last frame, while there is a budget or the chart is shown: see vtkGIPass::GetStatistics().
+   */
+  const char* GetStatistics();
+
   ///@{
   /**
    * The view's look (see vtkGILook), by its name or the path of a file; "as-is" (the default) for the view's own lights and
@@ -121,6 +126,7 @@ private:
   vtkPVGISettings(const vtkPVGISettings&) = delete;
   void operator=(const vtkPVGISettings&) = delete;
 
+  void BeginFrame();
   void UpdateRenderPass();
   void UpdateChart();
 
