@@ -65,6 +65,8 @@ public:
   void Accept(const Techniques& techniques, const std::vector<double>& most);
 
   State CurrentState() const { return this->Current; }
+  /// Whether settings were lower than the user's own in the last frame.
+  bool HasLowered() const { return !this->InForce.empty(); }
   /// One sentence if not even the lowest levels fit the budget, else "". It stays the same while that lasts.
   const std::string& Problem() const { return this->Sentence; }
   /// State, knobs and levels with their predicted costs and errors, as JSON.

@@ -174,6 +174,12 @@ int vtkGIPass::GetAccumulatedFrames(vtkRenderer* renderer)
   return record ? record->StillFrames : 0;
 }
 
+bool vtkGIPass::HasLoweredSettings(vtkRenderer* renderer)
+{
+  const auto* record = this->Impl->FindRecord(renderer);
+  return record && record->Budget.HasLowered();
+}
+
 bool vtkGIPass::GetRadiance(vtkRenderer* renderer, vtkImageData* image)
 {
   return this->Impl->ReadRadiance(renderer, image);

@@ -171,6 +171,11 @@ public:
   vtkBooleanMacro(StillPicture, bool);
   ///@}
 
+  /**
+   * Whether the frame budget lowered settings of techniques in the last picture of a renderer.
+   */
+  bool HasLoweredSettings(vtkRenderer* renderer);
+
 #ifndef __VTK_WRAP__
   /**
    * For processes that draw one picture together: let the next frame have the same levels in all of them, by the times of the
