@@ -105,6 +105,22 @@ def general_properties(presets):
                       '<IntRangeDomain name="range" min="1"/>',
                       "Number of frames drawn for one still picture, such as a screenshot. Techniques that accumulate "
                       "over frames need several. While the camera moves, one frame is drawn.", [SWITCH])
+    yield sm_property("GIFrameBudget", "Frame budget (ms)", "SetFrameBudget", "double", 0,
+                      '<DoubleRangeDomain name="range" min="0" max="10000"/>',
+                      "Milliseconds that a frame may take while the camera moves; 0 for no limit. Techniques then use lower "
+                      "settings than those below, as far as that is needed. Still pictures and screenshots use those below. "
+                      "Values below 1 count as 1. Range: 0 to 10000.", [SWITCH])
+    yield sm_property("GIFrameChart", "Show what a frame costs", "SetFrameChart", "int", 0, '<BooleanDomain name="bool"/>',
+                      "Draw a chart over the view: the milliseconds of each part of the last frame, and with a frame budget "
+                      "also earlier frames and what the budget has lowered. Screenshots leave it out.", [SWITCH])
+    yield statistics_property()
+
+
+def statistics_property():
+    """The property for scripts that read what a frame costs."""
+    return ('      <StringVectorProperty name="GIStatistics" command="GetStatistics" information_only="1" '
+            'panel_visibility="never">\n        <Documentation>What the last frame cost, as JSON, while there is a frame budget '
+            'or its chart is shown.</Documentation>\n      </StringVectorProperty>\n')
 
 
 def look_property():
@@ -183,7 +199,7 @@ def group(title, names):
 
 def extension(techniques):
     table = list(rows(techniques))
-    switches = [SWITCH, "GIPreset", "GILook", "GIStillFrames"] + [name for name, _, parameter, _, _ in table if parameter is None]
+    switches = [SWITCH, "GIPreset", "GILook", "GIStillFrames", "GIFrameBudget", "GIFrameChart", "GIStatistics"] + [name for name, _, parameter, _, _ in table if parameter is None]
     groups = group("Global illumination", switches)
     for stem, technique in techniques:
         names = [f"GI{stem}{name}" for name in ("File", "Problem") if stem in BAKES]

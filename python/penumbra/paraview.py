@@ -91,12 +91,13 @@ def settings(view=None):
     return servermanager._getPyProxy(found)
 
 
-def enable(view=None, preset="balanced", on=(), off=(), look="as-is", frames=1, **parameters):
+def enable(view=None, preset="balanced", on=(), off=(), look="as-is", frames=1, budget=0.0, **parameters):
     """Light a render view, the active one by default, with Penumbra. Returns the proxy with its settings.
 
     on, off: techniques to switch on or off, in addition to the preset's. look: the name or the file of a look, which
     replaces the view's lights and background; its settings come after all others. frames: number of frames drawn for one still
-    picture; techniques that accumulate light need several. Parameters are named technique.parameter or, with
+    picture; techniques that accumulate light need several. budget: milliseconds that a frame may take while the camera moves,
+    from 1 to 10000, or 0 for no limit. Parameters are named technique.parameter or, with
     underscores, technique__parameter, as in penumbra.enable():
 
         enable(view, "high", off="ambient-occlusion", shadow_maps__resolution=1024)
@@ -108,6 +109,8 @@ def enable(view=None, preset="balanced", on=(), off=(), look="as-is", frames=1, 
         raise ValueError(f"there is no preset '{preset}': there are {', '.join(presets())}")
     if frames < 1:
         raise ValueError(f"frames is {frames}: at least one frame must be drawn")
+    if budget != 0 and not 1 <= budget <= 10000:
+        raise ValueError(f"a frame budget of {budget} ms is not possible: it must be from 1 to 10000, or 0 for none")
     _load_look(look)
     requested = vtkGIPass()
     requested.SetPreset(preset)
@@ -117,6 +120,7 @@ def enable(view=None, preset="balanced", on=(), off=(), look="as-is", frames=1, 
         _set(proxy, name, value)
     _set(proxy, "GILook", str(look))
     _set(proxy, "GIStillFrames", frames)
+    _set(proxy, "GIFrameBudget", float(budget))
     _set(proxy, "GlobalIllumination", 1)
     proxy.SMProxy.UpdateVTKObjects()
     return proxy

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
 """ParaView with the plugin in scripts: pvpython and pvbatch without a display."""
+import json
 import os
 import pathlib
 import re
@@ -174,6 +175,18 @@ class Session(Base):
         self.assertRegex(text, "refused: the look '.*/none.json' cannot be read")
 
 
+class Budget(Base):
+    def test_the_budget_lowers_moving_pictures_only(self):
+        text = self.run_script("pvpython", "budget.py", self.folder)
+        for name in ("still", "screenshot", "beside it", "screenshot has none"):
+            with self.subTest(name):
+                self.assertEqual(self.number(name, text), 1.0)
+        self.assertGreater(self.number("moving is lowered", text), 0.005)
+        self.assertGreater(self.number("chart covers", text), 0.3)
+        self.assertEqual(text.count("ms is not possible: it must be from 1 to 10000"), 4)
+        self.assertIn("deleted: [0, 1, 0, 1, 0]", text)
+
+
 class Baked(Base):
     def test_probes_are_baked_written_and_checked(self):
         text = self.run_script("pvpython", "baked.py", "bake", self.folder)
@@ -279,6 +292,18 @@ class Ranks(Base):
             share = within(picture(self.folder / f"one_{name}.png"), picture(self.folder / f"two_{name}.png"))
             print(f"{name} {share:.5f}")
             self.assertGreaterEqual(share, limit)
+
+
+    def test_two_ranks_keep_one_budget(self):
+        self.run_script("mpirun --oversubscribe -n 2 pvbatch --sym", "budget_ranks.py", self.folder, 80)
+        ranks = [json.loads((self.folder / f"rank{rank}.json").read_text()) for rank in (0, 1)]
+        for number, (one, two) in enumerate(zip(*ranks)):
+            self.assertEqual((one["state"], two["state"]), ("moving", "moving"))
+            self.assertTrue(one["levels"])
+            self.assertEqual(one["levels"], two["levels"], f"frame {number}")
+        for rank in ranks:  # each has frames that IceT does not let it draw, which the other must not wait for
+            pauses = sum(one["milliseconds"] == two["milliseconds"] for one, two in zip(rank, rank[1:]))
+            self.assertGreater(pauses, 10)
 
 
 class Switching(Base):

@@ -112,6 +112,38 @@ TEST(Budget, GivesBackTheSettingsInAStillPicture)
   EXPECT_GE(Compare(Read(scene.Window), Read(free.Window), 1).Within, 0.999);
 }
 
+TEST(Budget, MayBeSwitchedOnWhileNothingMoves)
+{
+  BudgetScene scene(0.0);
+  scene.Window->Render();
+  scene.Pass->SetFrameBudget(1.0);
+  Rest();
+  scene.Window->Render();
+  EXPECT_EQ(scene.Budget().at("state"), "settled");
+  EXPECT_TRUE(scene.Budget().at("knobs").empty()) << "nothing is known of costs";
+  scene.Turn(4);
+  EXPECT_FALSE(scene.Budget().at("knobs").empty());
+}
+
+TEST(Budget, DoesNotApplyToPicturesThatAreStillOnes)
+{
+  BudgetScene scene(1.0);
+  BudgetScene free(0.0);
+  for (BudgetScene* each : { &scene, &free })
+  {
+    each->Pass->GetTechnique("temporal-accumulation")->SetEnabled(false); // keeps earlier frames by design
+    each->Turn(4);
+  }
+  scene.Pass->StillPictureOn();
+  scene.Turn();
+  free.Turn();
+  EXPECT_EQ(scene.Budget().at("state"), "settled");
+  EXPECT_EQ(Compare(Read(scene.Window), Read(free.Window), 0).Within, 1.0);
+  scene.Pass->StillPictureOff();
+  scene.Turn();
+  EXPECT_EQ(scene.Budget().at("state"), "moving");
+}
+
 TEST(Budget, DoesNotTouchAFrameThatStandsAlone)
 {
   BudgetScene scene(1.0);

@@ -33,6 +33,10 @@ FrameBudget::State FrameBudget::NextState(const Situation& situation)
   {
     return State::Off;
   }
+  if (situation.Still)
+  {
+    return State::Settled;
+  }
   if (situation.Changed)
   {
     this->LastChange = situation.Now;
@@ -45,14 +49,29 @@ FrameBudget::State FrameBudget::NextState(const Situation& situation)
   {
     return atRest ? State::Settled : State::Moving;
   }
+  if (!this->KnowsKnobs())
+  {
+    return State::
+      Settled; // the budget, or a technique, was switched on at rest: nothing is known of costs
+  }
   const double limit = std::max(situation.Budget, ResponsiveMilliseconds);
   std::vector<int> own;
   for (const TechniqueKnob& knob : this->Knobs)
   {
     own.push_back(knob.NumberOfLevels() - 1);
   }
-  const bool isCheap = this->Chooser.Frame() > 0 && this->CostAt(own) <= limit;
+  const bool isCheap = this->CostAt(own) <= limit;
   return isCheap || ++this->Refined > RefiningFrames ? State::Settled : State::Refining;
+}
+
+std::vector<std::pair<std::string, std::size_t>> FrameBudget::NamesAndLevels() const
+{
+  std::vector<std::pair<std::string, std::size_t>> names;
+  for (const Knob& knob : this->Declared)
+  {
+    names.emplace_back(knob.Technique, knob.Levels.size());
+  }
+  return names;
 }
 
 double FrameBudget::CostOfOthers() const
@@ -92,20 +111,30 @@ std::vector<int> FrameBudget::ChooseFor(double milliseconds) const
   return ChooseLevels(values, milliseconds - this->CostOfOthers());
 }
 
-void FrameBudget::FindKnobs(const std::vector<vtkSmartPointer<vtkGITechnique>>& techniques)
+std::vector<double> FrameBudget::TookPart(const Techniques& techniques)
+{
+  std::vector<double> tookPart;
+  for (vtkGITechnique* technique : techniques)
+  {
+    tookPart.push_back(technique->GetTookPart() ? 1.0 : 0.0);
+  }
+  return tookPart;
+}
+
+void FrameBudget::FindKnobs(const Techniques& techniques, const std::vector<double>& tookPart)
 {
   this->Knobs.clear();
   this->Declared.clear();
   // Others may have taken a technique's place. Before the first frame nothing is known of that.
-  const bool isKnown = std::any_of(techniques.begin(), techniques.end(),
-    [](vtkGITechnique* technique) { return technique->GetTookPart(); });
-  for (vtkGITechnique* technique : techniques)
+  const bool isKnown =
+    std::any_of(tookPart.begin(), tookPart.end(), [](double part) { return part > 0.0; });
+  for (std::size_t i = 0; i < techniques.size(); ++i)
   {
-    if (!technique->GetEnabled() || (isKnown && !technique->GetTookPart()))
+    if (!techniques[i]->GetEnabled() || (isKnown && tookPart[i] <= 0.0))
     {
       continue;
     }
-    TechniqueKnob knob(technique);
+    TechniqueKnob knob(techniques[i]);
     if (knob.NumberOfLevels() > 1)
     {
       this->Declared.push_back(knob.ToKnob());
@@ -114,23 +143,21 @@ void FrameBudget::FindKnobs(const std::vector<vtkSmartPointer<vtkGITechnique>>& 
   }
 }
 
-bool FrameBudget::Begin(const std::vector<vtkSmartPointer<vtkGITechnique>>& techniques,
+void FrameBudget::Decide(const Techniques& techniques, const std::vector<double>& tookPart,
   const Situation& situation, long long number)
 {
-  this->End();
-  std::vector<std::string> before = std::move(this->InForce);
-  this->InForce.clear();
   this->Budget = situation.Budget;
   if (situation.Budget > 0.0)
   {
-    this->FindKnobs(techniques);
+    this->FindKnobs(techniques, tookPart);
   }
   this->Current = this->NextState(situation);
   if (this->Current == State::Moving)
   {
     this->Levels = this->Chooser.Choose(
       this->Declared, { situation.Budget, situation.Pixels, situation.SceneChanged });
-    Asked asked{ number, this->Chooser.Frame(), {} };
+    this->Known = this->NamesAndLevels();
+    Asked asked{ number, {}, { this->Chooser.Frame(), 0.0, {} } };
     for (const TechniqueKnob& knob : this->Knobs)
     {
       asked.Knobs.emplace_back(knob.Technique()->GetName());
@@ -146,6 +173,30 @@ bool FrameBudget::Begin(const std::vector<vtkSmartPointer<vtkGITechnique>>& tech
   {
     this->Levels.clear(); // the user's own settings
   }
+}
+
+bool FrameBudget::Begin(const Techniques& techniques, const Situation& situation, long long number)
+{
+  this->End();
+  std::vector<std::string> before = std::move(this->InForce);
+  this->InForce.clear();
+  this->SceneChanged = this->SceneChanged || situation.SceneChanged;
+  if (this->IsDecided && situation.Budget > 0.0 && !situation.Exempt && !situation.Still)
+  {
+    this->Waiting.back().Number = number;
+  }
+  else
+  {
+    this->Decide(techniques, TookPart(techniques), situation, number);
+    if (this->Current == State::Moving)
+    {
+      // The other processes are not there to tell what these frames cost.
+      this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
+                            [](const Asked& asked) { return asked.Shared; }),
+        this->Waiting.end());
+    }
+  }
+  this->IsDecided = false;
   for (std::size_t k = 0; k < this->Levels.size(); ++k)
   {
     const TechniqueKnob& knob = this->Knobs[k];
@@ -170,34 +221,54 @@ void FrameBudget::End()
 
 void FrameBudget::Ignore(long long number)
 {
-  this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
-                        [number](const Asked& asked) { return asked.Number == number; }),
-    this->Waiting.end());
+  for (Asked& asked : this->Waiting)
+  {
+    asked.Known = asked.Number == number ? Progress::Ignored : asked.Known;
+  }
+  this->PassOn();
 }
 
 void FrameBudget::Measure(const TimedFrame& frame)
 {
-  while (!this->Waiting.empty() && this->Waiting.front().Number < frame.Number)
+  for (Asked& asked : this->Waiting)
   {
-    this->Waiting.pop_front(); // not timed
-  }
-  if (this->Waiting.empty() || this->Waiting.front().Number != frame.Number)
-  {
-    return;
-  }
-  const Asked& asked = this->Waiting.front();
-  FrameCost cost{ asked.GovernorFrame, frame.Milliseconds, {} };
-  for (const std::string& technique : asked.Knobs)
-  {
-    double sum = 0.0;
-    for (const TimedSpan& span : frame.Spans)
+    if (asked.Number == NotDrawn || asked.Known != Progress::Waiting)
     {
-      sum += span.Technique == technique ? span.Milliseconds : 0.0;
+      continue;
     }
-    cost.ByKnob.push_back(sum);
+    if (asked.Number < frame.Number)
+    {
+      asked.Known = Progress::Ignored; // not timed
+    }
+    else if (asked.Number == frame.Number)
+    {
+      asked.Known = Progress::Measured;
+      asked.Cost.Total = frame.Milliseconds;
+      for (const std::string& technique : asked.Knobs)
+      {
+        double sum = 0.0;
+        for (const TimedSpan& span : frame.Spans)
+        {
+          sum += span.Technique == technique ? span.Milliseconds : 0.0;
+        }
+        asked.Cost.ByKnob.push_back(sum);
+      }
+    }
   }
-  this->Chooser.Measure(cost);
-  this->Waiting.pop_front();
+  this->PassOn();
+}
+
+void FrameBudget::PassOn()
+{
+  while (!this->Waiting.empty() && !this->Waiting.front().Shared &&
+    this->Waiting.front().Known != Progress::Waiting)
+  {
+    if (this->Waiting.front().Known == Progress::Measured)
+    {
+      this->Chooser.Measure(this->Waiting.front().Cost);
+    }
+    this->Waiting.pop_front();
+  }
 }
 
 void FrameBudget::WatchFloor()
@@ -235,7 +306,7 @@ nlohmann::ordered_json FrameBudget::Describe() const
 {
   using nlohmann::ordered_json;
   ordered_json knobs = ordered_json::array();
-  for (std::size_t k = 0; this->Chooser.Frame() > 0 && k < this->Knobs.size(); ++k)
+  for (std::size_t k = 0; this->KnowsKnobs() && k < this->Knobs.size(); ++k)
   {
     const TechniqueKnob& knob = this->Knobs[k];
     ordered_json levels = ordered_json::array();

@@ -40,6 +40,10 @@ public:
   /// Draw the opaque props of a frame. Returns the reason if that failed, else "".
   std::string RenderFrame(vtkGIPass* self, const vtkRenderState* state);
 
+  /// Decide on the levels of the next frame together with other processes.
+  void ShareBudget(vtkGIPass* self, vtkRenderer* renderer,
+    const std::function<void(double* values, int count)>& maximum);
+
   /// Tell that a frame is over, with everything that VTK draws after the opaque props, or that it failed.
   void EndFrame();
 

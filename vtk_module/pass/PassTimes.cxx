@@ -59,6 +59,7 @@ void vtkGIPass::Internals::ApplyBudget(
   FrameBudget::Situation situation;
   situation.Budget = budget / RenderersOf(self, renderer->GetRenderWindow());
   situation.Exempt = view.StandsAlone || WholePicture::IsTile(renderer);
+  situation.Still = self->GetStillPicture();
   situation.Changed = view.Changes.Any;
   situation.SceneChanged = view.Changes.Presence || view.Changes.Appearance;
   situation.Pixels = double(view.Viewport.z) * view.Viewport.w;
@@ -70,6 +71,27 @@ void vtkGIPass::Internals::ApplyBudget(
     view.StillFrames = 0;
     view.Sequence = 0;
   }
+}
+
+void vtkGIPass::Internals::ShareBudget(vtkGIPass* self, vtkRenderer* renderer,
+  const std::function<void(double* values, int count)>& maximum)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  ViewRecord& record = this->FindOrAddRecord(renderer);
+  if (record.Timer && this->Guard->Window())
+  {
+    this->Guard->Window()->MakeCurrent();
+    this->TakeTimes(record, record.Timer->Collect());
+  }
+  int width = 0;
+  int height = 0;
+  renderer->GetTiledSize(&width, &height);
+  FrameBudget::Situation situation;
+  situation.Budget = self->CurrentFrameBudget(window) / RenderersOf(self, window);
+  situation.Pixels = static_cast<double>(width) * height;
+  std::vector<double> values = record.Budget.Offer(this->Techniques, situation);
+  maximum(values.data(), static_cast<int>(values.size()));
+  record.Budget.Accept(this->Techniques, values);
 }
 
 void vtkGIPass::Internals::EndFrame()

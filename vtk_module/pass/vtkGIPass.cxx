@@ -100,6 +100,16 @@ double vtkGIPass::CurrentFrameBudget(vtkRenderWindow* window) const
   return this->UseDesiredUpdateRate && rate > 1.0 ? 1e3 / rate : this->FrameBudget;
 }
 
+void vtkGIPass::ShareFrameBudget(
+  vtkRenderer* renderer, const std::function<void(double* values, int count)>& maximum)
+{
+  vtkRenderWindow* window = renderer ? renderer->GetRenderWindow() : nullptr;
+  if (window && this->CurrentFrameBudget(window) > 0.0)
+  {
+    this->Impl->ShareBudget(this, renderer, maximum);
+  }
+}
+
 int vtkGIPass::GetNumberOfTechniques()
 {
   return static_cast<int>(this->Impl->Techniques.size());
@@ -162,6 +172,12 @@ int vtkGIPass::GetAccumulatedFrames(vtkRenderer* renderer)
 {
   const auto* record = this->Impl->FindRecord(renderer);
   return record ? record->StillFrames : 0;
+}
+
+bool vtkGIPass::HasLoweredSettings(vtkRenderer* renderer)
+{
+  const auto* record = this->Impl->FindRecord(renderer);
+  return record && record->Budget.HasLowered();
 }
 
 bool vtkGIPass::GetRadiance(vtkRenderer* renderer, vtkImageData* image)

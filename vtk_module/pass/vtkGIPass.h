@@ -27,7 +27,8 @@
 #include "vtkRenderPass.h"
 #include "vtkRenderingGIModule.h"
 
-#include <memory> // for the implementation
+#include <functional> // for ShareFrameBudget
+#include <memory>     // for the implementation
 
 class vtkGITechnique;
 class vtkImageData;
@@ -162,6 +163,32 @@ public:
 
   ///@{
   /**
+   * Draw with the techniques' own settings, whatever the budget: for programs that know which of their pictures are still
+   * ones. The budget keeps what it has learned of costs, and does not learn from these pictures. Off by default.
+   */
+  vtkSetMacro(StillPicture, bool);
+  vtkGetMacro(StillPicture, bool);
+  vtkBooleanMacro(StillPicture, bool);
+  ///@}
+
+  /**
+   * Whether the frame budget lowered settings of techniques in the last picture of a renderer.
+   */
+  bool HasLoweredSettings(vtkRenderer* renderer);
+
+#ifndef __VTK_WRAP__
+  /**
+   * For processes that draw one picture together: let the next frame have the same levels in all of them, by the times of the
+   * slowest. All must call it before each frame that moves, also those that draw nothing of it, as it may wait for the
+   * others. maximum: replaces values by their maximum over the processes. Does nothing without a budget, which must be the
+   * same everywhere.
+   */
+  void ShareFrameBudget(
+    vtkRenderer* renderer, const std::function<void(double* values, int count)>& maximum);
+#endif
+
+  ///@{
+  /**
    * Measure each pass of the frame on the GPU. GetStatistics() returns those of the last frame as JSON: milliseconds
    * per pass, textures and bytes in the pool, lights, accumulated frames; with a frame budget, also the levels in force, their
    * predicted costs and errors, and the times of the last 120 frames. It waits for the GPU; frames do not.
@@ -192,6 +219,7 @@ protected:
   bool CollectStatistics = false;
   double FrameBudget = 0.0;
   bool UseDesiredUpdateRate = false;
+  bool StillPicture = false;
   bool JoinTiles = false;
   bool CopiedTile = false;
 

@@ -14,6 +14,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace penumbra
 {
@@ -24,12 +25,33 @@ void StillFramesPass::SetPass(vtkGIPass* pass)
   this->Pass = pass;
 }
 
+namespace
+{
+// ParaView's desired update rate is 5 frames per second during interaction, and 0.002 for a still picture.
+bool IsMoving(vtkRenderer* renderer)
+{
+  return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1.0;
+}
+}
+
+void StillFramesPass::ShareBudget(vtkRenderer* renderer)
+{
+  if (IsMoving(renderer) && !renderer->GetSelector())
+  {
+    this->Pass->ShareFrameBudget(renderer, MaximumOverRanks);
+  }
+}
+
+bool StillFramesPass::TakeRendered()
+{
+  return std::exchange(this->Rendered, false);
+}
+
 void StillFramesPass::Render(const vtkRenderState* state)
 {
+  this->Rendered = true;
   vtkRenderer* renderer = state->GetRenderer();
-  // ParaView's desired update rate is 5 frames per second during interaction, and 0.002 for a still picture.
-  const bool still =
-    renderer->GetRenderWindow()->GetDesiredUpdateRate() < 1.0 && !renderer->GetSelector();
+  const bool still = !IsMoving(renderer) && !renderer->GetSelector();
   const bool captured = still && this->View && IsCaptured(this->View);
   if (captured)
   {
@@ -37,6 +59,7 @@ void StillFramesPass::Render(const vtkRenderState* state)
   }
   const bool single = IsSingleProcess();
   this->Pass->SetJoinTiles(captured && single);
+  this->Pass->SetStillPicture(still);
   const int frames = still ? std::max(this->Frames, 1) : 1;
   for (int i = 0; i == 0 || (i < frames && !this->Pass->GetCopiedTile()); ++i)
   {

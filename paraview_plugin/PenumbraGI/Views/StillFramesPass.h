@@ -14,6 +14,7 @@
 
 class vtkGIPass;
 class vtkPVView;
+class vtkRenderer;
 
 namespace penumbra
 {
@@ -27,6 +28,13 @@ public:
   void SetFrames(int frames) { this->Frames = frames; }
   void SetView(vtkPVView* view) { this->View = view; }
 
+  /// Let all ranks that draw a moving picture together keep the budget alike. Each must call it at the start of each
+  /// picture: IceT does not let a rank draw whose data are out of view.
+  void ShareBudget(vtkRenderer* renderer);
+
+  /// Whether Render() was called since the last call of this.
+  bool TakeRendered();
+
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -34,6 +42,7 @@ private:
   vtkSmartPointer<vtkGIPass> Pass;
   vtkWeakPointer<vtkPVView> View;
   int Frames = 1;
+  bool Rendered = false;
   std::string ReportedNotes; ///< the pass's notes, reported once until they change
 };
 }

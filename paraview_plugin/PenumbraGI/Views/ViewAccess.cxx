@@ -5,6 +5,7 @@
 #include "vtkHeadlessRenderWindow.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -17,6 +18,7 @@
 #include "vtkViewLayout.h"
 
 #include <cstring>
+#include <vector>
 
 #if __has_include("vtk_glew.h")
 #define PENUMBRA_VTK_HAS_GLEW
@@ -69,6 +71,16 @@ bool IsSingleProcess()
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   return !controller || controller->GetNumberOfProcesses() < 2;
+}
+
+void MaximumOverRanks(double* values, int count)
+{
+  if (!IsSingleProcess())
+  {
+    const std::vector<double> own(values, values + count);
+    vtkMultiProcessController::GetGlobalController()->AllReduce(
+      own.data(), values, count, vtkCommunicator::MAX_OP);
+  }
 }
 
 bool IsConnected(vtkPVView* view)
@@ -134,7 +146,8 @@ void PrepareRegisteredView(vtkObject*, unsigned long, void*, void* data)
   // Prototypes of views, which ParaView registers elsewhere, must not be created.
   const bool viewProxy = registered->Type == Information::PROXY && registered->Proxy &&
     registered->GroupName && std::strcmp(registered->GroupName, "views") == 0;
-  auto* view = viewProxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
+  auto* view =
+    viewProxy ? vtkPVView::SafeDownCast(registered->Proxy->GetClientSideObject()) : nullptr;
   if (view)
   {
     PrepareWindow(view->GetRenderWindow());

@@ -21,6 +21,9 @@ bool IsCaptured(vtkPVView* view);
 /// Whether this process draws the whole picture: false for one of several ranks.
 bool IsSingleProcess();
 
+/// Replace values by their maximum over all ranks, which must all call it.
+void MaximumOverRanks(double* values, int count);
+
 /// Whether the client and the server that may draw the view are separate processes, as with pvserver.
 bool IsConnected(vtkPVView* view);
 

@@ -3,6 +3,7 @@
 #include "vtkPVGISettings.h"
 
 #include "BakedLight.h"
+#include "FrameOverlay.h"
 #include "StillFramesPass.h"
 #include "ViewAccess.h"
 #include "ViewLook.h"
@@ -22,6 +23,7 @@
 #include "vtkRenderer.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <cstring>
 
 vtkStandardNewMacro(vtkPVGISettings);
@@ -34,9 +36,12 @@ public:
   penumbra::BakedLight Lightmap;
   penumbra::BakedLight Probes;
   penumbra::ViewLook Look;
+  penumbra::FrameOverlay Overlay;
   vtkWeakPointer<vtkPVRenderView> View;
   unsigned long StartOfFrame = 0;
+  unsigned long EndOfFrame = 0;
   bool Enabled = false;
+  bool ShowsChart = false;
 };
 
 namespace
@@ -97,6 +102,24 @@ void vtkPVGISettings::SetEnabled(bool enabled)
 void vtkPVGISettings::SetStillFrames(int frames)
 {
   this->Impl->Frames->SetFrames(frames);
+}
+
+void vtkPVGISettings::SetFrameBudget(double milliseconds)
+{
+  // False for no number, too. The panel offers values that the pass does not have.
+  const bool limited = milliseconds > 0.0;
+  this->Impl->Pass->SetFrameBudget(limited ? std::clamp(milliseconds, 1.0, 10000.0) : 0.0);
+}
+
+void vtkPVGISettings::SetFrameChart(bool shown)
+{
+  this->Impl->ShowsChart = shown;
+  this->UpdateRenderPass();
+}
+
+const char* vtkPVGISettings::GetStatistics()
+{
+  return this->Impl->Pass->GetStatistics();
 }
 
 void vtkPVGISettings::SetLook(const char* nameOrPath)
@@ -165,6 +188,7 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   if (this->Impl->View)
   {
     this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->StartOfFrame);
+    this->Impl->View->GetRenderer()->RemoveObserver(this->Impl->EndOfFrame);
     const bool enabled = this->Impl->Enabled;
     this->SetEnabled(false);
     this->Impl->Enabled = enabled;
@@ -174,9 +198,25 @@ void vtkPVGISettings::SetView(vtkPVRenderView* view)
   if (view)
   {
     penumbra::PrepareWindow(view->GetRenderWindow());
-    this->Impl->StartOfFrame = view->GetRenderer()->AddObserver(
-      vtkCommand::StartEvent, this, &vtkPVGISettings::UpdateRenderPass);
+    this->Impl->StartOfFrame =
+      view->GetRenderer()->AddObserver(vtkCommand::StartEvent, this, &vtkPVGISettings::BeginFrame);
+    this->Impl->EndOfFrame =
+      view->GetRenderer()->AddObserver(vtkCommand::EndEvent, this, &vtkPVGISettings::UpdateChart);
     this->UpdateRenderPass();
+  }
+}
+
+void vtkPVGISettings::BeginFrame()
+{
+  this->UpdateRenderPass();
+  vtkPVRenderView* view = this->Impl->View;
+  auto* synchronized = view ? penumbra::SynchronizedRendererOf(view) : nullptr;
+  // Enabled only while all ranks draw one picture together. Other pictures are drawn by one process alone, which must not
+  // wait for the others.
+  if (synchronized && synchronized->GetEnabled() && !penumbra::IsSingleProcess() &&
+    synchronized->GetRenderPass() == this->Impl->Frames.Get())
+  {
+    this->Impl->Frames->ShareBudget(view->GetRenderer());
   }
 }
 
@@ -208,6 +248,23 @@ void vtkPVGISettings::UpdateRenderPass()
   {
     synchronized->SetRenderPass(nullptr);
     this->Impl->Pass->ReleaseGraphicsResources(view->GetRenderWindow());
+  }
+  const bool chart =
+    this->Impl->ShowsChart && synchronized->GetRenderPass() == this->Impl->Frames.Get();
+  this->Impl->Pass->SetCollectStatistics(chart);
+  this->Impl->Overlay.SetRenderer(chart ? view->GetNonCompositedRenderer() : nullptr);
+}
+
+// The renderer of the chart's layer comes after this one in the same picture.
+void vtkPVGISettings::UpdateChart()
+{
+  vtkPVRenderView* view = this->Impl->View;
+  if (view && !view->GetRenderer()->GetSelector())
+  {
+    // A client has no times of pictures that a server drew. A rank may have nothing to draw for a moment.
+    const bool known = this->Impl->Frames->TakeRendered() || !penumbra::IsSingleProcess();
+    // A saved picture shall not contain the machine's times.
+    this->Impl->Overlay.Update(this->Impl->Pass, known && !penumbra::IsCaptured(view));
   }
 }
 

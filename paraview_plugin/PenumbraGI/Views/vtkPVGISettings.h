@@ -45,6 +45,25 @@ public:
    */
   void SetStillFrames(int frames);
 
+  /**
+   * Milliseconds that a frame may take while the camera moves; 0 (the default) for no limit. Other values are brought into
+   * the range from 1 to 10000. Still pictures and screenshots have the techniques' own settings.
+   *
+   * @sa vtkGIPass::SetFrameBudget()
+   */
+  void SetFrameBudget(double milliseconds);
+
+  /**
+   * Draw a vtkGIFrameChart of the last frame over the view, though not in screenshots. Off by default. It waits for the
+   * GPU in each frame, and only the process that draws the view shows it.
+   */
+  void SetFrameChart(bool shown);
+
+  /**
+   * The cost of the last frame, while there is a budget or the chart is shown: see vtkGIPass::GetStatistics().
+   */
+  const char* GetStatistics();
+
   ///@{
   /**
    * The view's look (see vtkGILook), by its name or the path of a file; "as-is" (the default) for the view's own lights and
@@ -107,7 +126,9 @@ private:
   vtkPVGISettings(const vtkPVGISettings&) = delete;
   void operator=(const vtkPVGISettings&) = delete;
 
+  void BeginFrame();
   void UpdateRenderPass();
+  void UpdateChart();
 
   class Internals;
   std::unique_ptr<Internals> Impl;
