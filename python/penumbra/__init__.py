@@ -17,6 +17,6 @@ del _importlib, _name
 
 from .vtkRenderingGI import *  # noqa: F403,E402 the wrapped classes, vtkGIPass and its like
 from .images import radiance, relative_error, render, save_png, window  # noqa: E402
-from .passes import disable, enable, load_bake, looks, presets, statistics, techniques  # noqa: E402
+from .passes import disable, enable, frame_chart, load_bake, looks, presets, statistics, techniques  # noqa: E402
 
 __version__ = "0.1.0"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from .vtkRenderingGI import vtkGIBakeFile, vtkGILook, vtkGIPass
+from .vtkRenderingGI import vtkGIBakeFile, vtkGIFrameChart, vtkGILook, vtkGIPass
 
 
 @dataclass(frozen=True)
@@ -28,12 +28,14 @@ class Parameter:
 class Technique:
     """The description of a technique.
 
-    term: what it computes; verb: its method; dynamic: whether it supports dynamic scenes; source: the literature.
+    term: what it computes; verb: its method; approach: how it keeps a frame cheap ("precompute", "approximate",
+    "amortise", or "none" if it is no term of light); dynamic: whether it supports dynamic scenes; source: the literature.
     """
     name: str
     title: str
     term: str
     verb: str
+    approach: str
     dynamic: str
     source: str
     parameters: tuple
@@ -96,11 +98,13 @@ def _names(names):
     return [names] if isinstance(names, str) else names
 
 
-def enable(target, preset="balanced", on=(), off=(), look="as-is", **parameters):
+def enable(target, preset="balanced", on=(), off=(), look="as-is", budget=0, **parameters):
     """Light a renderer, or every renderer in layer 0 of a window, with Penumbra. Returns the pass.
 
     on, off: techniques to switch on or off, in addition to the preset's. look: the name or the file of a look, which
-    replaces lights and background (see looks()); the next enable() and disable() remove it. Parameters are named
+    replaces lights and background (see looks()); the next enable() and disable() remove it. budget: milliseconds that a frame may
+    take while anything moves (1 to 10000), "auto" for 1/DesiredUpdateRate of the window while the user turns the scene, 0
+    for no limit; see docs/frame-budget.md. Parameters are named
     technique.parameter, either as on the command line or with underscores:
 
         enable(renderer, "high", off="ambient-occlusion", shadow_maps__resolution=1024)
@@ -117,6 +121,7 @@ def enable(target, preset="balanced", on=(), off=(), look="as-is", **parameters)
     new = vtkGIPass()
     new.SetPreset(preset)
     _apply(new, _names(on), _names(off), parameters)
+    _limit(new, budget)
     for renderer in renderers:
         vtkGILook.RemoveFrom(renderer)
     current = renderers[0].GetPass()
@@ -126,7 +131,20 @@ def enable(target, preset="balanced", on=(), off=(), look="as-is", **parameters)
         loaded.ApplyTo(renderer, gi)
         renderer.SetPass(gi)
     _apply(gi, _names(on), _names(off), parameters)
+    _limit(gi, budget)
     return gi
+
+
+def _limit(gi, budget):
+    gi.SetUseDesiredUpdateRate(budget == "auto")
+    milliseconds = 0 if budget == "auto" else budget
+    try:
+        with _quiet():
+            done = gi.SetFrameBudget(float(milliseconds))
+    except (TypeError, ValueError):
+        done = False
+    if not done:
+        raise ValueError(f"a frame budget cannot be {budget!r}: give milliseconds from 1 to 10000, 'auto', or 0 for none")
 
 
 def _load_look(name):
@@ -192,7 +210,7 @@ def techniques():
 
 def _describe(t):
     return Technique(
-        t.GetName(), t.GetTitle(), t.GetTerm(), t.GetVerb(), t.GetDynamic(), t.GetSource(),
+        t.GetName(), t.GetTitle(), t.GetTerm(), t.GetVerb(), t.GetApproach(), t.GetDynamic(), t.GetSource(),
         tuple(_parameter(t, i) for i in range(t.GetNumberOfParameters())))
 
 
@@ -209,6 +227,17 @@ def _parameter(t, i):
     return Parameter(t.GetParameterName(i), kind, t.GetParameterUnit(i),
                      t.GetParameterDocumentation(i), default, t.GetParameterMinimum(i),
                      t.GetParameterMaximum(i), values)
+
+
+def frame_chart(gi, path, size=(1200, 500), title=""):
+    """Write a chart (.svg) of what a pass's last frame cost, and how each term of its light is paid for. Needs
+    gi.CollectStatisticsOn(). Raises ValueError, with a sentence, if that is impossible."""
+    chart = vtkGIFrameChart()
+    chart.SetTitle(title)
+    if not str(path).endswith(".svg"):
+        raise ValueError(f"the chart cannot be written to '{path}': give a name that ends with .svg")
+    if not chart.SetStatistics(gi.GetStatistics()) or not chart.WriteSVG(str(path), *size):
+        raise ValueError(chart.GetLastError())
 
 
 def statistics(gi):

@@ -52,6 +52,18 @@ class Switching(unittest.TestCase):
         self.assertEqual(gi.GetTechnique("shadow-maps").GetResolution(), 512)
         self.assertEqual(gi.GetTechnique("anti-aliasing").GetParameter("mode"), 2)
 
+    def test_enable_sets_a_frame_budget(self):
+        renderer = vtkRenderer()
+        gi = penumbra.enable(renderer, budget=16.7)
+        self.assertEqual(gi.GetFrameBudget(), 16.7)
+        self.assertTrue(penumbra.enable(renderer, budget="auto").GetUseDesiredUpdateRate())
+        self.assertEqual(gi.GetFrameBudget(), 0)
+        penumbra.enable(renderer, budget=20)
+        for bad in (-1, 0.5, 1e9, float("nan"), "soon", None):
+            with self.assertRaisesRegex(ValueError, "a frame budget cannot be"):
+                penumbra.enable(renderer, budget=bad)
+            self.assertEqual(gi.GetFrameBudget(), 20)
+
     def test_second_enable_keeps_the_pass(self):
         renderer = vtkRenderer()
         self.assertIs(penumbra.enable(renderer), penumbra.enable(renderer, "high"))
@@ -176,6 +188,25 @@ class Drawing(unittest.TestCase):
         gi.KeepRadianceOff()
         with self.assertRaises(RuntimeError):
             penumbra.radiance(penumbra.vtkGIPass(), renderer)
+
+    def test_frame_chart(self):
+        renderer = ball()
+        window = penumbra.window(renderer, size=(64, 48))
+        gi = penumbra.enable(renderer, budget=50)
+        gi.CollectStatisticsOn()
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "frame.svg"
+            for _ in range(3):
+                renderer.GetActiveCamera().Azimuth(1)
+                window.Render()
+            penumbra.frame_chart(gi, path, title="a ball")
+            text = path.read_text()
+            self.assertIn("shadow", text)
+            self.assertIn("budget 50", text)
+            with self.assertRaisesRegex(ValueError, "ends with .svg"):
+                penumbra.frame_chart(gi, "frame.gif")
+            with self.assertRaisesRegex(ValueError, "cannot be written"):
+                penumbra.frame_chart(gi, pathlib.Path(folder) / "none" / "frame.svg")
 
     def test_relative_error(self):
         truth = np.array([1.0, 3.0])  # the mean is 2, so epsilon is 0.04

@@ -106,6 +106,10 @@ public:
     const Scene scene = MakeScene(this->Options);
     RequireWritablePicture(this->Options.Output);
     this->CheckStock();
+    if (!this->Options.StatisticsPlot.empty())
+    {
+      RequireChartName(this->Options.StatisticsPlot);
+    }
     const auto start = Clock::now();
     vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Options.Backend);
     vtkNew<vtkGIPass> pass;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image/FrameChartFile.h"
 
-#include "instrument/FrameChartSvg.h"
+#include "common/Failure.h"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -23,24 +23,11 @@ namespace
 {
 bool WriteSvg(const std::string& path, const char* json, int width, int height, std::string& error)
 {
-  FrameChartData data;
-  if (!ReadFrameChart(json, data, error))
-  {
-    return false;
-  }
-  ChartStyle style;
-  style.Width = width;
-  style.Height = height;
-  std::ofstream file(path, std::ios::binary);
-  file << FrameChartSvg(LayOutFrameChart(data, style), width, height);
-  file.close();
-  if (!file)
-  {
-    error =
-      "The chart cannot be written to \"" + path + "\": check the folder and its permissions.";
-    return false;
-  }
-  return true;
+  vtkNew<vtkGIFrameChart> chart;
+  const bool done =
+    chart->SetStatistics(json) && chart->WriteSVG(path.c_str(), width, height);
+  error = chart->GetLastError();
+  return done;
 }
 
 bool WritePng(const std::string& path, const char* json, int width, int height, std::string& error)
@@ -90,6 +77,19 @@ bool WritePng(const std::string& path, const char* json, int width, int height, 
   }
   return true;
 }
+}
+
+void RequireChartName(const std::string& path)
+{
+  const std::filesystem::path name(path);
+  if (name.extension() != ".svg" && name.extension() != ".png")
+  {
+    FailUsage("'{}' is no name for a chart: it must end with .svg or .png", path);
+  }
+  if (name.has_parent_path() && !std::filesystem::is_directory(name.parent_path()))
+  {
+    Fail("there is no folder '{}' for the chart", name.parent_path().string());
+  }
 }
 
 bool WriteFrameChart(

@@ -7,6 +7,9 @@
 
 namespace penumbra::tool
 {
+/// Throws a Failure if the chart's name does not end with .svg or .png, or its folder does not exist.
+void RequireChartName(const std::string& path);
+
 /// Writes the chart of vtkGIPass::GetStatistics() as .svg or .png, depending on the path. Returns false with a sentence in
 /// error if that is impossible. Only .png needs an OpenGL context.
 bool WriteFrameChart(

@@ -73,22 +73,22 @@ void CostModel::KnobCost::SetWork(const Knob& knob)
 
 double CostModel::KnobCost::Factor(int level) const
 {
+  const auto isSeen = [](double factor) { return factor > 0.0; };
+  const auto here = this->Factors.begin() + level;
   // The nearest known level below, or else above, is wrong in a similar way.
-  for (int i = level; i >= 0; --i)
+  const auto below =
+    std::find_if(std::make_reverse_iterator(here + 1), this->Factors.rend(), isSeen);
+  const auto above = std::find_if(here + 1, this->Factors.end(), isSeen);
+  if (above == this->Factors.end())
   {
-    if (this->Factors[i] > 0.0)
-    {
-      return this->Factors[i];
-    }
+    return below == this->Factors.rend() ? 1.0 : *below;
   }
-  for (int i = level + 1; i < static_cast<int>(this->Factors.size()); ++i)
-  {
-    if (this->Factors[i] > 0.0)
-    {
-      return this->Factors[i];
-    }
-  }
-  return 1.0;
+  // No level costs more than a better one.
+  const double most = *above * this->Prior[above - this->Factors.begin()];
+  const bool isBounded = below != this->Factors.rend() && below.base() - 1 != here;
+  return below == this->Factors.rend() ? *above
+    : isBounded                        ? std::min(*below, most / this->Prior[level])
+                                       : *below;
 }
 
 void CostModel::KnobCost::LearnFactor(int level, double factor, int values)

@@ -3,6 +3,7 @@
 #include "vtkGIFrameChart.h"
 
 #include "instrument/FrameChartLayout.h"
+#include "instrument/FrameChartSvg.h"
 
 #include "vtkBrush.h"
 #include "vtkContext2D.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <vector>
 
 using namespace penumbra;
@@ -133,6 +135,28 @@ bool vtkGIFrameChart::SetStatistics(const char* json)
 const char* vtkGIFrameChart::GetLastError()
 {
   return this->Impl->LastError.c_str();
+}
+
+bool vtkGIFrameChart::WriteSVG(const char* path, int width, int height)
+{
+  constexpr int most = 16384;
+  if (width < 1 || height < 1 || width > most || height > most)
+  {
+    this->Impl->LastError = "A chart of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels cannot be written: give sizes from 1 to " + std::to_string(most) + ".";
+    return false;
+  }
+  ChartStyle style;
+  style.Width = width;
+  style.Height = height;
+  style.Title = this->Impl->Title;
+  std::ofstream file(path ? path : "", std::ios::binary);
+  file << FrameChartSvg(LayOutFrameChart(this->Impl->Data, style), width, height);
+  file.close();
+  this->Impl->LastError = file ? ""
+                               : std::string("The chart cannot be written to \"") +
+      (path ? path : "") + "\": check the folder and its permissions.";
+  return static_cast<bool>(file);
 }
 
 void vtkGIFrameChart::SetTitle(const char* title)

@@ -75,6 +75,12 @@ public:
   vtkGetVector4Macro(Area, int);
   ///@}
 
+  /**
+   * Write the chart to a file (.svg), in pixels, on a white page. Needs no OpenGL. Returns false, and GetLastError() tells
+   * why, if that is impossible.
+   */
+  bool WriteSVG(const char* path, int width, int height);
+
   bool Paint(vtkContext2D* painter) override;
 
 protected:
