@@ -150,31 +150,36 @@ def flight(args, report):
                   more="runs: " + ", ".join(f"{v:.2f}" for v in worst))
 
 
-def constant(args, report):
-    budget = args.floors * floor_of(args)
+def steadiness(args, budget, report, run):
+    """Changes of levels, those undone within 60 frames, and the share of the budget that is not used, of one run."""
     shot = Flight(args.size, args.preset)
     shot.gi.SetFrameBudget(budget)
     changes, undone, used, last, before = 0, 0, [], {}, None
     for i in range(args.frames):
-        report.going_on(f"frame {i}")
+        report.going_on(f"run {run + 1} of {args.runs}: frame {i}")
         statistics = shot.frame(i, False)
         now = levels(statistics)
         if i >= WARM:
             used.append(statistics["frame"])
-            if now != before:
-                changes += 1
-                for technique, level in now.items():
-                    old = before.get(technique, level)
-                    if level != old:
-                        undone += technique in last and i - last[technique][0] < 60 and last[technique][1] == level
-                        last[technique] = (i, old)
+            changes += now != before
+            for technique, level in now.items():
+                old = before.get(technique, level)
+                if level != old:
+                    undone += technique in last and i - last[technique][0] < 60 and last[technique][1] == level
+                    last[technique] = (i, old)
         before = now
     remaining = any(knob["level"] + 1 < len(knob["levels"]) for knob in statistics["knobs"])
-    report.figure("changes in 100 frames", changes / (args.frames - WARM) * 100, 1)
-    report.figure("changes undone within 60 frames", undone, 0)
-    unused = 1 - float(np.mean(used)) / budget
-    report.figure("budget not used", unused, 0.25 if remaining else None, share=True,
-                  more="" if remaining else "all knobs are at the user's settings")
+    return 100 * changes / (args.frames - WARM), undone, 1 - float(np.mean(used)) / budget if remaining else 0
+
+
+def constant(args, report):
+    budget = args.floors * floor_of(args)
+    runs = np.array([steadiness(args, budget, report, run) for run in range(args.runs)])
+    changes, undone, unused = np.median(runs, axis=0)
+    report.figure("changes in 100 frames", changes, 1, more="runs: " + ", ".join(f"{v:.2f}" for v in runs[:, 0]))
+    report.figure("changes undone within 60 frames", undone, 0, more="runs: " + ", ".join(f"{v:.0f}" for v in runs[:, 1]))
+    report.figure("budget not used while knobs remain", unused, 0.25, share=True,
+                  more="runs: " + ", ".join(f"{100 * v:.0f} %" for v in runs[:, 2]))
 
 
 def error(args, report):

@@ -98,6 +98,7 @@ private:
 
   void Adopt(const std::vector<Knob>& knobs);
   void Note(const Situation& now);
+  /// Whether nothing would become faster at lower levels.
   bool IsLowest(const std::vector<int>& levels) const;
   /// Whether a frame is fewer than so many frames ago.
   bool IsWithin(long long frame, int frames) const;

@@ -39,6 +39,8 @@ constexpr int TryFrames = 48;
 constexpr double SettlingShare = 0.9;
 // Share of the present error that a step up must remove to be worth a visible change.
 constexpr double LeastGain = 0.05;
+// What adds less than this share of the budget is free, and stays when nothing else fits.
+constexpr double FreeShare = 1e-3;
 // Times the added cost of a level that was never measured, as it may prove higher: in a choice from scratch.
 constexpr double Caution = 1.5;
 // Times the budget: most that a try may seem to cost.
@@ -49,7 +51,16 @@ constexpr double Surprise = 3.0;
 
 bool Governor::IsLowest(const std::vector<int>& levels) const
 {
-  return std::all_of(levels.begin(), levels.end(), [](int level) { return level == 0; });
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    const int knob = static_cast<int>(i);
+    const double added = this->Predicted(knob, levels[i]) - this->Predicted(knob, 0);
+    if (levels[i] > 0 && added > FreeShare * this->Budget)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool Governor::IsWithin(long long frame, int frames) const

@@ -73,15 +73,19 @@ LevelStep BestStep(const std::vector<LevelValues>& knobs, const std::vector<int>
 std::vector<int> ChooseLevels(const std::vector<LevelValues>& knobs, double limit)
 {
   std::vector<int> levels(knobs.size(), 0);
+  const auto cheapest = [](const LevelValues& knob) {
+    return *std::min_element(knob.Costs.begin(), knob.Costs.begin() + knob.Most + 1);
+  };
   double lowest = 0.0; // of the knobs that are not chosen yet
   for (const LevelValues& knob : knobs)
   {
-    lowest += knob.Costs[0];
+    lowest += cheapest(knob);
   }
+  limit = std::max(limit, lowest * (1.0 + 1e-9)); // levels that cost nothing are chosen in any case
   std::vector<std::vector<Partial>> fronts = { { { 0.0, 0.0, 0, 0 } } };
   for (const LevelValues& knob : knobs)
   {
-    lowest -= knob.Costs[0];
+    lowest -= cheapest(knob);
     std::vector<Partial> front;
     for (std::size_t i = 0; i < fronts.back().size(); ++i)
     {
@@ -97,7 +101,7 @@ std::vector<int> ChooseLevels(const std::vector<LevelValues>& knobs, double limi
     }
     if (front.empty())
     {
-      return levels; // nothing fits
+      return levels; // costs that are no numbers
     }
     Prune(front);
     fronts.push_back(front);
