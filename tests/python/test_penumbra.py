@@ -201,7 +201,7 @@ class Drawing(unittest.TestCase):
                 window.Render()
             penumbra.frame_chart(gi, path, title="a ball")
             text = path.read_text()
-            self.assertIn("shadow", text)
+            self.assertIn("ambient-occlusion samples=8", text)
             self.assertIn("budget 50", text)
             with self.assertRaisesRegex(ValueError, "ends with .svg"):
                 penumbra.frame_chart(gi, "frame.gif")

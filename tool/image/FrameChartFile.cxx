@@ -24,8 +24,7 @@ namespace
 bool WriteSvg(const std::string& path, const char* json, int width, int height, std::string& error)
 {
   vtkNew<vtkGIFrameChart> chart;
-  const bool done =
-    chart->SetStatistics(json) && chart->WriteSVG(path.c_str(), width, height);
+  const bool done = chart->SetStatistics(json) && chart->WriteSVG(path.c_str(), width, height);
   error = chart->GetLastError();
   return done;
 }

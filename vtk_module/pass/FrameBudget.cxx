@@ -51,8 +51,8 @@ FrameBudget::State FrameBudget::NextState(const Situation& situation)
   }
   if (!this->KnowsKnobs())
   {
-    return State::
-      Settled; // the budget, or a technique, was switched on at rest: nothing is known of costs
+    // The budget, or a technique, was switched on at rest: nothing is known of costs.
+    return State::Settled;
   }
   const double limit = std::max(situation.Budget, ResponsiveMilliseconds);
   std::vector<int> own;
@@ -309,6 +309,11 @@ nlohmann::ordered_json FrameBudget::Describe() const
   for (std::size_t k = 0; this->KnowsKnobs() && k < this->Knobs.size(); ++k)
   {
     const TechniqueKnob& knob = this->Knobs[k];
+    const double most = this->Chooser.Predicted(static_cast<int>(k), knob.NumberOfLevels() - 1);
+    if (most <= 0.0 && this->Chooser.PredictedTotal() > 0.0)
+    {
+      continue; // it has nothing to do in this scene
+    }
     ordered_json levels = ordered_json::array();
     for (int level = 0; level < knob.NumberOfLevels(); ++level)
     {

@@ -39,8 +39,7 @@ TechniqueKnob::TechniqueKnob(vtkGITechnique* technique)
       for (std::size_t i = 0; i < own.size(); ++i)
       {
         const BudgetFactor& factor = table->Work[i];
-        const bool cheaper =
-          this->Amount(factor, level.Values[i]) < this->Amount(factor, own[i]);
+        const bool cheaper = this->Amount(factor, level.Values[i]) < this->Amount(factor, own[i]);
         level.Values[i] = cheaper ? level.Values[i] : own[i];
       }
       level.Work = this->Work(level.Values);
