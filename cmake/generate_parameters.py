@@ -166,7 +166,8 @@ def budget_source(cls, technique):
         exponent = 1.0 if isinstance(value, list) else float(value)
         factors = [float(v) for v in value if not isinstance(v, str)] if isinstance(value, list) else []
         zero = [quote(kebab(v)) for v in value if isinstance(v, str)] if isinstance(value, list) else []
-        work.append(f"      {{ {quote(kebab(name))}, {exponent!r}, {{ {', '.join(map(repr, factors))} }}, {{ {', '.join(zero)} }} }},")
+        work.append(f"      {{ {quote(kebab(name))}, {exponent!r}, {{ {', '.join(map(repr, factors))} }}, "
+                    f"{{ {', '.join(zero)} }} }},")
     levels = []
     for level, error in zip(budget["levels"], budget["error"]):
         values = ", ".join(repr(float(number(by_name[name], level[name]))) for name in budget["work"])

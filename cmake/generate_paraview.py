@@ -199,7 +199,8 @@ def group(title, names):
 
 def extension(techniques):
     table = list(rows(techniques))
-    switches = [SWITCH, "GIPreset", "GILook", "GIStillFrames", "GIFrameBudget", "GIFrameChart", "GIStatistics"] + [name for name, _, parameter, _, _ in table if parameter is None]
+    switches = [SWITCH, "GIPreset", "GILook", "GIStillFrames", "GIFrameBudget", "GIFrameChart", "GIStatistics"] + [
+        name for name, _, parameter, _, _ in table if parameter is None]
     groups = group("Global illumination", switches)
     for stem, technique in techniques:
         names = [f"GI{stem}{name}" for name in ("File", "Problem") if stem in BAKES]
