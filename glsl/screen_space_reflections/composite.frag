@@ -1,7 +1,7 @@
 #version 430 core
 // Adds reflections to the picture: where rays hit something, they replace the light of the surroundings
 // that VTK reflects there. Variants: GI_EXTENDED (textures, PBR), GI_SURROUNDINGS (VTK's image-based
-// reflection is known separately), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear radiance, not the colour for display),
+// reflection is known separately), GI_IRRADIANCE (a technique supplies indirect light), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear radiance, not the colour for display),
 // GI_LIT_PARTS (resource::LitShown or LitEncoded), GI_DATA_COLORS (as in direct_light/resolve.frag), GI_DEBUG (show how
 // rays ended).
 #include "shared/view.h"
@@ -21,6 +21,9 @@ layout(binding = 8) uniform sampler2D surroundingsTexture;
 #endif
 #ifdef GI_AMBIENT_VISIBILITY
 layout(binding = 9) uniform sampler2D ambientVisibility;
+#endif
+#if defined(GI_IRRADIANCE) && !defined(GI_SURROUNDINGS)
+layout(binding = 11) uniform sampler2D irradianceTexture;
 #endif
 #ifdef GI_DEBUG
 layout(binding = 10) uniform sampler2D endTexture;
@@ -46,12 +49,17 @@ vec3 withReflection(ivec2 window, vec3 radiance, Lobe lobe)
 #endif
   float lit = 1.0; // factor of reflected light
   vec3 light = ambientLight;
+  vec3 indirect = vec3(0.0); // light that metal reflects as if it were matte, as long as no reflection is known
+#if defined(GI_IRRADIANCE) && !defined(GI_SURROUNDINGS)
+  indirect = texelFetch(irradianceTexture, window, 0).rgb;
+#endif
 #ifdef GI_DATA_COLORS
   vec4 normal = texelFetch(normalTexture, window, 0);
   if ((materials[int(normal.z * 65535.0 + 0.5)].Model.y & GI_MATERIAL_DATA) != 0)
   {
     reflection.rgb = giDataLight(reflection.rgb);
     light = giDataLight(light);
+    indirect = giDataLight(indirect);
     vec3 albedo = texelFetch(albedoTexture, window, 0).rgb;
 #ifdef GI_EXTENDED
     float metallic = lobe.pbr ? texelFetch(surfaceTexture, window, 0).r : 0.0;
@@ -62,7 +70,7 @@ vec3 withReflection(ivec2 window, vec3 radiance, Lobe lobe)
   }
 #endif
 #ifdef GI_EXTENDED
-  surroundings += lobe.pbr ? texelFetch(surfaceTexture, window, 0).g * light / GI_PI * lobe.f0 : vec3(0.0);
+  surroundings += lobe.pbr ? texelFetch(surfaceTexture, window, 0).g * (light / GI_PI + indirect) * lobe.f0 : vec3(0.0);
 #endif
   vec3 missing = lobe.pbr ? vec3(0.0) : (1.0 - known) * lobe.color * light;
   return max(

@@ -119,6 +119,37 @@ TEST_F(RayTracedLight, WithProbesEqualsPaths)
   EXPECT_NEAR(Mean(drawn), Mean(truth), 0.02 * Mean(truth));
 }
 
+// Metal in uniform light is as bright as that light, whether reflections are found or not. It shows indirect light in place of
+// those that are not, and must not add them to it.
+TEST_F(RayTracedLight, IsReflectedByMetalOnce)
+{
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0)->GetProperty()->SetAmbient(0.5);
+  vtkProperty* metal = AddFloor(this->Scene, -0.9, 0.9, -0.9, 0.9, -0.9)->GetProperty();
+  metal->SetInterpolationToPBR();
+  metal->SetColor(1.0, 1.0, 1.0);
+  metal->SetMetallic(1.0);
+  metal->SetRoughness(0.2);
+  this->LookFrom(0.7, 0.6, 0.0, 0.1, 0.1, -0.9);
+  vtkGITechnique* reflections = this->Pass->GetTechnique("screen-space-reflections");
+  reflections->EnabledOn();
+  for (const char* fallback : { "environment", "rays" })
+  {
+    reflections->SetParameterFromText("fallback", fallback);
+    const Values drawn = this->After(16);
+    double sum = 0.0;
+    for (int y = 24; y < 48; ++y) // the middle of the picture, where the metal is
+    {
+      for (int x = 32; x < 64; ++x)
+      {
+        sum += drawn[y * Width + x];
+      }
+    }
+    const double mean = sum / (24 * 32);
+    std::printf("metal in uniform light, fallback %s: %.4f of 0.5\n", fallback, mean);
+    EXPECT_NEAR(mean, 0.5, 0.03 * 0.5);
+  }
+}
+
 TEST_F(RayTracedLight, DoesNotLeakIntoAClosedRoom)
 {
   this->AddProbes(512);

@@ -119,6 +119,7 @@ struct Reflections
     pass.Read(resource::LitRadiance)
       .Read(resource::Reflection)
       .ReadIfPresent(resource::Surroundings, "GI_SURROUNDINGS")
+      .ReadIfPresent(resource::Irradiance, "GI_IRRADIANCE")
       .ReadIfPresent(resource::AmbientVisibility, "GI_AMBIENT_VISIBILITY")
       .Draw("screen_space_reflections/composite.frag", variant,
         Arguments().Set("keep", keep ? 1.0 : 0.0).Set("ambientLight", this->AmbientLight()));
