@@ -5,6 +5,8 @@
  */
 #pragma once
 
+#include "RecordedFrames.h"
+
 #include "budget/Governor.h"
 
 #include <algorithm>
@@ -40,6 +42,8 @@ struct Simulator
   double Budget = 16.0; ///< ms
   double Pixels = 1.0;
   double Noise = 0.0; ///< largest relative deviation; uniform
+  std::size_t Recorded =
+    0; ///< instead: the frame of RecordedFrames at which to begin, from 1; 0: none
   double SpikeShare = 0.0;
   double LostShare = 0.0;
   std::size_t Latency = 0; ///< frames by which measurements are late
@@ -72,11 +76,15 @@ struct Simulator
     this->SinceSpike = isSpike ? 0 : this->SinceSpike;
     const double noise =
       (1.0 + this->Numbers.Within(-this->Noise, this->Noise)) * (isSpike ? 4.0 : 1.0);
-    FrameCost cost{ this->Tested.Frame(), noise * this->TrueTotal(levels), {} };
+    constexpr std::size_t recordedCount = sizeof(RecordedFrames) / sizeof(*RecordedFrames);
+    const double factor = this->Recorded
+      ? RecordedFrames[(this->Recorded + this->Totals.size()) % recordedCount]
+      : noise;
+    FrameCost cost{ this->Tested.Frame(), factor * this->TrueTotal(levels), {} };
     for (std::size_t i = 0; i < levels.size(); ++i)
     {
       const double pixels = this->Knobs[i].PerPixel ? this->Pixels : 1.0;
-      cost.ByKnob.push_back(noise * this->Costs[i][levels[i]] * pixels);
+      cost.ByKnob.push_back(factor * this->Costs[i][levels[i]] * pixels);
     }
     this->Totals.push_back(cost.Total);
     this->Levels.push_back(levels);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
 
 using namespace penumbra;
 
@@ -63,6 +64,30 @@ TEST(Governor, IsSteadyUnderConstantLoad)
       }
     });
   }
+}
+
+// A real machine: quiet for 350 frames, then another program takes its time for 50, in which every third frame takes 1.2 to 1.5
+// times as long. Levels may follow that, but not with every burst.
+TEST(Governor, KeepsABudgetUnderARecordedLoad)
+{
+  int most = 0;
+  double worst = 0.0;
+  double used = 0.0; // mean share of the budget, or of the 15 ms that the highest levels take
+  ForLoads([&](Simulator& simulator) {
+    simulator.Recorded = 1 + 31 * (simulator.Numbers.State % 13);
+    simulator.Budget =
+      std::max(simulator.Budget, 6.3); // the lowest levels fit it with the usual fluctuation
+    simulator.Run(1060);
+    worst = std::max(worst, simulator.OverShare(30, 1060));
+    most = std::max(most, simulator.ChangesIn(60, 1060));
+    EXPECT_LE(simulator.OverShare(30, 1060), 0.05);
+    EXPECT_LE(simulator.ChangesIn(60, 1060), 20);
+    used += simulator.TrueTotal(simulator.Levels.back()) / std::min(simulator.Budget, 15.0) / 120.0;
+  });
+  std::printf(
+    "recorded load: at most %.1f %% over the budget, %d changes in 1000 frames, %.0f %% used\n",
+    100.0 * worst, most, 100.0 * used);
+  EXPECT_GE(used, 0.6);
 }
 
 TEST(Governor, IgnoresSpikes)
