@@ -1,7 +1,8 @@
 #version 430 core
 // Adds reflections to the picture: where rays hit something, they replace the light of the surroundings
 // that VTK reflects there. Variants: GI_EXTENDED (textures, PBR), GI_SURROUNDINGS (VTK's image-based
-// reflection is known separately), GI_IRRADIANCE (a technique supplies indirect light), GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear radiance, not the colour for display),
+// reflection is known separately), GI_IRRADIANCE (a technique supplies indirect light),
+// GI_AMBIENT_VISIBILITY, GI_RADIANCE (linear radiance, not the colour for display),
 // GI_LIT_PARTS (resource::LitShown or LitEncoded), GI_DATA_COLORS (as in direct_light/resolve.frag), GI_DEBUG (show how
 // rays ended).
 #include "shared/view.h"

@@ -104,7 +104,8 @@ def enable(target, preset="balanced", on=(), off=(), look="as-is", budget=0, **p
     on, off: techniques to switch on or off, in addition to the preset's. look: the name or the file of a look, which
     replaces lights and background (see looks()); the next enable() and disable() remove it. budget: milliseconds that a frame may
     take while anything moves (1 to 10000), "auto" for 1/DesiredUpdateRate of the window while the user turns the scene, 0
-    for no limit; see docs/frame-budget.md. Parameters are named
+    for no limit. A window at rest must be drawn again to get the full settings back: see vtkGIRefinement and
+    docs/frame-budget.md. Parameters are named
     technique.parameter, either as on the command line or with underscores:
 
         enable(renderer, "high", off="ambient-occlusion", shadow_maps__resolution=1024)
@@ -230,12 +231,14 @@ def _parameter(t, i):
 
 
 def frame_chart(gi, path, size=(1200, 500), title=""):
-    """Write a chart (.svg) of what a pass's last frame cost, and how each term of its light is paid for. Needs
+    """Write a chart (.svg) of where the time of a pass's last frame went, and what more time would buy. Needs
     gi.CollectStatisticsOn(). Raises ValueError, with a sentence, if that is impossible."""
     chart = vtkGIFrameChart()
     chart.SetTitle(title)
     if not str(path).endswith(".svg"):
         raise ValueError(f"the chart cannot be written to '{path}': give a name that ends with .svg")
+    if not statistics(gi):
+        raise ValueError("no frame was measured: call CollectStatisticsOn() on the pass, and draw a frame")
     if not chart.SetStatistics(gi.GetStatistics()) or not chart.WriteSVG(str(path), *size):
         raise ValueError(chart.GetLastError())
 

@@ -4,6 +4,9 @@
 // that it is no part of a pass without one. Nothing here depends on how fast the machine is.
 #include "Scenes.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkMapper.h"
+
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -93,6 +96,22 @@ TEST(Budget, LowersSettingsWhileTheCameraMovesAndNobodySeesIt)
   EXPECT_EQ(occlusion->GetMTime(), time);
 }
 
+TEST(Budget, KeepsWhatTheUserSetsWhileAFrameIsDrawn)
+{
+  BudgetScene scene(1.0);
+  vtkGITechnique* occlusion = scene.Pass->GetTechnique("ambient-occlusion");
+  vtkNew<vtkCallbackCommand> user;
+  user->SetClientData(occlusion);
+  user->SetCallback([](vtkObject*, unsigned long, void* technique, void*) {
+    static_cast<vtkGITechnique*>(technique)->SetParameter("samples", 20);
+  });
+  scene.Turn(3);
+  scene.Ball->GetMapper()->AddObserver(vtkCommand::UpdateShaderEvent, user);
+  scene.Turn();
+  EXPECT_EQ(occlusion->GetParameter("samples"), 20.0);
+  EXPECT_EQ(occlusion->GetParameter("resolution"), 0.0) << "which the budget had lowered";
+}
+
 TEST(Budget, GivesBackTheSettingsInAStillPicture)
 {
   BudgetScene scene(1.0);
@@ -155,6 +174,14 @@ TEST(Budget, DoesNotTouchAFrameThatStandsAlone)
   free.Pass->Restart();
   EXPECT_EQ(Compare(Shoot(scene.Window), Shoot(free.Window), 0).Within, 1.0);
   EXPECT_TRUE(scene.Budget().is_null());
+  // Nor the frames that are averaged with it.
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(Compare(Shoot(scene.Window), Shoot(free.Window), 0).Within, 1.0);
+  }
+  EXPECT_EQ(scene.Budget().at("state"), "settled");
+  scene.Turn();
+  EXPECT_EQ(scene.Budget().at("state"), "moving");
 }
 
 TEST(Budget, RaisesLevelsThatFit)
@@ -223,4 +250,7 @@ TEST(Budget, SaysWhatIsTooExpensive)
   }
   EXPECT_NE(std::string(scene.Pass->GetNotes()).find("of the budget's 1.0 ms"), std::string::npos)
     << scene.Pass->GetNotes();
+  scene.Pass->SetFrameBudget(0.0);
+  scene.Turn();
+  EXPECT_STREQ(scene.Pass->GetNotes(), "");
 }

@@ -42,7 +42,11 @@ struct RefinedScene : public Scene
   }
 
   void OnCreate() { this->Timers.insert(this->Interactor->GetTimerEventId()); }
-  void OnDestroy() { this->Timers.erase(this->Interactor->GetTimerEventPlatformId()); }
+  void OnDestroy()
+  {
+    this->Timers.erase(this->Interactor->GetTimerEventPlatformId());
+    this->Destroyed.insert(this->Interactor->GetTimerEventPlatformId());
+  }
   void OnFrame() { ++this->Drawn; }
 
   /// Let the timers that are set now fire. Returns the number of frames drawn.
@@ -53,6 +57,8 @@ struct RefinedScene : public Scene
     for (int timer : std::set<int>(this->Timers))
     {
       this->Interactor->InvokeEvent(vtkCommand::TimerEvent, &timer);
+      EXPECT_EQ(this->Destroyed.count(timer), 0u) << "VTK on X11 still uses it";
+      this->Timers.erase(timer); // fires once
     }
     return this->Drawn - before;
   }
@@ -78,6 +84,7 @@ struct RefinedScene : public Scene
     this->Window->Render();
   }
 
+  std::set<int> Destroyed;
   std::set<int> Timers; ///< before the interactor, which destroys its last ones
   int Drawn = 0;
   vtkSmartPointer<vtkGIPass> Pass;

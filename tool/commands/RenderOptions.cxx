@@ -102,11 +102,11 @@ void DeclareOutput(CLI::App& command, RenderOptions& options)
   output.Flag("--denoise", options.Denoise,
     "filter the noise of few paths, with --preset reference; an exr also holds the noisy picture");
   output.Add("--budget", options.Budget,
-    "draw a frame of a moving picture that takes at most so many milliseconds on this machine, "
-    "after a flight of 120 frames",
+    "draw what a moving picture looks like if a frame may take this many milliseconds on this "
+    "machine: the last of 120 frames (or --frames) in which the camera turns",
     Bounds{ 1, 10000 });
   output.Add("--stats-plot", options.StatisticsPlot,
-    "chart of what the last frame cost, and how each term of light was paid for: .svg or .png");
+    "chart of where the last frame's time went, and what more time would buy: .svg or .png");
   output.Add("--error", options.Error,
     "stop tracing at this standard error, relative to the mean luminance of the picture");
   output.Add("--checkpoint", options.Checkpoint,

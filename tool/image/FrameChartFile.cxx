@@ -83,7 +83,7 @@ void RequireChartName(const std::string& path)
   const std::filesystem::path name(path);
   if (name.extension() != ".svg" && name.extension() != ".png")
   {
-    FailUsage("'{}' is no name for a chart: it must end with .svg or .png", path);
+    FailUsage("'{}' is not a valid name for a chart: it must end with .svg or .png", path);
   }
   if (name.has_parent_path() && !std::filesystem::is_directory(name.parent_path()))
   {

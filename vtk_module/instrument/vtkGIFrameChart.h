@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkGIFrameChart
- * @brief   draws what a frame of vtkGIPass costs, and how each term of its light is paid for
+ * @brief   draws where the time of a frame of vtkGIPass goes, and what more time would buy
  *
  * A frame has so many milliseconds, and each term of the light is precomputed, approximated or amortised. A bar stacks the
  * passes of the last frame by these approaches, with a line at the budget. If the statistics have a budget, earlier frames

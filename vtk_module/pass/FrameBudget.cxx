@@ -29,11 +29,12 @@ const char* NameOf(FrameBudget::State state)
 
 FrameBudget::State FrameBudget::NextState(const Situation& situation)
 {
+  this->GoesOn = situation.Exempt || (this->GoesOn && !situation.Changed);
   if (!(situation.Budget > 0.0) || situation.Exempt)
   {
     return State::Off;
   }
-  if (situation.Still)
+  if (situation.Still || this->GoesOn)
   {
     return State::Settled;
   }
@@ -130,7 +131,9 @@ void FrameBudget::FindKnobs(const Techniques& techniques, const std::vector<doub
     std::any_of(tookPart.begin(), tookPart.end(), [](double part) { return part > 0.0; });
   for (std::size_t i = 0; i < techniques.size(); ++i)
   {
-    if (!techniques[i]->GetEnabled() || (isKnown && tookPart[i] <= 0.0))
+    // What was switched on just now cannot have taken part.
+    const bool isNew = i >= this->WasEnabled.size() || !this->WasEnabled[i];
+    if (!techniques[i]->GetEnabled() || (isKnown && !isNew && tookPart[i] <= 0.0))
     {
       continue;
     }
@@ -140,6 +143,11 @@ void FrameBudget::FindKnobs(const Techniques& techniques, const std::vector<doub
       this->Declared.push_back(knob.ToKnob());
       this->Knobs.push_back(std::move(knob));
     }
+  }
+  this->WasEnabled.clear();
+  for (vtkGITechnique* technique : techniques)
+  {
+    this->WasEnabled.push_back(technique->GetEnabled());
   }
 }
 
@@ -292,11 +300,12 @@ void FrameBudget::WatchFloor()
     dearest = cost(k) > cost(dearest) ? k : dearest;
   }
   const bool geometry = others > this->Budget || this->Knobs.empty();
-  char text[256];
+  char text[320];
   std::snprintf(text, sizeof(text), "%s %.1f of the budget's %.1f ms: %s%s",
-    geometry ? "Geometry and lights alone take" : "The lowest levels still take",
+    geometry ? "What no level governs, such as geometry, lights and filters, takes"
+             : "The lowest levels still take",
     geometry ? others : this->Chooser.Floor(), this->Budget,
-    geometry ? "a level of detail with fewer triangles, or a smaller window, would help"
+    geometry ? "fewer triangles, a smaller window or fewer techniques would help"
              : "what would help most is to switch off ",
     geometry ? "" : this->Knobs[dearest].Technique()->GetName());
   this->Sentence = text;

@@ -122,8 +122,11 @@ private:
   std::vector<int> Levels; ///< in force
   std::vector<std::function<void()>> PutBack;
   std::vector<std::string> InForce; ///< what is lower than the user's own settings
+  std::vector<bool> WasEnabled;     ///< by technique, when the knobs were last found
   std::deque<Asked> Waiting;
   State Current = State::Off;
+  bool GoesOn =
+    false; ///< a picture that must not depend on times has begun, and nothing has changed since
   bool IsDecided = false;    ///< by Accept(), for the next frame
   bool SceneChanged = false; ///< in frames since the last Offer()
   double SharedLevels = 0.0; ///< fingerprint of the last levels that Accept() chose

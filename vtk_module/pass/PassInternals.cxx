@@ -201,6 +201,7 @@ std::string vtkGIPass::Internals::RenderFrame(vtkGIPass* self, const vtkRenderSt
   {
     problem = error.what();
     this->Timed = nullptr;
+    record.Budget.Ignore(record.FrameNumber);
     // Techniques may have counted work that was not done.
     this->Pool.ForgetView(record.Name);
     record.States = ViewState();
@@ -335,7 +336,7 @@ bool vtkGIPass::Internals::DrawFrame(
   {
     this->KeepRadiance(builder, record);
   }
-  if (!record.Budget.Problem().empty())
+  if (self->CurrentFrameBudget(window) > 0.0 && !record.Budget.Problem().empty())
   {
     builder.AddNote(record.Budget.Problem());
   }
@@ -368,6 +369,7 @@ bool vtkGIPass::Internals::DrawFrame(
   statistics.Frames = view.StillFrames + 1;
   if (window->GetAbortRender())
   {
+    record.Budget.Ignore(record.FrameNumber);
     return false; // the next frame is compared with the last complete one
   }
   // The signature is taken after drawing, because drawing updates pipelines and lights.
@@ -449,6 +451,9 @@ void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkGIPass::Internals::FreeResources()
 {
+  this->PutSettingsBack();
+  this->Timed = nullptr;
+  this->LastTimed = nullptr;
   for (auto& technique : this->Techniques)
   {
     technique->ReleaseGraphicsResources(this->Guard->Window());

@@ -111,6 +111,7 @@ private:
   /// Lower the techniques' settings for this frame, as far as its budget demands.
   void ApplyBudget(
     vtkGIPass* self, vtkOpenGLRenderer* renderer, ViewRecord& record, penumbra::View& view);
+  void PutSettingsBack();
   void TakeTimes(ViewRecord& record, std::vector<penumbra::TimedFrame> frames);
 
   penumbra::ShaderLibrary Shaders;

@@ -14,8 +14,8 @@ using namespace penumbra;
 
 namespace
 {
-// The budget is the window's: renderers that share a pass share it.
-int RenderersOf(vtkGIPass* pass, vtkRenderWindow* window)
+// The budget is the window's: renderers that share a pass share it, and so do both eyes.
+int PicturesOf(vtkGIPass* pass, vtkRenderWindow* window)
 {
   int count = 0;
   vtkCollectionSimpleIterator cookie;
@@ -25,7 +25,10 @@ int RenderersOf(vtkGIPass* pass, vtkRenderWindow* window)
   {
     count += renderer->GetPass() == pass && renderer->GetDraw() ? 1 : 0;
   }
-  return std::max(count, 1);
+  const int type = window->GetStereoType();
+  const bool bothEyes =
+    window->GetStereoRender() && type != VTK_STEREO_LEFT && type != VTK_STEREO_RIGHT;
+  return std::max(count, 1) * (bothEyes ? 2 : 1);
 }
 }
 
@@ -34,6 +37,7 @@ void vtkGIPass::Internals::BeginTimes(ViewRecord& record, bool wanted)
   this->Timed = wanted ? &record : nullptr;
   if (!wanted)
   {
+    this->LastTimed = this->LastTimed == &record ? nullptr : this->LastTimed;
     record.Timer.reset();
     return;
   }
@@ -57,7 +61,7 @@ void vtkGIPass::Internals::ApplyBudget(
   const std::chrono::duration<double, std::milli> now =
     std::chrono::steady_clock::now().time_since_epoch();
   FrameBudget::Situation situation;
-  situation.Budget = budget / RenderersOf(self, renderer->GetRenderWindow());
+  situation.Budget = budget / PicturesOf(self, renderer->GetRenderWindow());
   situation.Exempt = view.StandsAlone || WholePicture::IsTile(renderer);
   situation.Still = self->GetStillPicture();
   situation.Changed = view.Changes.Any;
@@ -77,30 +81,38 @@ void vtkGIPass::Internals::ShareBudget(vtkGIPass* self, vtkRenderer* renderer,
   const std::function<void(double* values, int count)>& maximum)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
+  if (this->Guard->Window())
+  {
+    this->Guard->Window()->MakeCurrent();
+  }
   ViewRecord& record = this->FindOrAddRecord(renderer);
   if (record.Timer && this->Guard->Window())
   {
-    this->Guard->Window()->MakeCurrent();
     this->TakeTimes(record, record.Timer->Collect());
   }
   int width = 0;
   int height = 0;
   renderer->GetTiledSize(&width, &height);
   FrameBudget::Situation situation;
-  situation.Budget = self->CurrentFrameBudget(window) / RenderersOf(self, window);
+  situation.Budget = self->CurrentFrameBudget(window) / PicturesOf(self, window);
   situation.Pixels = static_cast<double>(width) * height;
   std::vector<double> values = record.Budget.Offer(this->Techniques, situation);
   maximum(values.data(), static_cast<int>(values.size()));
   record.Budget.Accept(this->Techniques, values);
 }
 
-void vtkGIPass::Internals::EndFrame()
+void vtkGIPass::Internals::PutSettingsBack()
 {
   if (this->Governed)
   {
     this->Governed->Budget.End();
     this->Governed = nullptr;
   }
+}
+
+void vtkGIPass::Internals::EndFrame()
+{
+  this->PutSettingsBack();
   if (this->Timed)
   {
     this->Timed->Timer->Mark("other-props");

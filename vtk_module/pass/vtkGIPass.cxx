@@ -97,7 +97,7 @@ bool vtkGIPass::SetFrameBudget(double milliseconds)
 double vtkGIPass::CurrentFrameBudget(vtkRenderWindow* window) const
 {
   const double rate = window->GetDesiredUpdateRate();
-  return this->UseDesiredUpdateRate && rate > 1.0 ? 1e3 / rate : this->FrameBudget;
+  return this->UseDesiredUpdateRate && rate > 1.0 ? std::max(1e3 / rate, 1.0) : this->FrameBudget;
 }
 
 void vtkGIPass::ShareFrameBudget(

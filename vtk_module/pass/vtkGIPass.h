@@ -142,10 +142,11 @@ public:
   /**
    * Milliseconds that a frame may take while anything moves; 0, the default, for no limit. Range: 1 to 10000. Techniques then
    * use lower settings than their own (see docs/frame-budget.md), as far as that is needed on this machine: the steps that
-   * cost the least accuracy, by measured times and errors. They get their own settings back as soon as nothing has
-   * changed for 150 ms, for tiles of larger pictures, and for the frame after Restart(), so that still pictures do not
-   * depend on the machine. The limit is that of the window; renderers that share this pass share it. Returns false, with an error,
-   * for another value.
+   * cost the least accuracy, by measured times and errors. They get their own settings back in the
+   * frames that are drawn 150 ms after the last change or later, at once or after eight frames at levels between; nothing draws
+   * these frames by itself, see vtkGIRefinement. Tiles of larger pictures, and the frames from Restart() to the next change, have
+   * their own settings too, so that still pictures do not depend on the machine. The limit is that of the window; renderers
+   * that share this pass share it. Returns false, with an error, for another value.
    */
   bool SetFrameBudget(double milliseconds);
   vtkGetMacro(FrameBudget, double);
@@ -191,7 +192,8 @@ public:
   /**
    * Measure each pass of the frame on the GPU. GetStatistics() returns those of the last frame as JSON: milliseconds
    * per pass, textures and bytes in the pool, lights, accumulated frames; with a frame budget, also the levels in force, their
-   * predicted costs and errors, and the times of the last 120 frames. It waits for the GPU; frames do not.
+   * predicted costs and errors, and the times of the last 120 frames. It waits for the GPU; frames do
+   * not, except with software OpenGL, which finishes each pass before the next to time it.
    */
   vtkSetMacro(CollectStatistics, bool);
   vtkGetMacro(CollectStatistics, bool);

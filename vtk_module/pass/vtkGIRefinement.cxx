@@ -39,8 +39,10 @@ public:
   unsigned long OnChange = 0;
   unsigned long OnFrame = 0;
   int Timer = 0; ///< 0: none
+  int Fired = 0; ///< the last one that fired; 0: none
   int Drawn = 0; ///< frames since the window was drawn by others
   bool IsDrawing = false;
+  bool IsFiring = false; ///< the interactor is telling that a timer fires
   Clock::time_point LastOther; ///< when the window was drawn by others
 };
 
@@ -71,6 +73,7 @@ void vtkGIRefinement::SetInteractor(vtkRenderWindowInteractor* interactor)
   }
   this->Stop();
   this->Detach();
+  this->ForgetFired();
   if (this->Impl->Interactor)
   {
     this->Impl->Interactor->RemoveObserver(this->Impl->OnTimer);
@@ -155,6 +158,15 @@ void vtkGIRefinement::Stop()
   }
 }
 
+void vtkGIRefinement::ForgetFired()
+{
+  const int timer = std::exchange(this->Impl->Fired, 0);
+  if (timer != 0 && this->Impl->Interactor && !this->Impl->IsFiring)
+  {
+    this->Impl->Interactor->DestroyTimer(timer);
+  }
+}
+
 void vtkGIRefinement::Arm(int milliseconds)
 {
   this->Stop();
@@ -207,9 +219,15 @@ bool vtkGIRefinement::AtTimer(vtkObject*, unsigned long, void* timer)
   if (timer && this->Impl->Timer != 0 && *static_cast<int*>(timer) == this->Impl->Timer)
   {
     const vtkSmartPointer<vtkGIRefinement> alive =
-      this;       // an observer of the frame may let go of it
-    this->Stop(); // it fires once, and the interactor keeps it until it is destroyed
+      this; // an observer of the frame may let go of it
+    // The interactor keeps it until it is destroyed. Older VTK (9.2 on X11) walks through its timers right now, so this one must
+    // stay until the next fires.
+    this->ForgetFired();
+    this->Impl->Fired = std::exchange(this->Impl->Timer, 0);
+    this->Impl->IsFiring = true;
     this->DrawFrame();
+    // If nobody else holds this, it is deleted now, while the timer is still in use.
+    this->Impl->IsFiring = this->GetReferenceCount() == 1;
   }
   return false; // others may want the event, too
 }

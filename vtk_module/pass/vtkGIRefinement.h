@@ -15,7 +15,7 @@
  * @endcode
  *
  * It begins when the window was drawn by anyone else, and again whenever that happens. It stops when each renderer that has the
- * pass shows a mean of so many frames with the techniques' own settings. It keeps neither the interactor nor the
+ * pass shows a mean of the wanted number of frames with the techniques' own settings. It keeps neither the interactor nor the
  * pass alive.
  *
  * @sa vtkGIPass
@@ -98,6 +98,7 @@ private:
   void DrawFrame();
   bool IsFinished();
   void Arm(int milliseconds);
+  void ForgetFired();
 
   class Internals;
   std::unique_ptr<Internals> Impl;

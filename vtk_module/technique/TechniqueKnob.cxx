@@ -147,7 +147,19 @@ std::function<void()> TechniqueKnob::Apply(int level) const
         ->Put(technique, values[i]);
     }
   };
-  put(this->Levels[level].Values);
-  return [put, own = this->Levels.back().Values] { put(own); };
+  const std::vector<double>& lowered = this->Levels[level].Values;
+  put(lowered);
+  // What the user has set meanwhile, in an observer, stays.
+  return [technique, lowered, own = this->Levels.back().Values] {
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      const ParameterInfo* info =
+        technique->FindParameter(technique->BudgetTable()->Work[i].Parameter);
+      if (info->Get(technique) == lowered[i])
+      {
+        info->Put(technique, own[i]);
+      }
+    }
+  };
 }
 }
