@@ -83,7 +83,7 @@ class Flight:
         renderer.AddLight(light)
 
     def step(self, number):
-        """What happens before a frame, other than the flight."""
+        """Apply the scripted change that precedes a frame, if there is one."""
         renderer = self.film.renderer
         if number == 150:
             ball = vtkSphereSource()

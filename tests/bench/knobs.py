@@ -11,8 +11,8 @@ over scenes and frames. A level whose figure is not above twice that is marked ~
 column is the relMSE of its pictures against those of the last level: how much of a difference there is, better or worse.
 
 ddgi: the lamp moves, too, and the frames at rest have the last level, as those of a user's have: otherwise the figures would
-show how long probes take to find light at all. sky-light: when the orbit begins, a prop moves a little, after which the maps are
-drawn anew. ray-traced-shadows and shadow-maps: the lights have a size.
+show how long probes take to find light at all. sky-light: a prop moves slightly at the start of the orbit, so that the maps are
+redrawn. ray-traced-shadows and shadow-maps: the lights have a size.
 
 relMSE: mean of (picture - truth)^2 / (truth^2 + 0.01).
 """
@@ -42,11 +42,10 @@ LIGHT = ("isosurface", "cornell", "terrain-1000", "tubes-1000")
 WIDE_SCENES = ("wide-plates-1001", "wide-terrain-1002")  # thin tubes would outweigh all others a hundredfold
 SHADOWS = ("lamps", "isosurface", "terrain-1002", "tubes-1000")
 
-# What each technique is measured with. kind: what happens to the scenes. zoom: the picture is the middle of one that is so many
-# times as large, because small pictures do not show how fine a map is. bounces: of the truth. rest: frames at rest have the
-# last level.
+# Setup of each technique. kind: modification of the scenes. zoom: crop the middle of a picture enlarged by this factor, because
+# small pictures do not resolve the texels of a map. bounces: of the truth. rest: frames at rest have the last level.
 SETUPS = {
-    # Ray-traced light takes the place of these two in `high`. With lamps, what occlusion hides in `balanced` is 2 % of their light.
+    # Ray-traced light takes the place of these two in `high`. In `balanced`, occlusion affects 2 % of the light of lamps.
     # It has no effect beside sky-light, which rules out scenes under a sky.
     "ambient-occlusion": {"preset": "balanced", "scenes": ("lamps", "isosurface", "terrain-1002", "plates-1000")},
     "sky-light": {"preset": "balanced", "scenes": ("isosurface", "terrain", "tubes-1000"), "kind": "sky"},
@@ -55,7 +54,7 @@ SETUPS = {
     "denoising": {"scenes": LIGHT},
     "ray-traced-shadows": {"scenes": SHADOWS, "kind": "soft", "on": ["ray-traced-shadows"], "off": ["shadow-maps"]},
     "shadow-maps": {"scenes": WIDE_SCENES, "kind": "soft", "zoom": 4},
-    # Of light that comes straight from lamps, because the indirect light that `high` shows on metal hides what reflections lack.
+    # Direct light only: indirect light on metal would mask errors of the reflections.
     "screen-space-reflections": {"scenes": ("metal", "metal-lamps", "metal-isosurface"), "off": ["ddgi", "ray-traced-light"],
                                  "bounces": 1},
 }
@@ -151,7 +150,7 @@ class Stage:
         self.middle, self.diagonal = middle(self.renderer)
 
     def step(self, frame):
-        """What moves before a frame of the orbit; they count from 1."""
+        """Move what moves before a frame of the orbit; frames count from 1."""
         self.renderer.GetActiveCamera().Azimuth(TURN)
         if self.kind == "lamp":
             light, turn = lamps(self.renderer)[0], np.radians(LAMP_TURN)

@@ -239,6 +239,18 @@ TEST(Budget, IsSharedByTheRenderersOfAWindow)
   EXPECT_EQ(scene.Budget().at("milliseconds"), 15.0);
 }
 
+TEST(Budget, IsSharedByBothEyes)
+{
+  BudgetScene scene(30.0);
+  scene.Window->StereoRenderOn();
+  scene.Window->SetStereoTypeToRedBlue();
+  scene.Turn();
+  EXPECT_EQ(scene.Budget().at("milliseconds"), 15.0);
+  scene.Window->SetStereoTypeToLeft();
+  scene.Turn();
+  EXPECT_EQ(scene.Budget().at("milliseconds"), 30.0);
+}
+
 TEST(Budget, SaysWhatIsTooExpensive)
 {
   BudgetScene scene(1.0);

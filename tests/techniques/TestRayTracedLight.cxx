@@ -119,8 +119,8 @@ TEST_F(RayTracedLight, WithProbesEqualsPaths)
   EXPECT_NEAR(Mean(drawn), Mean(truth), 0.02 * Mean(truth));
 }
 
-// Metal in uniform light is as bright as that light, whether reflections are found or not. It shows indirect light in place of
-// those that are not, and must not add them to it.
+// Metal in uniform light is as bright as that light, whether reflections are found or not. Indirect light replaces reflections
+// that are not found, and must not be added to those that are.
 TEST_F(RayTracedLight, IsReflectedByMetalOnce)
 {
   this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0)->GetProperty()->SetAmbient(0.5);

@@ -50,7 +50,7 @@ struct Rank
     FrameBudget::Situation situation;
     situation.Budget = Budget;
     situation.Pixels = 1e6;
-    situation.Now = 16.0 * static_cast<double>(this->Drawn);
+    situation.ClockTime = 16.0 * static_cast<double>(this->Drawn);
     return situation;
   }
   std::map<std::string, int> Levels() const

@@ -21,7 +21,7 @@ public:
   Flight(const Flight&) = delete;
   Flight& operator=(const Flight&) = delete;
 
-  /// Places the camera for the frame that is followed by so many others.
+  /// Places the camera for the frame with this number of frames after it.
   void Place(int remaining);
 
 private:

@@ -168,11 +168,10 @@ private:
 
   void WritePlot(vtkGIPass* pass) const
   {
-    std::string error;
-    if (!this->Options.StatisticsPlot.empty() &&
-      !WriteFrameChart(this->Options.StatisticsPlot, pass->GetStatistics(), 1200, 500, error))
+    if (!this->Options.StatisticsPlot.empty())
     {
-      Fail("{}", error);
+      WriteFrameChart(
+        this->Options.StatisticsPlot, pass->GetStatistics(), 1200, 500, this->Options.Backend);
     }
   }
 

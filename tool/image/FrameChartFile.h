@@ -10,8 +10,8 @@ namespace penumbra::tool
 /// Throws a Failure if the chart's name does not end with .svg or .png, or its folder does not exist.
 void RequireChartName(const std::string& path);
 
-/// Writes the chart of vtkGIPass::GetStatistics() as .svg or .png, depending on the path. Returns false with a sentence in
-/// error if that is impossible. Only .png needs an OpenGL context.
-bool WriteFrameChart(
-  const std::string& path, const char* json, int width, int height, std::string& error);
+/// Writes the chart of vtkGIPass::GetStatistics() as .svg or .png, depending on the path, in pixels. Throws a Failure if
+/// that is impossible. backend: of the window that draws a .png.
+void WriteFrameChart(
+  const std::string& path, const char* json, int width, int height, const std::string& backend);
 }

@@ -15,7 +15,7 @@ constexpr double RiseRate = 0.5;
 constexpr double FallRate = 0.1;
 // Even the cheapest level binds resources and starts passes: part of its cost does not shrink with the work.
 constexpr double FixedShare = 0.1;
-// For so many frames after a change of levels, a wrong prediction is blamed on the ratio of the levels rather than on
+// Number of frames after a change of levels in which a wrong prediction is blamed on the ratio of the levels rather than on
 // the scene. Enough for a median to settle.
 constexpr int ShapeFrames = 8;
 constexpr double LeastFactor = 1e-6; // 0 stands for unknown

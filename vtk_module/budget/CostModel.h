@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What a frame costs with each level of each knob, learned from measured frames. The cost of a knob is
+ * Cost of a frame at each level of each knob, learned from measured frames. The cost of a knob is
  *   scale * shape(level), times the number of pixels if the knob works per pixel.
  * The scale stands for the scene and the machine, the shape for the ratio of the levels. Everything that no knob governs is the
  * rest.

@@ -14,7 +14,7 @@ namespace
 constexpr int StartFrames = 3;
 // Without a change of the scene; else it is an animation, and changes are no news.
 constexpr int QuietFrames = 30;
-// Costs of a changed scene are learned faster for so many frames.
+// Number of frames in which costs of a changed scene are learned faster.
 constexpr int NewFrames = 16;
 constexpr int FloorFrames = 30;
 
@@ -52,7 +52,7 @@ const std::vector<int>& Governor::Choose(const std::vector<Knob>& knobs, const S
   {
     this->GoUp();
   }
-  Choice& choice = this->Choices[this->Number % this->Choices.size()];
+  PastFrame& choice = this->PastFrames[this->Number % this->PastFrames.size()];
   choice.Frame = this->Number;
   choice.Levels = this->Levels;
   choice.Pixels = this->Pixels;
@@ -119,8 +119,8 @@ void Governor::Note(const Situation& now)
 
 void Governor::Measure(const FrameCost& cost)
 {
-  const Choice& choice =
-    this->Choices[static_cast<std::size_t>(std::max(cost.Frame, 0LL)) % this->Choices.size()];
+  const PastFrame& choice =
+    this->PastFrames[static_cast<std::size_t>(std::max(cost.Frame, 0LL)) % this->PastFrames.size()];
   bool isValid = cost.Frame > 0 && choice.Frame == cost.Frame && cost.Frame >= this->Accepted &&
     cost.Frame > this->LastMeasured && cost.ByKnob.size() == choice.Levels.size() &&
     std::isfinite(cost.Total) && cost.Total >= 0.0;

@@ -71,8 +71,8 @@ private:
   /// Times the prediction: slower frames are outliers rather than usual fluctuation.
   static constexpr double SpikeShare = 1.5;
 
-  /// What was in force in a frame.
-  struct Choice
+  /// Levels and prediction of a past frame.
+  struct PastFrame
   {
     long long Frame = 0;
     std::vector<int> Levels;
@@ -98,23 +98,23 @@ private:
 
   void Adopt(const std::vector<Knob>& knobs);
   void Note(const Situation& now);
-  /// Whether nothing would become faster at lower levels.
+  /// Whether lower levels would save no time.
   bool IsLowest(const std::vector<int>& levels) const;
-  /// Whether a frame is fewer than so many frames ago.
+  /// Whether a frame is less than this number of frames ago.
   bool IsWithin(long long frame, int frames) const;
   bool IsSettling() const;
   double MedianTotal() const; ///< ms, of the last five frames or fewer
   /// While settling: whether the levels prove too expensive by what was learned since.
   bool IsMistaken() const;
   bool IsOftenSlow() const; ///< whether many frames are slow, though less than half
-  /// Why to go down: the ratio of measured to predicted time, at least 1; 0 to stay.
+  /// Ratio of measured to predicted time, at least 1, if levels must go down; 0 otherwise.
   double OverrunNow() const;
   void GoDown(double overrun);
   void GoUp();
   /// Choose afresh, which may exchange levels between knobs.
   void Refresh();
   double Error(const std::vector<int>& levels) const;
-  /// Whether the last frames would have been fast enough with so many ms more.
+  /// Whether the last frames would have met the budget with this cost (ms) added.
   bool IsSupported(double added) const;
   /// caution: factor on the added cost of levels that were never measured.
   std::vector<LevelValues> Values(double caution) const;
@@ -126,7 +126,7 @@ private:
   std::vector<int> Levels;
   std::vector<Bar> Bars;       ///< one per knob
   std::vector<LastLevel> Left; ///< one per knob
-  std::array<Choice, 16> Choices;
+  std::array<PastFrame, 16> PastFrames;
   std::deque<double> Totals;      ///< ms of the frames since Since, at most MostTotals
   std::deque<double> Predictions; ///< ms, made after each of them for the next frame
   std::deque<double> Residuals;   ///< relative, of cost over prediction, at most 128

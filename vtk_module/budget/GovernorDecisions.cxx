@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * When the governor changes levels, and to which.
+ * Decisions of the governor: when levels change, and to which.
  */
 #include "budget/Governor.h"
 
@@ -13,7 +13,7 @@ namespace penumbra
 {
 namespace
 {
-// So many frames after a start or a change of the scene, costs are known well enough to exchange levels between knobs.
+// Number of frames after a start or a change of the scene by which costs are known well enough to exchange levels between knobs.
 constexpr int FreshFrames = 24;
 // Frames from a change of levels to a step up.
 constexpr int UpWait = 30;
@@ -27,19 +27,19 @@ constexpr std::size_t UpSupportSettling = 7;
 // Frames from a step down to a step up, so that no change is undone soon.
 constexpr int DownWait = 60;
 constexpr int DownWaitSettling = 16;
-// A step up is to blame for a step down within so many frames.
+// Number of frames within which a step down is blamed on the last step up.
 constexpr int BlameFrames = 60;
-// Such a step is barred for so many frames, twice as many each time.
+// Number of frames for which such a step is barred; doubles each time.
 constexpr int BarFrames = 240;
 constexpr int MostBarFrames = 1 << 16;
-// Levels that were never measured are tried in so many frames after a start or a change of the scene, so that a failure
+// Number of frames after a start or a change of the scene in which unmeasured levels may be tried, so that a failure
 // is over once costs are settled.
 constexpr int TryFrames = 48;
 // Share of the budget that is used at most while few frames support a step up.
 constexpr double SettlingShare = 0.9;
 // Share of the present error that a step up must remove to be worth a visible change.
 constexpr double LeastGain = 0.05;
-// What adds less than this share of the budget is free, and stays when nothing else fits.
+// A level that adds less than this share of the budget counts as free, and stays when nothing else fits.
 constexpr double FreeShare = 1e-3;
 // Times the added cost of a level that was never measured, as it may prove higher: in a choice from scratch.
 constexpr double Caution = 1.5;

@@ -12,7 +12,7 @@
 
 namespace penumbra
 {
-/// What is known of one knob's levels, from the cheapest to the best.
+/// Costs and errors of one knob's levels, from the cheapest to the best.
 struct LevelValues
 {
   std::vector<double> Costs;  ///< ms

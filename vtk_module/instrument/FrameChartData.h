@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// What a chart of a frame's cost shows, read from the statistics of a pass.
+/// Data of a chart of a frame's cost, read from the statistics of a pass.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace penumbra
 {
-/// How a term of the light is paid for. Rest is all that no technique answers for, such as VTK's own drawing.
+/// Approach by which a technique keeps a frame cheap. Rest: everything outside of techniques, such as VTK's own drawing.
 enum class Approach
 {
   Precompute,

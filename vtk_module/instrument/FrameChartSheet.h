@@ -12,7 +12,7 @@ namespace penumbra
 /// Durations have as many digits as matter to a frame: 0.04, 4.2, 142.
 std::string FormatMilliseconds(double milliseconds);
 
-/// Distances of ticks, 1, 2 or 5 times a power of ten, so that there are at most so many of them.
+/// Distance between ticks, 1, 2 or 5 times a power of ten, for at most the given number of ticks.
 double TickStep(double range, int most);
 
 class ChartSheet

@@ -4,7 +4,7 @@
  * @class   vtkGIFrameChart
  * @brief   draws where the time of a frame of vtkGIPass goes, and what more time would buy
  *
- * A frame has so many milliseconds, and each term of the light is precomputed, approximated or amortised. A bar stacks the
+ * A frame has a limited number of milliseconds, and each term of the light is precomputed, approximated or amortised. A bar stacks the
  * passes of the last frame by these approaches, with a line at the budget. If the statistics have a budget, earlier frames
  * follow below, and for each knob the error of its levels over their cost.
  *
@@ -45,13 +45,13 @@ public:
   bool SetStatistics(const char* json);
 
   /**
-   * Why SetStatistics() returned false; empty if it did not.
+   * Reason why SetStatistics() or WriteSVG() returned false; empty if they did not.
    */
   const char* GetLastError();
 
   ///@{
   /**
-   * What is measured, such as the name of a scene. Default: none.
+   * Title of the chart, such as the name of the scene. Default: none.
    */
   void SetTitle(const char* title);
   const char* GetTitle();

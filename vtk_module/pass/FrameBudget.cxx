@@ -40,12 +40,12 @@ FrameBudget::State FrameBudget::NextState(const Situation& situation)
   }
   if (situation.Changed)
   {
-    this->LastChange = situation.Now;
+    this->LastChange = situation.ClockTime;
     this->Refined = 0;
     return State::Moving;
   }
-  const bool atRest = situation.Now - this->LastChange > RestMilliseconds;
-  // What has settled stays so until something changes.
+  const bool atRest = situation.ClockTime - this->LastChange > RestMilliseconds;
+  // A settled picture stays settled until something changes.
   if (!atRest || this->Current == State::Settled)
   {
     return atRest ? State::Settled : State::Moving;
@@ -131,7 +131,7 @@ void FrameBudget::FindKnobs(const Techniques& techniques, const std::vector<doub
     std::any_of(tookPart.begin(), tookPart.end(), [](double part) { return part > 0.0; });
   for (std::size_t i = 0; i < techniques.size(); ++i)
   {
-    // What was switched on just now cannot have taken part.
+    // A technique that was just switched on cannot have taken part.
     const bool isNew = i >= this->WasEnabled.size() || !this->WasEnabled[i];
     if (!techniques[i]->GetEnabled() || (isKnown && !isNew && tookPart[i] <= 0.0))
     {
@@ -165,12 +165,12 @@ void FrameBudget::Decide(const Techniques& techniques, const std::vector<double>
     this->Levels = this->Chooser.Choose(
       this->Declared, { situation.Budget, situation.Pixels, situation.SceneChanged });
     this->Known = this->NamesAndLevels();
-    Asked asked{ number, {}, { this->Chooser.Frame(), 0.0, {} } };
+    PendingFrame pending{ number, {}, { this->Chooser.Frame(), 0.0, {} } };
     for (const TechniqueKnob& knob : this->Knobs)
     {
-      asked.Knobs.emplace_back(knob.Technique()->GetName());
+      pending.Knobs.emplace_back(knob.Technique()->GetName());
     }
-    this->Waiting.push_back(std::move(asked));
+    this->Pending.push_back(std::move(pending));
     this->WatchFloor();
   }
   else if (this->Current == State::Refining)
@@ -191,7 +191,7 @@ bool FrameBudget::Begin(const Techniques& techniques, const Situation& situation
   this->SceneChanged = this->SceneChanged || situation.SceneChanged;
   if (this->IsDecided && situation.Budget > 0.0 && !situation.Exempt && !situation.Still)
   {
-    this->Waiting.back().Number = number;
+    this->Pending.back().Number = number;
   }
   else
   {
@@ -199,9 +199,9 @@ bool FrameBudget::Begin(const Techniques& techniques, const Situation& situation
     if (this->Current == State::Moving)
     {
       // The other processes are not there to tell what these frames cost.
-      this->Waiting.erase(std::remove_if(this->Waiting.begin(), this->Waiting.end(),
-                            [](const Asked& asked) { return asked.Shared; }),
-        this->Waiting.end());
+      this->Pending.erase(std::remove_if(this->Pending.begin(), this->Pending.end(),
+                            [](const PendingFrame& pending) { return pending.Shared; }),
+        this->Pending.end());
     }
   }
   this->IsDecided = false;
@@ -229,37 +229,37 @@ void FrameBudget::End()
 
 void FrameBudget::Ignore(long long number)
 {
-  for (Asked& asked : this->Waiting)
+  for (PendingFrame& pending : this->Pending)
   {
-    asked.Known = asked.Number == number ? Progress::Ignored : asked.Known;
+    pending.Known = pending.Number == number ? Progress::Ignored : pending.Known;
   }
   this->PassOn();
 }
 
 void FrameBudget::Measure(const TimedFrame& frame)
 {
-  for (Asked& asked : this->Waiting)
+  for (PendingFrame& pending : this->Pending)
   {
-    if (asked.Number == NotDrawn || asked.Known != Progress::Waiting)
+    if (pending.Number == NotDrawn || pending.Known != Progress::Pending)
     {
       continue;
     }
-    if (asked.Number < frame.Number)
+    if (pending.Number < frame.Number)
     {
-      asked.Known = Progress::Ignored; // not timed
+      pending.Known = Progress::Ignored; // not timed
     }
-    else if (asked.Number == frame.Number)
+    else if (pending.Number == frame.Number)
     {
-      asked.Known = Progress::Measured;
-      asked.Cost.Total = frame.Milliseconds;
-      for (const std::string& technique : asked.Knobs)
+      pending.Known = Progress::Measured;
+      pending.Cost.Total = frame.Milliseconds;
+      for (const std::string& technique : pending.Knobs)
       {
         double sum = 0.0;
         for (const TimedSpan& span : frame.Spans)
         {
           sum += span.Technique == technique ? span.Milliseconds : 0.0;
         }
-        asked.Cost.ByKnob.push_back(sum);
+        pending.Cost.ByKnob.push_back(sum);
       }
     }
   }
@@ -268,14 +268,14 @@ void FrameBudget::Measure(const TimedFrame& frame)
 
 void FrameBudget::PassOn()
 {
-  while (!this->Waiting.empty() && !this->Waiting.front().Shared &&
-    this->Waiting.front().Known != Progress::Waiting)
+  while (!this->Pending.empty() && !this->Pending.front().Shared &&
+    this->Pending.front().Known != Progress::Pending)
   {
-    if (this->Waiting.front().Known == Progress::Measured)
+    if (this->Pending.front().Known == Progress::Measured)
     {
-      this->Chooser.Measure(this->Waiting.front().Cost);
+      this->Chooser.Measure(this->Pending.front().Cost);
     }
-    this->Waiting.pop_front();
+    this->Pending.pop_front();
   }
 }
 

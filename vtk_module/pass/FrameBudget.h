@@ -43,7 +43,7 @@ public:
     bool SceneChanged =
       false; ///< a prop appeared, disappeared or changed its shape, so that costs may jump
     double Pixels = 0.0; ///< of the picture
-    double Now = 0.0;    ///< ms of a steady clock
+    double ClockTime = 0.0; ///< ms of a steady clock
   };
 
   using Techniques = std::vector<vtkSmartPointer<vtkGITechnique>>;
@@ -77,17 +77,17 @@ private:
   enum class Progress
   {
     Measured,
-    Waiting,
+    Pending,
     Ignored ///< not timed, or not typical
   };
 
   /// A frame whose cost the governor waits for.
-  struct Asked
+  struct PendingFrame
   {
     long long Number;               ///< NotDrawn: in this process
     std::vector<std::string> Knobs; ///< their techniques
     FrameCost Cost;
-    Progress Known = Progress::Waiting;
+    Progress Known = Progress::Pending;
     bool Shared = false; ///< no process may pass it on alone
   };
   static constexpr long long NotDrawn = -2;
@@ -123,7 +123,7 @@ private:
   std::vector<std::function<void()>> PutBack;
   std::vector<std::string> InForce; ///< what is lower than the user's own settings
   std::vector<bool> WasEnabled;     ///< by technique, when the knobs were last found
-  std::deque<Asked> Waiting;
+  std::deque<PendingFrame> Pending;
   State Current = State::Off;
   bool GoesOn =
     false; ///< a picture that must not depend on times has begun, and nothing has changed since

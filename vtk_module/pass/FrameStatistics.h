@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What vtkGIPass::GetStatistics() tells of a view's last frames.
+ * Statistics of a view's last frames, for vtkGIPass::GetStatistics().
  */
 #pragma once
 

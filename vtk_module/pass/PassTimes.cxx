@@ -67,7 +67,7 @@ void vtkGIPass::Internals::ApplyBudget(
   situation.Changed = view.Changes.Any;
   situation.SceneChanged = view.Changes.Presence || view.Changes.Appearance;
   situation.Pixels = double(view.Viewport.z) * view.Viewport.w;
-  situation.Now = now.count();
+  situation.ClockTime = now.count();
   this->Governed = &record;
   if (record.Budget.Begin(this->Techniques, situation, record.FrameNumber))
   {

@@ -72,24 +72,24 @@ std::vector<double> FrameBudget::Offer(const Techniques& techniques, const Situa
   values[PixelsValue] = situation.Pixels;
   values[SceneValue] = this->SceneChanged || situation.SceneChanged ? 1.0 : 0.0;
   setPair(FrameValue, static_cast<double>(this->Chooser.Frame()));
-  setPair(WaitingValue, static_cast<double>(this->Waiting.size()));
+  setPair(WaitingValue, static_cast<double>(this->Pending.size()));
   setPair(LevelsValue, this->SharedLevels);
   const std::vector<double> tookPart = TookPart(techniques);
   std::copy(
     tookPart.begin(), tookPart.end(), values.begin() + static_cast<std::ptrdiff_t>(layout.Part(0)));
-  for (std::size_t i = 0; i < std::min(this->Waiting.size(), MostWaiting); ++i)
+  for (std::size_t i = 0; i < std::min(this->Pending.size(), MostWaiting); ++i)
   {
-    Asked& asked = this->Waiting[i];
-    if (asked.Number == NotDrawn)
+    PendingFrame& pending = this->Pending[i];
+    if (pending.Number == NotDrawn)
     {
-      asked.Known = Progress::Measured;
-      asked.Cost.ByKnob.assign(asked.Knobs.size(), 0.0);
+      pending.Known = Progress::Measured;
+      pending.Cost.ByKnob.assign(pending.Knobs.size(), 0.0);
     }
-    values[layout.Progress(i)] = static_cast<double>(asked.Known);
-    values[layout.Total(i)] = asked.Cost.Total;
-    for (std::size_t k = 0; k < asked.Cost.ByKnob.size(); ++k)
+    values[layout.Progress(i)] = static_cast<double>(pending.Known);
+    values[layout.Total(i)] = pending.Cost.Total;
+    for (std::size_t k = 0; k < pending.Cost.ByKnob.size(); ++k)
     {
-      values[layout.Knob(i, k)] = asked.Cost.ByKnob[k];
+      values[layout.Knob(i, k)] = pending.Cost.ByKnob[k];
     }
   }
   return values;
@@ -104,30 +104,30 @@ void FrameBudget::Accept(const Techniques& techniques, const std::vector<double>
   {
     // A process has begun afresh, such as in a new context, or has drawn frames alone.
     this->Chooser = Governor();
-    this->Waiting.clear();
+    this->Pending.clear();
     this->Known.clear();
   }
-  for (std::size_t i = 0; i < std::min(this->Waiting.size(), MostWaiting); ++i)
+  for (std::size_t i = 0; i < std::min(this->Pending.size(), MostWaiting); ++i)
   {
-    Asked& asked = this->Waiting[i];
+    PendingFrame& pending = this->Pending[i];
     const auto known = static_cast<Progress>(static_cast<int>(most[layout.Progress(i)]));
-    if (known == Progress::Waiting)
+    if (known == Progress::Pending)
     {
       break; // until all know it; later frames wait for it
     }
-    asked.Known = known;
-    asked.Shared = false;
-    asked.Cost.Total = most[layout.Total(i)];
-    for (std::size_t k = 0; k < asked.Knobs.size(); ++k)
+    pending.Known = known;
+    pending.Shared = false;
+    pending.Cost.Total = most[layout.Total(i)];
+    for (std::size_t k = 0; k < pending.Knobs.size(); ++k)
     {
-      asked.Cost.ByKnob.resize(asked.Knobs.size());
-      asked.Cost.ByKnob[k] = most[layout.Knob(i, k)];
+      pending.Cost.ByKnob.resize(pending.Knobs.size());
+      pending.Cost.ByKnob[k] = most[layout.Knob(i, k)];
     }
   }
   this->PassOn();
-  while (this->Waiting.size() >= MostWaiting)
+  while (this->Pending.size() >= MostWaiting)
   {
-    this->Waiting.pop_front(); // never timed by someone
+    this->Pending.pop_front(); // never timed by someone
   }
   Situation situation;
   situation.Budget = most[BudgetValue];
@@ -140,7 +140,7 @@ void FrameBudget::Accept(const Techniques& techniques, const std::vector<double>
   this->SharedLevels = FingerprintOf(this->Levels);
   if (this->Current == State::Moving)
   {
-    this->Waiting.back().Shared = true;
+    this->Pending.back().Shared = true;
     this->IsDecided = true;
   }
 }

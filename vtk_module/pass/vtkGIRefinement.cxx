@@ -40,7 +40,7 @@ public:
   unsigned long OnFrame = 0;
   int Timer = 0; ///< 0: none
   int Fired = 0; ///< the last one that fired; 0: none
-  int Drawn = 0; ///< frames since the window was drawn by others
+  int FramesDrawn = 0; ///< frames since the window was drawn by others
   bool IsDrawing = false;
   bool IsFiring = false; ///< the interactor is telling that a timer fires
   Clock::time_point LastOther; ///< when the window was drawn by others
@@ -205,7 +205,7 @@ void vtkGIRefinement::AfterFrame()
   {
     return;
   }
-  this->Impl->Drawn = 0;
+  this->Impl->FramesDrawn = 0;
   this->Impl->LastOther = Clock::now();
   // While the user turns the scene, one timer is enough: it finds out that it is early.
   if (this->Impl->Timer == 0 && !this->IsFinished())
@@ -234,7 +234,7 @@ bool vtkGIRefinement::AtTimer(vtkObject*, unsigned long, void* timer)
 
 void vtkGIRefinement::DrawFrame()
 {
-  if (this->IsFinished() || this->Impl->Drawn >= this->Frames + MostOthers)
+  if (this->IsFinished() || this->Impl->FramesDrawn >= this->Frames + MostOthers)
   {
     return;
   }
@@ -246,11 +246,11 @@ void vtkGIRefinement::DrawFrame()
     this->Arm(busy ? this->Pause : static_cast<int>(this->Pause - rest.count()) + 1);
     return;
   }
-  ++this->Impl->Drawn;
+  ++this->Impl->FramesDrawn;
   this->Impl->IsDrawing = true;
   this->Impl->Interactor->Render();
   this->Impl->IsDrawing = false;
-  if (!this->IsFinished() && this->Impl->Drawn < this->Frames + MostOthers)
+  if (!this->IsFinished() && this->Impl->FramesDrawn < this->Frames + MostOthers)
   {
     this->Arm(Interval);
   }

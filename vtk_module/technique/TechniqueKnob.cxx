@@ -49,7 +49,7 @@ TechniqueKnob::TechniqueKnob(vtkGITechnique* technique)
         this->Levels.push_back(level);
       }
     }
-    // What the user's own settings lack is no error of the levels.
+    // The error of the user's own settings does not count against the levels.
     const double missing = this->ErrorOf(ownWork);
     for (Level& level : this->Levels)
     {
@@ -149,7 +149,7 @@ std::function<void()> TechniqueKnob::Apply(int level) const
   };
   const std::vector<double>& lowered = this->Levels[level].Values;
   put(lowered);
-  // What the user has set meanwhile, in an observer, stays.
+  // Keep values that the user has set in the meantime, in an observer.
   return [technique, lowered, own = this->Levels.back().Values] {
     for (std::size_t i = 0; i < own.size(); ++i)
     {
