@@ -17,6 +17,8 @@
 #define GI_RAY_TEXEL imageLoad
 #endif
 
+const int GI_RAY_MOST_STEPS = 1 << 24;
+
 struct Ray
 {
   vec3 origin;
@@ -73,7 +75,8 @@ RayHit rayTrace(Ray ray, const bool any)
   int size = 2;
   int current = int(GI_RAY_TEXEL(rayInstances, GI_RAY_INSTANCE_TEXELS - 1).x);
 
-  while (current != GI_RAY_DONE)
+  // The count is never reached. Without one, the same compiler makes loops of some rays of probes that never end.
+  for (int steps = 0; steps < GI_RAY_MOST_STEPS && current != GI_RAY_DONE; ++steps)
   {
     while (current >= 0)
     {

@@ -110,13 +110,22 @@ class Flight:
         return statistics.get("budget", {"frame": 1e3 * seconds})
 
 
-def floor_of(args, steps=(), moving=True):
-    """Median milliseconds of a frame with the lowest levels, after these steps."""
+def budget_of(args, report, steps=(), moving=True):
+    """The budget: a multiple of the median frame with the lowest levels, after these steps. Says which passes take longest then."""
     lowest = Flight(args.size, args.preset, moving)
     lowest.gi.SetFrameBudget(1)
     for number in steps:
         lowest.step(number)
-    return float(np.median([lowest.frame(i, False)["frame"] for i in range(60)][20:]))
+    times, by_pass = [], {}
+    for i in range(60):
+        report.going_on(f"lowest levels: frame {i}")
+        times.append(lowest.frame(i, False)["frame"])
+        for entry in penumbra.statistics(lowest.gi)["passes"] if i >= 20 else ():
+            by_pass[entry["name"]] = by_pass.get(entry["name"], 0) + entry["milliseconds"] / 40
+    budget = args.floors * float(np.median(times[20:]))
+    longest = sorted(by_pass, key=by_pass.get, reverse=True)[:4]
+    report.figure("budget, ms", budget, more="at the lowest levels: " + ", ".join(f"{name} {by_pass[name]:.1f}" for name in longest))
+    return budget
 
 
 def levels(budget):
@@ -124,8 +133,7 @@ def levels(budget):
 
 
 def flight(args, report):
-    budget = args.floors * floor_of(args, STEPS)
-    report.figure("budget, ms", budget)
+    budget = budget_of(args, report, STEPS)
     over, worst = [], []
     for run in range(args.runs):
         shot = Flight(args.size, args.preset)
@@ -173,7 +181,7 @@ def steadiness(args, budget, report, run):
 
 
 def constant(args, report):
-    budget = args.floors * floor_of(args)
+    budget = budget_of(args, report)
     runs = np.array([steadiness(args, budget, report, run) for run in range(args.runs)])
     changes, undone, unused = np.median(runs, axis=0)
     report.figure("changes in 100 frames", changes, 1, more="runs: " + ", ".join(f"{v:.2f}" for v in runs[:, 0]))
@@ -183,7 +191,7 @@ def constant(args, report):
 
 
 def error(args, report):
-    budget = args.floors * floor_of(args, moving=False)
+    budget = budget_of(args, report, moving=False)
     ends = [60, 120, 180]  # frames whose pictures are compared
 
     def along(preset, limit):

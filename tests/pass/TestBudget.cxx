@@ -256,9 +256,9 @@ TEST(Budget, SaysWhatIsTooExpensive)
   BudgetScene scene(1.0);
   scene.Turn(80);
   const auto budget = scene.Budget();
-  if (budget.at("floor").get<double>() < 1.2)
+  if (budget.at("floor").get<double>() < 2.0)
   {
-    GTEST_SKIP() << "this machine draws the scene within 1 ms";
+    GTEST_SKIP() << "this machine draws the scene within 2 ms, which is too near a budget of 1 ms";
   }
   EXPECT_NE(std::string(scene.Pass->GetNotes()).find("of the budget's 1.0 ms"), std::string::npos)
     << scene.Pass->GetNotes();

@@ -178,7 +178,7 @@ class Lightmap(command.LightmapTest):
     def test_killed_and_resumed(self):
         """A bake that is killed goes on where it was, to the light that one without a break has."""
         scene = self.scene(lamp_room())
-        settings = ("--texel-size", 0.08, "--samples", 256)
+        settings = ("--texel-size", 0.08, "--samples", 1024)
         start = time.monotonic()
         self.bake(scene, *settings, "--from-scratch", output="whole.vti")
         seconds = time.monotonic() - start
