@@ -1,6 +1,8 @@
 #version 430 core
 // What the network says of each pixel: features, and how much their differences and those of light count at each level.
+// Light changes less from pixel to pixel in larger pictures than in those of the training, so differences count less there.
 #include "shared/view.h"
+#include "denoising/network/facts.glsl"
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
 layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
 
@@ -31,8 +33,9 @@ void main()
     }
   }
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
-  vec4 bandwidths = softplus(sums[1]);
-  vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
+  float change = min(TRAINED_SIZE / min(view.Viewport.z, view.Viewport.w), 1.0);
+  vec4 bandwidths = change * softplus(sums[1]);
+  vec4 sharpnesses = max(change * softplus(sums[2]), LEAST_SHARPNESS);
   for (int level = 0; level < 4; ++level)
   {
     counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));

@@ -6,7 +6,8 @@
 usage: export.py NETWORK.txt FOLDER SOURCE.cxx
 
 A shader computes a part of a layer that is small enough for compilers: FOLDER/LAYER_PART.comp, which includes
-denoising/layer.glsl. FOLDER/fine.glsl is the layer that sees single pixels. The build calls this.
+denoising/layer.glsl. FOLDER/fine.glsl is the layer that sees single pixels, FOLDER/facts.glsl what is known of the training. The
+build calls this.
 """
 import pathlib
 import sys
@@ -112,10 +113,11 @@ def main():
     """Write the files, and remove those of another network."""
     network, folder, output = map(pathlib.Path, sys.argv[1:])
     try:
-        _, layers = weights.read(network)
+        facts, layers = weights.read(network)
     except (OSError, ValueError) as error:
         sys.exit(str(error))
-    texts = {"fine.glsl": fine(layers.pop("fine"))}
+    texts = {"fine.glsl": fine(layers.pop("fine")),
+             "facts.glsl": f"{ORIGIN}\nconst float TRAINED_SIZE = {number(float(facts['size']))}; // pixels of a picture's side\n"}
     for name, layer in layers.items():
         for index, (first, last) in enumerate(parts(layer)):
             texts[f"{name}_{index}.comp"] = shader(layer, layers.get(ABOVE.get(name)), name != "out", first, last)

@@ -27,14 +27,14 @@ def moved(values, x, y):
     return result
 
 
-def read_layers(path):
-    """Weights (outputs, inputs, y, x) and biases by the layer's name."""
-    _, layers = weights.read(path)
+def read_network(path):
+    """The facts, and weights (outputs, inputs, y, x) and biases by the layer's name."""
+    facts, layers = weights.read(path)
     found = {}
     for name, layer in layers.items():
         values, count = np.array(layer.values), layer.weight_count()
         found[name] = values[:count].reshape(layer.outputs, layer.inputs, layer.kernel, layer.kernel), values[count:]
-    return found
+    return facts, found
 
 
 class Surfaces:
@@ -163,13 +163,14 @@ def interpolated(values, height, width):
     return np.einsum("yh,hwc,xw->yxc", tables[0], values, tables[1])
 
 
-def guides(signal, surfaces, layers):
-    """Features, bandwidths and sharpnesses of each pixel."""
+def guides(signal, surfaces, layers, trained_size):
+    """Features, bandwidths and sharpnesses of each pixel: glsl/denoising/guides.frag."""
     single, blocks = inputs(signal, surfaces)
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
-    return features, half(bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS))
+    change = min(trained_size / min(single.shape[:2]), 1)
+    return features, half(change * bandwidths), half(np.maximum(change * sharpnesses, LEAST_SHARPNESS))
 
 
 class Means:
@@ -191,10 +192,11 @@ class Means:
         self.noise = np.sqrt(np.where(noise > 0, weighted, spread)) / total
 
 
-def denoise(signal, layers, stored=lambda light, error: (light, error)):
+def denoise(signal, network_file, stored=lambda light, error: (light, error)):
     """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
+    facts, layers = read_network(network_file)
     surfaces = Surfaces(signal)
-    features, bandwidths, sharpnesses = guides(signal, surfaces, layers)
+    features, bandwidths, sharpnesses = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
     for level in range(LEVELS):
