@@ -75,7 +75,7 @@ RayHit rayTrace(Ray ray, const bool any)
   int size = 2;
   int current = int(GI_RAY_TEXEL(rayInstances, GI_RAY_INSTANCE_TEXELS - 1).x);
 
-  // The count is never reached. Without one, the same compiler makes loops of some rays of probes that never end.
+  // The count is never reached. Without it, the same compiler makes endless loops of some of DDGI's rays.
   for (int steps = 0; steps < GI_RAY_MOST_STEPS && current != GI_RAY_DONE; ++steps)
   {
     while (current >= 0)
