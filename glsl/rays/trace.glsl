@@ -17,7 +17,7 @@
 #define GI_RAY_TEXEL imageLoad
 #endif
 
-const int GI_RAY_MOST_STEPS = 1 << 24;
+const int GI_RAY_MOST_STEPS = 1 << 24; // leaves and instances that a ray visits
 
 struct Ray
 {

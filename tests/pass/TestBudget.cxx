@@ -254,11 +254,15 @@ TEST(Budget, IsSharedByBothEyes)
 TEST(Budget, SaysWhatIsTooExpensive)
 {
   BudgetScene scene(1.0);
-  scene.Turn(80);
-  const auto budget = scene.Budget();
-  if (budget.at("floor").get<double>() < 2.0)
+  int over = 0; // frames in a row
+  for (int i = 0; i < 80; ++i)
   {
-    GTEST_SKIP() << "this machine draws the scene within 2 ms, which is too near a budget of 1 ms";
+    scene.Turn();
+    over = scene.Budget().at("frame").get<double>() > 1.0 ? over + 1 : 0;
+  }
+  if (over < 40)
+  {
+    GTEST_SKIP() << "this machine draws the scene within 1 ms";
   }
   EXPECT_NE(std::string(scene.Pass->GetNotes()).find("of the budget's 1.0 ms"), std::string::npos)
     << scene.Pass->GetNotes();

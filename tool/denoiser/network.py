@@ -214,7 +214,7 @@ class Denoiser(nn.Module):
             self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS))
 
     def guides(self, batch):
-        """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces."""
+        """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces, in a picture of the training's size."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
         features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
