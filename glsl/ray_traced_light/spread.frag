@@ -29,7 +29,7 @@ void add(inout Blend blend, ivec2 block, ivec2 pixel, GiSurfel here, float share
     return;
   }
   vec4 light = texelFetch(samples, block, 0);
-  ivec2 at = block * stride + turnPlace();
+  ivec2 at = block * stride + turnPlace(block.y);
   ivec2 window = at + ivec2(view.Viewport.xy);
   float depth = similar ? texelFetch(depthTexture, window, 0).r : here.depth + dot(here.slope, vec2(at - pixel));
   float weight = light.a * share * giSimilarity(here, vec2(at - pixel), depth, texelFetch(normalTexture, window, 0).xy);
@@ -46,23 +46,34 @@ void main()
   {
     return;
   }
-  float sharing = float(stride * stride);
-  if ((pixel - turnPlace()) % stride == ivec2(0))
+  float sharing = float(stride.x * stride.y);
+  ivec2 own = pixel / stride;
+  ivec2 place = turnPlace(own.y);
+  if (pixel == own * stride + place)
   {
-    traced = vec4(texelFetch(samples, pixel / stride, 0).rgb, sharing);
+    traced = vec4(texelFetch(samples, own, 0).rgb, sharing);
     return;
   }
   GiSurfel here = giSurfel(gl_FragCoord.xy, texelFetch(depthTexture, window, 0).r,
-    texelFetch(normalTexture, window, 0).xy, float(stride));
-  vec2 between = vec2(pixel - turnPlace()) / float(stride);
+    texelFetch(normalTexture, window, 0).xy, float(stride.x));
+  vec2 between = vec2(pixel - place) / vec2(stride);
   ivec2 base = ivec2(floor(between));
   vec2 share = between - vec2(base);
   Blend blend = Blend(vec3(0.0), 0.0);
   for (int i = 0; i < 4; ++i)
   {
     ivec2 offset = ivec2(i & 1, i >> 1);
-    vec2 shares = mix(1.0 - share, share, vec2(offset));
-    add(blend, base + offset, pixel, here, max(shares.x * shares.y, 1e-3), true);
+    if (turnIsCheckerboard())
+    {
+      // Rays went from all four neighbours.
+      ivec2 beside = pixel + ivec2(offset.x + offset.y - 1, offset.x - offset.y);
+      add(blend, ivec2(floor(vec2(beside) / vec2(stride))), pixel, here, 1.0, true);
+    }
+    else
+    {
+      vec2 shares = mix(1.0 - share, share, vec2(offset));
+      add(blend, base + offset, pixel, here, max(shares.x * shares.y, 1e-3), true);
+    }
   }
   // Thin things may have none there.
   int more = blend.weights == 0.0 ? 16 : 0;

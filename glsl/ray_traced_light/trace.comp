@@ -110,7 +110,7 @@ vec3 sound(vec3 light)
 void main()
 {
   ivec2 block = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 pixel = block * stride + turnPlace();
+  ivec2 pixel = block * stride + turnPlace(block.y);
   ivec2 window = pixel + ivec2(view.Viewport.xy);
   if (any(greaterThanEqual(block * stride, ivec2(view.Viewport.zw))))
   {
@@ -123,7 +123,8 @@ void main()
   }
   RaySurfacePoint at = rayPixelSurface(window);
   uint state = giHash(giHash(uint(window.x) + (uint(window.y) << 16)) ^ giHash(uint(view.Frame.x)));
-  uint place = 4u * uint(turnPlace().y * stride + turnPlace().x); // pixels in the same place of their blocks share sequences
+  ivec2 offset = pixel - block * stride;
+  uint place = 4u * uint(offset.y * stride.x + offset.x); // pixels in the same place of their blocks share sequences
   mat3 basis = giBasis(at.normal);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < rays; ++i)

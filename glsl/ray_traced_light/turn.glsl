@@ -1,5 +1,5 @@
-// The pixels of a block of stride x stride take turns: in each frame rays go from one of them. Needs shared/view.h.
-uniform int stride; // 1, 2 or 4
+// The pixels of a block take turns: in each frame rays go from one of them. Needs shared/view.h.
+uniform ivec2 stride; // width and height of blocks: 1x1, 2x1 as on a checkerboard, 2x2 or 4x4
 
 // Which of a square of four comes in a turn of four: opposite corners first.
 ivec2 turnQuarter(int turn)
@@ -7,12 +7,21 @@ ivec2 turnQuarter(int turn)
   return ivec2(turn & 1, (turn ^ turn >> 1) & 1);
 }
 
-// The pixel of each block from which rays go in this frame.
-ivec2 turnPlace()
+bool turnIsCheckerboard()
 {
+  return stride.x > stride.y;
+}
+
+// The pixel from which rays go in this frame, in a block of a row of blocks.
+ivec2 turnPlace(int row)
+{
+  if (turnIsCheckerboard())
+  {
+    return ivec2((view.Frame.x + row) & 1, 0);
+  }
   ivec2 place = ivec2(0);
   int turn = view.Frame.x;
-  for (int size = stride / 2; size > 0; size /= 2)
+  for (int size = stride.x / 2; size > 0; size /= 2)
   {
     place += size * turnQuarter(turn & 3);
     turn >>= 2;
@@ -23,5 +32,5 @@ ivec2 turnPlace()
 // Number of earlier frames in which rays went from that pixel.
 int turnNumber()
 {
-  return view.Frame.x / (stride * stride);
+  return view.Frame.x / (stride.x * stride.y);
 }

@@ -11,7 +11,7 @@ ghost        light that remains of a lamp or a ball that has gone
 emitters     cost and relMSE with 10,000 glowing squares and with one
 first-frame  relMSE of the first frame after a cut with the filter, divided by that without it; pictures of twice the size, as
              nothing can average the noise of penumbrae that are a pixel wide
-seams        relMSE at half and quarter resolution, divided by that at full resolution after as many samples of each pixel
+seams        relMSE at lower resolutions, divided by that at full resolution after as many samples of each pixel
 """
 import argparse
 import json
@@ -283,7 +283,7 @@ def first_frame(args, report):
 
 def seams(args, report):
     """Still frames after a cut, then frames of a turning camera, whose cost is measured, too."""
-    sharing = {"full": 1, "half": 4, "quarter": 16}
+    sharing = {"full": 1, "checkerboard": 2, "half": 4, "quarter": 16}
     count = 16 if args.quick else 64
     for name in args.scenes or ("cornell", "head"):
         films = {key: Film(scene(name), args.size, "high", off=("anti-aliasing",), **{"ray-traced-light.resolution": key})
@@ -307,7 +307,7 @@ def seams(args, report):
         write(args.pictures, f"seams_{name}.png", *pictures.values(), truth)
         errors = {key: penumbra.relative_error(picture, truth)[0] for key, picture in pictures.items()}
         off = {key: np.abs(picture - truth).max(axis=2) > SEAM for key, picture in pictures.items()}
-        for key in ("half", "quarter"):
+        for key in list(sharing)[1:]:
             report.figure(f"seams, {name}, {key}: relMSE after {count} samples / of full", errors[key] / errors["full"], SEAMS,
                           more=f"{errors[key]:.5f}, {errors['full']:.5f}")
             report.figure(f"seams, {name}, {key}: pixels off by more than {SEAM}", off[key].sum(), SEAMS * off["full"].sum())

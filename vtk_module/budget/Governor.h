@@ -111,8 +111,10 @@ private:
   double OverrunNow() const;
   void GoDown(double overrun);
   void GoUp();
-  /// Choose afresh, which may exchange levels between knobs.
-  void Refresh();
+  /// Choose afresh, which may exchange levels between knobs, if that removes at least a share of the error.
+  void Refresh(const std::vector<LevelValues>& values, double leastShare);
+  /// Keep levels that were changed lately from returning.
+  void KeepRecent(std::vector<LevelValues>& values) const;
   double Error(const std::vector<int>& levels) const;
   /// Whether the last frames would have met the budget with this cost (ms) added.
   bool IsSupported(double added) const;

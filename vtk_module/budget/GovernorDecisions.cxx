@@ -39,6 +39,8 @@ constexpr int TryFrames = 48;
 constexpr double SettlingShare = 0.9;
 // Share of the present error that a step up must remove to be worth a visible change.
 constexpr double LeastGain = 0.05;
+// The same for an exchange of levels between knobs, which shows in several places.
+constexpr double LeastExchange = 0.2;
 // A level that adds less than this share of the budget counts as free, and stays when nothing else fits.
 constexpr double FreeShare = 1e-3;
 // Times the added cost of a level that was never measured, as it may prove higher: in a choice from scratch.
@@ -212,17 +214,47 @@ bool Governor::IsSupported(double added) const
     highest * growth <= limit;
 }
 
-void Governor::Refresh()
+void Governor::Refresh(const std::vector<LevelValues>& values, double leastShare)
 {
-  const std::vector<LevelValues> values = this->Values(Caution);
-  const double limit = DownShare * this->Budget;
-  const std::vector<int> levels =
-    ChooseLevels(values, std::min(this->Target(), limit) - this->Model.Rest(this->Pixels));
+  const double share = this->IsSettling() ? DownShare : 1.0;
+  const double limit = std::min(this->Target(), share * this->Budget);
+  const std::vector<int> levels = ChooseLevels(values, limit - this->Model.Rest(this->Pixels));
   const double added = this->Model.Total(levels, this->Pixels) - this->PredictedTotal();
-  if (this->Error(levels) < (1.0 - LeastGain) * this->Error(this->Levels) &&
-    this->IsSupported(added))
+  if (this->Error(levels) >= (1.0 - leastShare) * this->Error(this->Levels) ||
+    !this->IsSupported(added))
   {
-    this->Set(levels);
+    return;
+  }
+  double most = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    const double cost = values[i].Costs[levels[i]] - values[i].Costs[this->Levels[i]];
+    if (cost > most)
+    {
+      most = cost;
+      this->LastUp = this->Number;
+      this->LastUpKnob = static_cast<int>(i);
+    }
+  }
+  this->Set(levels);
+}
+
+void Governor::KeepRecent(std::vector<LevelValues>& values) const
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (!this->IsWithin(this->Left[i].Frame, DownWait))
+    {
+      continue;
+    }
+    if (this->Left[i].Level > this->Levels[i])
+    {
+      values[i].Most = this->Levels[i];
+    }
+    else
+    {
+      values[i].Least = this->Levels[i];
+    }
   }
 }
 
@@ -241,7 +273,7 @@ void Governor::GoUp()
   const bool isSettling = this->IsSettling();
   if (this->Number == this->SettleFrom + FreshFrames)
   {
-    this->Refresh();
+    this->Refresh(this->Values(Caution), LeastGain);
     return;
   }
   if (this->IsWithin(this->Since, isSettling ? UpWaitSettling : UpWait) ||
@@ -251,12 +283,9 @@ void Governor::GoUp()
   }
   const bool mayTry = this->IsWithin(this->SettleFrom, TryFrames);
   std::vector<LevelValues> values = this->Values(mayTry ? 1.0 : Surprise);
-  for (std::size_t i = 0; i < values.size() && !isSettling; ++i)
+  if (!isSettling)
   {
-    // Nothing is undone soon.
-    const bool isRecent = this->IsWithin(this->Left[i].Frame, DownWait);
-    values[i].Most =
-      isRecent && this->Left[i].Level > this->Levels[i] ? this->Levels[i] : values[i].Most;
+    this->KeepRecent(values);
   }
   const double error = this->Error(this->Levels);
   const double predicted = this->PredictedTotal();
@@ -272,7 +301,16 @@ void Governor::GoUp()
         this->Predicted(step.Knob, this->Levels[step.Knob]);
     step.Knob = predicted + seeming > MostTried * this->Budget ? -1 : step.Knob;
   }
-  if (step.Knob < 0 || !this->IsSupported(step.Cost))
+  if (step.Knob < 0)
+  {
+    // Single steps end where only an exchange would help.
+    if (!isSettling && (this->Number - this->Since) % UpWait == 0)
+    {
+      this->Refresh(values, LeastExchange);
+    }
+    return;
+  }
+  if (!this->IsSupported(step.Cost))
   {
     return;
   }

@@ -72,13 +72,14 @@ LevelStep BestStep(const std::vector<LevelValues>& knobs, const std::vector<int>
 
 std::vector<int> ChooseLevels(const std::vector<LevelValues>& knobs, double limit)
 {
-  std::vector<int> levels(knobs.size(), 0);
+  std::vector<int> levels;
   const auto cheapest = [](const LevelValues& knob) {
-    return *std::min_element(knob.Costs.begin(), knob.Costs.begin() + knob.Most + 1);
+    return *std::min_element(knob.Costs.begin() + knob.Least, knob.Costs.begin() + knob.Most + 1);
   };
   double lowest = 0.0; // of the knobs that are not chosen yet
   for (const LevelValues& knob : knobs)
   {
+    levels.push_back(knob.Least);
     lowest += cheapest(knob);
   }
   limit = std::max(limit, lowest * (1.0 + 1e-9)); // levels that cost nothing are chosen in any case
@@ -90,7 +91,7 @@ std::vector<int> ChooseLevels(const std::vector<LevelValues>& knobs, double limi
     for (std::size_t i = 0; i < fronts.back().size(); ++i)
     {
       const Partial& before = fronts.back()[i];
-      for (int level = 0; level <= knob.Most; ++level)
+      for (int level = knob.Least; level <= knob.Most; ++level)
       {
         const double cost = before.Cost + knob.Costs[level];
         if (cost + lowest <= limit)

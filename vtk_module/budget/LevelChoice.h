@@ -18,6 +18,7 @@ struct LevelValues
   std::vector<double> Costs;  ///< ms
   std::vector<double> Errors; ///< relMSE added to the picture
   int Most;                   ///< highest level that may be chosen
+  int Least = 0;              ///< lowest one
 };
 
 /// A step of one knob to a higher level.

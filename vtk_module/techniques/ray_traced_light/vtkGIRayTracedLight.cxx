@@ -13,6 +13,14 @@ namespace
 {
 // Light at the pixels from which rays went in this frame, one for each block of pixels.
 constexpr const char* Samples = "ray-traced-light.samples";
+
+// Width and height of the blocks of pixels, by resolution.
+glm::ivec2 BlockOf(int resolution)
+{
+  constexpr int widths[] = { 1, 2, 4, 2 };
+  constexpr int heights[] = { 1, 2, 4, 1 };
+  return { widths[resolution], heights[resolution] };
+}
 }
 
 vtkGIRayTracedLight::vtkGIRayTracedLight() = default;
@@ -32,7 +40,8 @@ void vtkGIRayTracedLight::Contribute(FrameBuilder& frame)
   {
     return;
   }
-  frame.ShareSamples(resource::TracedIrradiance, this->Stride() * this->Stride());
+  const glm::ivec2 block = BlockOf(this->Resolution);
+  frame.ShareSamples(resource::TracedIrradiance, block.x * block.y);
   IndirectLight light;
   light.Kind = IndirectKind::Rays;
   light.Declare = [this](PassDeclaration& pass) {
@@ -48,15 +57,10 @@ void vtkGIRayTracedLight::Contribute(FrameBuilder& frame)
   frame.AddLast([this](FrameBuilder& last) { this->AddTrace(last); });
 }
 
-int vtkGIRayTracedLight::Stride() const
-{
-  return 1 << this->Resolution;
-}
-
 void vtkGIRayTracedLight::AddTrace(FrameBuilder& frame)
 {
-  const int stride = this->Stride();
-  const bool shared = stride > 1;
+  const glm::ivec2 stride = BlockOf(this->Resolution);
+  const bool shared = stride.x > 1;
   const View& view = frame.GetView();
   const glm::ivec2 blocks = (glm::ivec2(view.Viewport.z, view.Viewport.w) + stride - 1) / stride;
   RayProps& rays = frame.Rays("they send no indirect light");

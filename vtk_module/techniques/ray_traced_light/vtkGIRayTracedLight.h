@@ -28,7 +28,6 @@ protected:
   ~vtkGIRayTracedLight() override;
 
 private:
-  int Stride() const; ///< pixels between those that rays leave in one frame
   void AddTrace(penumbra::FrameBuilder& frame);
 
   vtkGIRayTracedLight(const vtkGIRayTracedLight&) = delete;
