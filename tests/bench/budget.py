@@ -5,8 +5,9 @@
 
 flight    600 frames around an isosurface that changes: a mesh is loaded, the window grows, a second lamp comes on. Share of frames
           over the budget, and the worst one that is not within ten frames of such a step. Medians of several runs.
-constant  the same flight without these steps: changes of levels, those undone within 60 frames, and how much of the
-          budget is used.
+constant  the flight without these steps, around a surface that is new in every frame but hardly changes its size: changes of
+          levels, those undone within 60 frames, and how much of the budget is used.
+drift     the same around the surface of the flight, whose changes make a frame take up to 1.5 times as long: no limits.
 error     mean relMSE of frames along a flight against the path tracer, with a budget, and with each fixed preset that never
           exceeds it.
 overhead  times of frames without a budget and with one that is never reached, in turns.
@@ -27,6 +28,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 
 STEPS = {150: "a mesh is loaded", 300: "the window grows", 450: "a second lamp comes on"}
 SETTLING = 30  # frames until the budget must hold
+SWING, TREMBLE = 20, 0.2  # change of the isosurface's value: with its size, and without
 NEAR = 10      # frames after a step in which a frame may take longer
 WARM = 60      # frames before figures of a constant load
 
@@ -34,13 +36,13 @@ WARM = 60      # frames before figures of a constant load
 class Flight:
     """A wavelet's isosurface over a floor, lit by a lamp, seen from a camera that flies around it."""
 
-    def __init__(self, size, preset, moving=True):
+    def __init__(self, size, preset, swing=SWING):
         self.source = vtkRTAnalyticSource()
         self.source.SetWholeExtent(-16, 16, -16, 16, -16, 16)
         self.contour = vtkContourFilter()
         self.contour.SetInputConnection(self.source.GetOutputPort())
         self.contour.SetValue(0, 160)
-        self.moving = moving
+        self.swing = swing
         renderer = vtkRenderer()
         surface = self.actor(self.contour, (0.9, 0.5, 0.3))
         floor = vtkSphereSource()
@@ -101,8 +103,8 @@ class Flight:
         """Draw a frame; returns the statistics of its budget, or only its milliseconds without one."""
         if steps:
             self.step(number)
-        if self.moving:
-            self.contour.SetValue(0, 160 + 20 * np.sin(0.02 * number))
+        if self.swing:
+            self.contour.SetValue(0, 160 + self.swing * np.sin(0.02 * number))
         self.film.camera.Azimuth(0.4)
         self.film.renderer.ResetCameraClippingRange()
         seconds = self.film.frame()
@@ -110,9 +112,9 @@ class Flight:
         return statistics.get("budget", {"frame": 1e3 * seconds})
 
 
-def budget_of(args, report, steps=(), moving=True):
+def budget_of(args, report, steps=(), swing=SWING):
     """The budget: a multiple of the median frame with the lowest levels, after these steps. Says which passes take longest then."""
-    lowest = Flight(args.size, args.preset, moving)
+    lowest = Flight(args.size, args.preset, swing)
     lowest.gi.SetFrameBudget(1)
     for number in steps:
         lowest.step(number)
@@ -158,9 +160,9 @@ def flight(args, report):
                   more="runs: " + ", ".join(f"{v:.2f}" for v in worst))
 
 
-def steadiness(args, budget, report, run):
+def steadiness(args, budget, report, run, swing):
     """Changes of levels, those undone within 60 frames, and the share of the budget that is not used, of one run."""
-    shot = Flight(args.size, args.preset)
+    shot = Flight(args.size, args.preset, swing)
     shot.gi.SetFrameBudget(budget)
     changes, undone, used, last, before = 0, 0, [], {}, None
     for i in range(args.frames):
@@ -180,22 +182,30 @@ def steadiness(args, budget, report, run):
     return 100 * changes / (args.frames - WARM), undone, 1 - float(np.mean(used)) / budget if remaining else 0
 
 
-def constant(args, report):
-    budget = budget_of(args, report)
-    runs = np.array([steadiness(args, budget, report, run) for run in range(args.runs)])
+def steady(args, report, what, swing, limits):
+    budget = budget_of(args, report, swing=swing)
+    runs = np.array([steadiness(args, budget, report, run, swing) for run in range(args.runs)])
     changes, undone, unused = np.median(runs, axis=0)
-    report.figure("changes in 100 frames", changes, 1, more="runs: " + ", ".join(f"{v:.2f}" for v in runs[:, 0]))
-    report.figure("changes undone within 60 frames", undone, 0, more="runs: " + ", ".join(f"{v:.0f}" for v in runs[:, 1]))
-    report.figure("budget not used while knobs remain", unused, 0.25, share=True,
+    report.figure(f"{what}: changes in 100 frames", changes, limits[0], more="runs: " + ", ".join(f"{v:.2f}" for v in runs[:, 0]))
+    report.figure(f"{what}: changes undone within 60 frames", undone, limits[1], more="runs: " + ", ".join(f"{v:.0f}" for v in runs[:, 1]))
+    report.figure(f"{what}: budget not used while knobs remain", unused, limits[2], share=True,
                   more="runs: " + ", ".join(f"{100 * v:.0f} %" for v in runs[:, 2]))
 
 
+def constant(args, report):
+    steady(args, report, "constant load", TREMBLE, (1, 0, 0.25))
+
+
+def drift(args, report):
+    steady(args, report, "drifting load", SWING, (None, None, None))
+
+
 def error(args, report):
-    budget = budget_of(args, report, moving=False)
+    budget = budget_of(args, report, swing=0)
     ends = [60, 120, 180]  # frames whose pictures are compared
 
     def along(preset, limit):
-        shot = Flight(args.size, preset, moving=False)
+        shot = Flight(args.size, preset, swing=0)
         if limit:
             shot.gi.SetFrameBudget(limit)
         pictures, times = {}, []
@@ -207,7 +217,7 @@ def error(args, report):
         return pictures, np.array(times[SETTLING:])
 
     governed, times = along(args.preset, budget)
-    truth = tracer(Flight(args.size, "off", moving=False).film.renderer, args.size)
+    truth = tracer(Flight(args.size, "off", swing=0).film.renderer, args.size)
     truths = {}
     for i, (_, pose) in governed.items():
         report.going_on(f"path tracing frame {i}")
@@ -231,7 +241,7 @@ def error(args, report):
 
 def overhead(args, report):
     """Frames without a budget and with one that all settings fit, in turns of twenty."""
-    free, bound = (Flight(args.size, args.preset, moving=False) for _ in range(2))
+    free, bound = (Flight(args.size, args.preset, swing=0) for _ in range(2))
     for shot in (free, bound):
         shot.gi.CollectStatisticsOff()
     bound.gi.SetFrameBudget(10000)
@@ -252,7 +262,7 @@ def overhead(args, report):
     report.figure("with one that is never reached, / without", with_budget / without)
 
 
-PARTS = {"flight": flight, "constant": constant, "error": error, "overhead": overhead}
+PARTS = {"flight": flight, "constant": constant, "drift": drift, "error": error, "overhead": overhead}
 
 
 def size_of(text):

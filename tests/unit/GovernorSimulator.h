@@ -131,21 +131,19 @@ struct Simulator
     return count;
   }
 
-  /// Number of times that a knob was lowered in [begin, end).
+  /// Number of times that levels with a larger error were chosen in [begin, end).
   int FallsIn(std::size_t begin, std::size_t end) const
   {
     int count = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
-      for (std::size_t knob = 0; knob < this->Knobs.size(); ++knob)
-      {
-        count += this->Levels[i][knob] < this->Levels[i - 1][knob] ? 1 : 0;
-      }
+      count += this->Error(this->Levels[i]) > this->Error(this->Levels[i - 1]) ? 1 : 0;
     }
     return count;
   }
 
   /// Changes of a knob in [begin, end) that return to the level before its previous change, less than 60 frames after it.
+  /// Levels that are only probed, in the first 30 frames, do not count.
   int UndoneIn(std::size_t begin, std::size_t end) const
   {
     int count = 0;
@@ -153,7 +151,7 @@ struct Simulator
     {
       std::size_t last = 0;
       int before = -1;
-      for (std::size_t i = 1; i < end; ++i)
+      for (std::size_t i = 30; i < end; ++i)
       {
         const int old = this->Levels[i - 1][knob];
         if (this->Levels[i][knob] != old)

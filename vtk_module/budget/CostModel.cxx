@@ -93,16 +93,12 @@ double CostModel::KnobCost::Factor(int level) const
 
 void CostModel::KnobCost::LearnFactor(int level, double factor, int values)
 {
+  if (values < 2)
+  {
+    return; // the first frame of a level may be a spike
+  }
   double& known = this->Factors[level];
-  if (this->IsFirst && values <= 3)
-  {
-    // The first frame of a level may be a spike.
-    known = values >= 2 ? std::max(factor, LeastFactor) : known;
-  }
-  else
-  {
-    known = std::max(Blend(known, factor), LeastFactor);
-  }
+  known = std::max(this->IsFirst && values <= 3 ? factor : Blend(known, factor), LeastFactor);
 }
 
 void CostModel::KnobCost::Learn(int level, double cost, bool isNew, bool isSlow)

@@ -38,11 +38,16 @@ const std::vector<int>& Governor::Choose(const std::vector<Knob>& knobs, const S
   {
     if (this->Totals.size() >= StartFrames)
     {
-      this->IsStarted = true;
+      this->IsStarted = this->IsProbing = true;
+      this->ProbedKnob = -1;
       this->SettleFrom = this->Number;
       const double limit = std::min(this->Target(), DownShare * this->Budget);
       this->Set(ChooseLevels(this->Values(1.0), limit - this->Model.Rest(this->Pixels)));
     }
+  }
+  else if (this->IsProbing)
+  {
+    this->Probe();
   }
   else if (const double overrun = this->OverrunNow(); overrun > 0.0)
   {
@@ -180,7 +185,7 @@ double Governor::Target() const
       usual.push_back(residual);
     }
   }
-  if (10 * usual.size() < 9 * this->Residuals.size())
+  if (this->Residuals.size() >= 20 && 10 * usual.size() < 9 * this->Residuals.size())
   {
     usual.assign(this->Residuals.begin(), this->Residuals.end());
   }
@@ -207,6 +212,14 @@ void Governor::Set(const std::vector<int>& levels)
         this->Left[i] = { this->Levels[i], this->Number };
       }
     }
+    this->Put(levels);
+  }
+}
+
+void Governor::Put(const std::vector<int>& levels)
+{
+  if (levels != this->Levels)
+  {
     this->Levels = levels;
     this->LastChange = this->Since = this->Number;
     this->Totals.clear();

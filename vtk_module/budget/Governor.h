@@ -109,6 +109,8 @@ private:
   bool IsOftenSlow() const; ///< whether many frames are slow, though less than half
   /// Ratio of measured to predicted time, at least 1, if levels must go down; 0 otherwise.
   double OverrunNow() const;
+  /// After a start: measure the next level of each knob for a few frames, so that later steps know what they cost.
+  void Probe();
   void GoDown(double overrun);
   void GoUp();
   /// Choose afresh, which may exchange levels between knobs, if that removes at least a share of the error.
@@ -121,6 +123,8 @@ private:
   /// caution: factor on the added cost of levels that were never measured.
   std::vector<LevelValues> Values(double caution) const;
   void Set(const std::vector<int>& levels);
+  /// As Set, of levels that are no decision.
+  void Put(const std::vector<int>& levels);
   void WatchFloor();
 
   CostModel Model;
@@ -136,6 +140,8 @@ private:
   double Pixels = 1.0;
   bool PixelsGrew = false; ///< in this frame
   bool IsStarted = false;
+  bool IsProbing = false;
+  int ProbedKnob = -1; ///< whose level is one up; -1: none yet
   bool FloorIsHigh = false;
   int FloorEvidence = 0;
   long long Number = 0;

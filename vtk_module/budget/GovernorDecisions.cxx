@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace penumbra
 {
@@ -25,7 +26,7 @@ constexpr std::size_t UpSupport = 30;
 constexpr std::size_t UpSupportNoisy = 20;
 constexpr std::size_t UpSupportSettling = 7;
 // Frames from a step down to a step up, so that no change is undone soon.
-constexpr int DownWait = 60;
+constexpr int DownWait = 100;
 constexpr int DownWaitSettling = 16;
 // Number of frames within which a step down is blamed on the last step up.
 constexpr int BlameFrames = 60;
@@ -45,6 +46,10 @@ constexpr double LeastExchange = 0.2;
 constexpr double FreeShare = 1e-3;
 // Times the added cost of a level that was never measured, as it may prove higher: in a choice from scratch.
 constexpr double Caution = 1.5;
+// Frames in which a level is probed: enough for a median.
+constexpr int ProbeFrames = 3;
+// Times the budget: most that a frame may seem to cost while a level is probed.
+constexpr double MostProbed = 1.25;
 // Times the budget: most that a try may seem to cost.
 constexpr double MostTried = 1.5;
 // Times by which the added cost of a level that was never measured may be wrong, up or down.
@@ -92,12 +97,21 @@ std::vector<LevelValues> Governor::Values(double caution) const
     for (int level = 0; level == 0 || level < static_cast<int>(this->Knobs[i].Levels.size());
          ++level)
     {
-      const double cost = this->Predicted(knob, level);
-      const double added = cost - this->Predicted(knob, current);
-      const bool isGuess = level > current && !this->Model.IsSeen(knob, level) && added > 0.0;
-      values.Costs.push_back(isGuess ? cost + (caution - 1.0) * added : cost);
+      values.Costs.push_back(this->Predicted(knob, level));
       const double error = this->Knobs[i].Levels.empty() ? 0.0 : this->Knobs[i].Levels[level].Error;
       values.Errors.push_back(std::isfinite(error) ? error : 0.0);
+    }
+    double most = std::numeric_limits<double>::max(); // no level costs more than a better one
+    for (int level = static_cast<int>(values.Costs.size()) - 1; level > current; --level)
+    {
+      double& cost = values.Costs[level];
+      if (this->Model.IsSeen(knob, level))
+      {
+        most = std::min(most, cost);
+        continue;
+      }
+      const double added = std::max(cost - values.Costs[current], 0.0);
+      cost = std::min(cost + (caution - 1.0) * added, std::max(most, cost));
     }
     all.push_back(values);
   }
@@ -123,7 +137,7 @@ bool Governor::IsOftenSlow() const
       this->Totals.end(), [&](double total) { return total > this->Budget && total < spike; });
   };
   // Few slow frames prove little, and are no reason to undo a change soon.
-  const bool isLong = this->Totals.size() >= DownWait;
+  const bool isLong = this->Totals.size() >= 60;
   return slowIn(30) >= 6 ||
     (isLong && 12 * slowIn(MostTotals) > static_cast<int>(this->Totals.size()));
 }
@@ -171,6 +185,40 @@ double Governor::OverrunNow() const
   return this->IsMistaken() || this->IsOftenSlow() ? 1.0 : 0.0;
 }
 
+void Governor::Probe()
+{
+  const bool isSlow = !this->Totals.empty() && this->Totals.back() > SpikeShare * this->Budget;
+  if (this->IsWithin(this->Since, ProbeFrames) && !isSlow)
+  {
+    return;
+  }
+  std::vector<int> levels = this->Levels;
+  if (this->ProbedKnob >= 0)
+  {
+    --levels[this->ProbedKnob];
+  }
+  const auto count = static_cast<int>(levels.size());
+  const bool isTooMuch = this->ProbedKnob < 0 && this->MedianTotal() > this->Budget;
+  this->ProbedKnob = isTooMuch ? count : this->ProbedKnob + 1;
+  while (this->ProbedKnob < count)
+  {
+    const int knob = this->ProbedKnob;
+    const int next = levels[knob] + 1;
+    if (next < static_cast<int>(this->Knobs[knob].Levels.size()) && !this->Model.IsSeen(knob, next))
+    {
+      ++levels[knob];
+      if (this->Model.Total(levels, this->Pixels) <= MostProbed * this->Budget)
+      {
+        break;
+      }
+      --levels[knob];
+    }
+    ++this->ProbedKnob;
+  }
+  this->IsProbing = this->ProbedKnob < count;
+  this->Put(levels);
+}
+
 void Governor::GoDown(double overrun)
 {
   if (this->IsWithin(this->LastUp, BlameFrames))
@@ -185,7 +233,12 @@ void Governor::GoDown(double overrun)
   // Whatever the model believes, the new levels must be cheaper than the current ones.
   const double limit = std::min({ this->Target() / overrun, DownShare * this->Budget / overrun,
     0.95 * this->PredictedTotal() });
-  this->Set(ChooseLevels(this->Values(Surprise), limit - this->Model.Rest(this->Pixels)));
+  std::vector<LevelValues> values = this->Values(Surprise);
+  for (std::size_t i = 0; i < values.size() && !this->IsSettling(); ++i)
+  {
+    values[i].Most = this->Levels[i]; // what is raised now may have to be lowered soon
+  }
+  this->Set(ChooseLevels(values, limit - this->Model.Rest(this->Pixels)));
 }
 
 bool Governor::IsSupported(double added) const
