@@ -245,3 +245,77 @@ TEST(Governor, LearnsWrongPriors)
     });
   }
 }
+
+TEST(Governor, ProbesTheNextLevelsAfterAStart)
+{
+  ForLoads([](Simulator& simulator) {
+    for (std::vector<double>& costs : simulator.Costs)
+    {
+      for (std::size_t level = 1; level < costs.size(); ++level)
+      {
+        costs[level] *= 1.3; // dearer than the work promises
+      }
+    }
+    simulator.Run(30);
+    const std::vector<int>& levels = simulator.Levels.back();
+    const auto tried = [&](std::size_t knob) {
+      return std::any_of(simulator.Levels.begin(), simulator.Levels.end(),
+        [&](const std::vector<int>& then) { return then[knob] == levels[knob] + 1; });
+    };
+    for (std::size_t knob = 0; knob < levels.size(); ++knob)
+    {
+      const auto next = static_cast<std::size_t>(levels[knob]) + 1;
+      if (next < simulator.Costs[knob].size() && tried(knob))
+      {
+        EXPECT_NEAR(simulator.Tested.Predicted(static_cast<int>(knob), static_cast<int>(next)),
+          simulator.Costs[knob][next], 0.05 * simulator.Costs[knob][next]);
+      }
+    }
+    EXPECT_LE(simulator.OverShare(5, 30, 1.5), 0.0);
+  });
+}
+
+TEST(Governor, AnswersALargerWindowWhileItProbes)
+{
+  ForLoads([](Simulator& simulator) {
+    simulator.Budget += 5.0; // the floor takes 9.2 ms at twice the size
+    simulator.Run(60, [&](int frame) { simulator.Pixels = frame < 8 ? 1.0 : 2.0; });
+    EXPECT_LE(simulator.TrueTotal(simulator.Levels[8]), simulator.Budget);
+  });
+}
+
+// After a heavy scene has become lighter, the error is near that of the best choice for a share of the budget, which single steps
+// from what was good before do not reach.
+TEST(Governor, EndsNearTheBestChoice)
+{
+  double sum = 0.0;
+  double worst = 0.0;
+  int count = 0;
+  ForLoads([&](Simulator& simulator) {
+    if (simulator.Budget < 7.0 || simulator.Budget > 14.0)
+    {
+      return; // all lowest, or all highest
+    }
+    simulator.Noise = 0.05;
+    simulator.Run(1500, [&](int frame) {
+      simulator.Rest = 3.0 * (1.8 - 0.8 * std::clamp((frame - 300) / 100.0, 0.0, 1.0));
+    });
+    std::vector<LevelValues> knobs;
+    for (std::size_t i = 0; i < simulator.Knobs.size(); ++i)
+    {
+      knobs.push_back({ simulator.Costs[i], {}, static_cast<int>(simulator.Costs[i].size()) - 1 });
+      for (const KnobLevel& level : simulator.Knobs[i].Levels)
+      {
+        knobs.back().Errors.push_back(level.Error);
+      }
+    }
+    const std::vector<int> best = ChooseLevels(knobs, 0.85 * simulator.Budget - simulator.Rest);
+    const double ratio = simulator.Error(simulator.Levels.back()) / simulator.Error(best);
+    sum += ratio;
+    worst = std::max(worst, ratio);
+    ++count;
+  });
+  std::printf("error / that of the best choice: mean %.2f, worst %.2f\n", sum / count, worst);
+  EXPECT_LE(sum / count, 0.9);
+  EXPECT_LE(worst, 1.3);
+}

@@ -80,17 +80,18 @@ void Governor::Adopt(const std::vector<Knob>& knobs)
   {
     return;
   }
+  const std::vector<int> chosen = this->WithoutProbe();
   std::vector<int> levels;
   std::vector<Bar> bars;
   for (const int origin : origins)
   {
-    levels.push_back(origin >= 0 ? this->Levels[origin] : 0);
+    levels.push_back(origin >= 0 ? chosen[origin] : 0);
     bars.push_back(origin >= 0 ? this->Bars[origin] : Bar{});
   }
   this->Levels = levels;
   this->Bars = bars;
   this->Left.assign(levels.size(), {});
-  this->IsStarted = false;
+  this->IsStarted = this->IsProbing = false;
   this->LastUp = Never;
   this->Accepted = this->Since = this->Number;
   this->Totals.clear();
@@ -110,6 +111,8 @@ void Governor::Note(const Situation& now)
     const bool isLarge = pixels == this->Pixels || std::abs(pixels / this->Pixels - 1.0) > 0.05;
     this->LastJump = pixels >= this->Pixels ? this->Number : this->LastJump;
     this->SettleFrom = isLarge ? this->Number : this->SettleFrom;
+    this->Put(this->WithoutProbe()); // costs have changed
+    this->IsProbing = false;
     this->Since = this->Number;
     this->Totals.clear();
     this->Predictions.clear();

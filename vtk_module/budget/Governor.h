@@ -111,6 +111,8 @@ private:
   double OverrunNow() const;
   /// After a start: measure the next level of each knob for a few frames, so that later steps know what they cost.
   void Probe();
+  /// The levels that were chosen.
+  std::vector<int> WithoutProbe() const;
   void GoDown(double overrun);
   void GoUp();
   /// Choose afresh, which may exchange levels between knobs, if that removes at least a share of the error.

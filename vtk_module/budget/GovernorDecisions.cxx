@@ -25,6 +25,8 @@ constexpr std::size_t UpSupport = 30;
 // While settling, if times fluctuate much, and else.
 constexpr std::size_t UpSupportNoisy = 20;
 constexpr std::size_t UpSupportSettling = 7;
+// Frames of the same levels of which a few slow ones prove that they are too expensive.
+constexpr std::size_t SlowSupport = 60;
 // Frames from a step down to a step up, so that no change is undone soon.
 constexpr int DownWait = 100;
 constexpr int DownWaitSettling = 16;
@@ -137,7 +139,7 @@ bool Governor::IsOftenSlow() const
       this->Totals.end(), [&](double total) { return total > this->Budget && total < spike; });
   };
   // Few slow frames prove little, and are no reason to undo a change soon.
-  const bool isLong = this->Totals.size() >= 60;
+  const bool isLong = this->Totals.size() >= SlowSupport;
   return slowIn(30) >= 6 ||
     (isLong && 12 * slowIn(MostTotals) > static_cast<int>(this->Totals.size()));
 }
@@ -185,6 +187,16 @@ double Governor::OverrunNow() const
   return this->IsMistaken() || this->IsOftenSlow() ? 1.0 : 0.0;
 }
 
+std::vector<int> Governor::WithoutProbe() const
+{
+  std::vector<int> levels = this->Levels;
+  if (this->IsProbing && this->ProbedKnob >= 0)
+  {
+    --levels[this->ProbedKnob];
+  }
+  return levels;
+}
+
 void Governor::Probe()
 {
   const bool isSlow = !this->Totals.empty() && this->Totals.back() > SpikeShare * this->Budget;
@@ -192,14 +204,15 @@ void Governor::Probe()
   {
     return;
   }
-  std::vector<int> levels = this->Levels;
-  if (this->ProbedKnob >= 0)
+  const double overrun = this->OverrunNow();
+  if (this->ProbedKnob < 0 && overrun > 0.0)
   {
-    --levels[this->ProbedKnob];
+    this->GoDown(overrun); // the choice was wrong: first see whether the next one fits
+    return;
   }
+  std::vector<int> levels = this->WithoutProbe();
   const auto count = static_cast<int>(levels.size());
-  const bool isTooMuch = this->ProbedKnob < 0 && this->MedianTotal() > this->Budget;
-  this->ProbedKnob = isTooMuch ? count : this->ProbedKnob + 1;
+  ++this->ProbedKnob;
   while (this->ProbedKnob < count)
   {
     const int knob = this->ProbedKnob;

@@ -61,10 +61,6 @@ TechniqueKnob::TechniqueKnob(vtkGITechnique* technique)
 
 double TechniqueKnob::Amount(const BudgetFactor& factor, double value) const
 {
-  if (!this->Owner->AffectsWork(factor.Parameter))
-  {
-    return 1.0;
-  }
   if (!factor.Factors.empty())
   {
     return factor.Factors[static_cast<std::size_t>(value)];

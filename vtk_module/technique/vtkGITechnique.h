@@ -198,8 +198,6 @@ protected:
   virtual const std::vector<penumbra::ParameterInfo>& ParameterTable() = 0;
   virtual const std::vector<penumbra::PresetValue>& PresetTable() = 0;
   virtual const penumbra::BudgetInfo* BudgetTable() { return nullptr; }
-  /// Whether a parameter of this table made a difference to the work of the last frame.
-  virtual bool AffectsWork(const char*) { return true; }
 
   const penumbra::ViewDirectory* Views = nullptr;
   bool Enabled = false;

@@ -11,8 +11,6 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkRenderWindow.h"
 
-#include <algorithm>
-#include <cstring>
 #include <map>
 #include <tuple>
 
@@ -102,7 +100,6 @@ struct vtkGIShadowMaps::Resources
   int Samples = 1;                ///< number of samples of the filter
   bool PartialCoverage = false;   ///< some casters are partly transparent
   const History* Atlas = nullptr; ///< atlas of the last view that was drawn
-  bool HasCascades = true;        ///< some light may have several maps for one direction
 };
 
 vtkGIShadowMaps::vtkGIShadowMaps()
@@ -146,9 +143,6 @@ bool vtkGIShadowMaps::UpdatePlan(FrameBuilder& frame)
   options.LightRadius = this->LightRadius;
 
   const LightTable::Shadowed shadowed = frame.Lights().AssignMask(this->MaximumLights);
-  this->Impl->HasCascades = !frame.GetView().Parallel &&
-    std::any_of(shadowed.With.begin(), shadowed.With.end(),
-      [&](std::size_t index) { return !frame.Lights().Lights()[index].Positional; });
   this->Impl->Plan = std::make_shared<ShadowPlan>(
     PlanShadows(frame.Lights(), shadowed.With, frame.GetView(), options));
   this->ShadowedLights = static_cast<int>(this->Impl->Plan->LightData.size());
@@ -168,11 +162,6 @@ bool vtkGIShadowMaps::UpdatePlan(FrameBuilder& frame)
       (withoutSpace > 0 ? "memory" : "maximum-lights") + " for more.");
   }
   return this->ShadowedLights > 0;
-}
-
-bool vtkGIShadowMaps::AffectsWork(const char* parameter)
-{
-  return this->Impl->HasCascades || std::strcmp(parameter, "cascades") != 0;
 }
 
 const char* vtkGIShadowMaps::GetOfferedResource()

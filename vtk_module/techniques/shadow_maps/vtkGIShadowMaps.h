@@ -62,8 +62,6 @@ protected:
   vtkGIShadowMaps();
   ~vtkGIShadowMaps() override;
 
-  bool AffectsWork(const char* parameter) override;
-
 private:
   vtkGIShadowMaps(const vtkGIShadowMaps&) = delete;
   void operator=(const vtkGIShadowMaps&) = delete;
