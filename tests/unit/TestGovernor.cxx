@@ -316,6 +316,6 @@ TEST(Governor, EndsNearTheBestChoice)
     ++count;
   });
   std::printf("error / that of the best choice: mean %.2f, worst %.2f\n", sum / count, worst);
-  EXPECT_LE(sum / count, 0.9);
-  EXPECT_LE(worst, 1.3);
+  EXPECT_LE(sum / count, 0.85);
+  EXPECT_LE(worst, 1.25);
 }
