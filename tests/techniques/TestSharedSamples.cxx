@@ -48,6 +48,26 @@ protected:
     this->Pass->Restart();
     return this->After(frames);
   }
+
+  /// Expect that what is lit lends no light to what is not.
+  void ExpectDarkness()
+  {
+    const Values truth = this->Draw("full", 64);
+    for (const auto& [resolution, turns, leastLit] : Sharings)
+    {
+      const Values values = this->Draw(resolution, 1);
+      double lit = 0.0;
+      double dark = 0.0;
+      for (std::size_t i = 0; i < truth.size(); ++i)
+      {
+        lit += truth[i] > 0.99 ? 0.0 : truth[i];
+        dark += truth[i] < 1e-6 ? values[i] : 0.0;
+      }
+      std::printf("%s: light on dark surfaces %.5f of all\n", resolution, dark / lit);
+      EXPECT_GT(lit, 10.0);
+      EXPECT_LT(dark, 1e-4 * lit);
+    }
+  }
 };
 
 /// How a picture differs from another, as shares of the other's light. Unlike relMSE these hardly depend on a few dark or
@@ -107,21 +127,19 @@ TEST_F(SharedSamples, DoNotCrossEdges)
   this->AddBox(0.98, 0.99, -0.9, 0.9, -0.9, 0.9, 0.0)->GetProperty()->SetAmbient(1.0);
   this->AddBox(-0.5, 0.1, -0.3, 0.3, -0.9, 0.0, 0.8);
   this->LookFrom(-0.9, -0.8, 0.7, -0.2, 0.0, -0.4);
-  const Values truth = this->Draw("full", 64);
-  for (const auto& [resolution, turns, leastLit] : Sharings)
-  {
-    const Values values = this->Draw(resolution, 1);
-    double lit = 0.0;
-    double dark = 0.0;
-    for (std::size_t i = 0; i < truth.size(); ++i)
-    {
-      lit += truth[i] > 0.99 ? 0.0 : truth[i];
-      dark += truth[i] < 1e-6 ? values[i] : 0.0;
-    }
-    std::printf("%s: light on dark surfaces %.5f of all\n", resolution, dark / lit);
-    EXPECT_GT(lit, 10.0);
-    EXPECT_LT(dark, 1e-4 * lit);
-  }
+  this->ExpectDarkness();
+}
+
+// A lit screen before a wall in the dark, both turned to the viewer.
+TEST_F(SharedSamples, DoNotCrossGaps)
+{
+  this->AddBox(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0, 0.0);
+  this->AddBox(-0.95, -0.94, -0.9, 0.9, -0.9, 0.9, 0.8);
+  this->AddBox(0.1, 0.11, -0.3, 0.1, -0.3, 0.3, 0.8);
+  this->AddBox(0.5, 0.6, 0.5, 0.9, -0.4, 0.4, 0.0)->GetProperty()->SetAmbient(1.0);
+  this->AddBox(0.08, 0.09, 0.05, 0.99, -0.99, 0.99, 0.0); // keeps light off the wall
+  this->LookFrom(0.95, 0.0, 0.0, -0.9, 0.0, 0.0);
+  this->ExpectDarkness();
 }
 
 // Sticks of about a pixel's width in front of nothing, lit from behind the camera. In the first frame most have no ray of their

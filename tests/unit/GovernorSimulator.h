@@ -143,7 +143,6 @@ struct Simulator
   }
 
   /// Changes of a knob in [begin, end) that return to the level before its previous change, less than 60 frames after it.
-  /// Levels that are only probed, in the first 30 frames, do not count.
   int UndoneIn(std::size_t begin, std::size_t end) const
   {
     int count = 0;
@@ -151,7 +150,7 @@ struct Simulator
     {
       std::size_t last = 0;
       int before = -1;
-      for (std::size_t i = 30; i < end; ++i)
+      for (std::size_t i = 1; i < end; ++i)
       {
         const int old = this->Levels[i - 1][knob];
         if (this->Levels[i][knob] != old)

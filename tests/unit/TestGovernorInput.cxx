@@ -104,6 +104,24 @@ TEST(Governor, KeepsWhatItKnowsOfOtherKnobs)
   EXPECT_NEAR(simulator.Tested.Predicted(3, 1), 4.0, 1e-6);
 }
 
+// A technique goes while the next one's level is probed, and the window changes before the governor has begun again.
+TEST(Governor, ForgetsAProbeOfOtherKnobs)
+{
+  for (int frame = 4; frame < 20; ++frame)
+  {
+    Simulator simulator = FourKnobs(1);
+    simulator.Budget = 9.0;
+    simulator.Run(frame);
+    simulator.Knobs.erase(simulator.Knobs.begin(), simulator.Knobs.begin() + 2);
+    simulator.Costs.erase(simulator.Costs.begin(), simulator.Costs.begin() + 2);
+    simulator.Step();
+    const std::vector<int> levels = simulator.Levels.back();
+    simulator.Pixels = 0.5;
+    simulator.Step();
+    EXPECT_EQ(simulator.Levels.back(), levels) << frame;
+  }
+}
+
 TEST(Governor, ChoosesLikeBruteForce)
 {
   // The first knob removes the same error for half the cost.

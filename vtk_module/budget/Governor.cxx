@@ -111,7 +111,7 @@ void Governor::Note(const Situation& now)
     const bool isLarge = pixels == this->Pixels || std::abs(pixels / this->Pixels - 1.0) > 0.05;
     this->LastJump = pixels >= this->Pixels ? this->Number : this->LastJump;
     this->SettleFrom = isLarge ? this->Number : this->SettleFrom;
-    this->Put(this->WithoutProbe()); // costs have changed
+    this->Set(this->WithoutProbe()); // costs have changed
     this->IsProbing = false;
     this->Since = this->Number;
     this->Totals.clear();
@@ -176,7 +176,7 @@ double Governor::Predicted(int knob, int level) const
   return this->Model.Predict(knob, level, this->Pixels);
 }
 
-double Governor::Target() const
+double Governor::TargetShare() const
 {
   // 95 % of frames shall be below the budget. The quantile is higher, as it rests on few frames. Spikes are no reason for
   // a margin, as none would be large enough, unless they are frequent.
@@ -201,7 +201,7 @@ double Governor::Target() const
     quantile = *at;
   }
   quantile = usual.size() < 64 ? std::max(quantile, 0.1) : quantile; // few frames prove little
-  return this->Budget * std::clamp(1.0 / (1.0 + std::max(quantile, 0.0)), 0.78, 0.95);
+  return std::clamp(1.0 / (1.0 + std::max(quantile, 0.0)), 0.78, 0.95);
 }
 
 void Governor::Set(const std::vector<int>& levels)
@@ -215,14 +215,6 @@ void Governor::Set(const std::vector<int>& levels)
         this->Left[i] = { this->Levels[i], this->Number };
       }
     }
-    this->Put(levels);
-  }
-}
-
-void Governor::Put(const std::vector<int>& levels)
-{
-  if (levels != this->Levels)
-  {
     this->Levels = levels;
     this->LastChange = this->Since = this->Number;
     this->Totals.clear();

@@ -52,8 +52,11 @@ public:
   double Floor() const;
   /// ms of a knob at a level, for the current number of pixels.
   double Predicted(int knob, int level) const;
-  /// ms that predicted frames are kept within: the budget less a margin for the usual fluctuation, 5 to 22 % of the budget.
-  double Target() const;
+  /// Share of a time that predicted frames must keep within to keep within the time: less a margin for the usual fluctuation,
+  /// 0.78 to 0.95.
+  double TargetShare() const;
+  /// ms that predicted frames are kept within.
+  double Target() const { return this->TargetShare() * this->Budget; }
   /// Whether frames are too slow even at the lowest levels, as shown by at least 30 frames.
   bool FloorExceedsBudget() const { return this->FloorIsHigh; }
   /// Number of frames so far whose levels differ from those of the frame before.
@@ -125,8 +128,6 @@ private:
   /// caution: factor on the added cost of levels that were never measured.
   std::vector<LevelValues> Values(double caution) const;
   void Set(const std::vector<int>& levels);
-  /// As Set, of levels that are no decision.
-  void Put(const std::vector<int>& levels);
   void WatchFloor();
 
   CostModel Model;

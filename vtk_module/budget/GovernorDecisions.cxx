@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace penumbra
 {
@@ -30,6 +29,8 @@ constexpr std::size_t SlowSupport = 60;
 // Frames from a step down to a step up, so that no change is undone soon.
 constexpr int DownWait = 100;
 constexpr int DownWaitSettling = 16;
+// Frames for which a knob does not return to the level that it had.
+constexpr int KeepFrames = 60;
 // Number of frames within which a step down is blamed on the last step up.
 constexpr int BlameFrames = 60;
 // Number of frames for which such a step is barred; doubles each time.
@@ -99,21 +100,12 @@ std::vector<LevelValues> Governor::Values(double caution) const
     for (int level = 0; level == 0 || level < static_cast<int>(this->Knobs[i].Levels.size());
          ++level)
     {
-      values.Costs.push_back(this->Predicted(knob, level));
+      const double cost = this->Predicted(knob, level);
+      const double added = cost - this->Predicted(knob, current);
+      const bool isGuess = level > current && !this->Model.IsSeen(knob, level) && added > 0.0;
+      values.Costs.push_back(isGuess ? cost + (caution - 1.0) * added : cost);
       const double error = this->Knobs[i].Levels.empty() ? 0.0 : this->Knobs[i].Levels[level].Error;
       values.Errors.push_back(std::isfinite(error) ? error : 0.0);
-    }
-    double most = std::numeric_limits<double>::max(); // no level costs more than a better one
-    for (int level = static_cast<int>(values.Costs.size()) - 1; level > current; --level)
-    {
-      double& cost = values.Costs[level];
-      if (this->Model.IsSeen(knob, level))
-      {
-        most = std::min(most, cost);
-        continue;
-      }
-      const double added = std::max(cost - values.Costs[current], 0.0);
-      cost = std::min(cost + (caution - 1.0) * added, std::max(most, cost));
     }
     all.push_back(values);
   }
@@ -229,7 +221,7 @@ void Governor::Probe()
     ++this->ProbedKnob;
   }
   this->IsProbing = this->ProbedKnob < count;
-  this->Put(levels);
+  this->Set(levels);
 }
 
 void Governor::GoDown(double overrun)
@@ -286,30 +278,18 @@ void Governor::Refresh(const std::vector<LevelValues>& values, double leastShare
   const double limit = std::min(this->Target(), share * this->Budget);
   const std::vector<int> levels = ChooseLevels(values, limit - this->Model.Rest(this->Pixels));
   const double added = this->Model.Total(levels, this->Pixels) - this->PredictedTotal();
-  if (this->Error(levels) >= (1.0 - leastShare) * this->Error(this->Levels) ||
-    !this->IsSupported(added))
+  if (this->Error(levels) < (1.0 - leastShare) * this->Error(this->Levels) &&
+    this->IsSupported(added))
   {
-    return;
+    this->Set(levels);
   }
-  double most = 0.0;
-  for (std::size_t i = 0; i < levels.size(); ++i)
-  {
-    const double cost = values[i].Costs[levels[i]] - values[i].Costs[this->Levels[i]];
-    if (cost > most)
-    {
-      most = cost;
-      this->LastUp = this->Number;
-      this->LastUpKnob = static_cast<int>(i);
-    }
-  }
-  this->Set(levels);
 }
 
 void Governor::KeepRecent(std::vector<LevelValues>& values) const
 {
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    if (!this->IsWithin(this->Left[i].Frame, DownWait))
+    if (!this->IsWithin(this->Left[i].Frame, KeepFrames))
     {
       continue;
     }

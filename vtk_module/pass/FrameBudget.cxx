@@ -175,7 +175,8 @@ void FrameBudget::Decide(const Techniques& techniques, const std::vector<double>
   }
   else if (this->Current == State::Refining)
   {
-    this->Levels = this->ChooseFor(std::max(situation.Budget, ResponsiveMilliseconds));
+    this->Levels = this->ChooseFor(
+      this->Chooser.TargetShare() * std::max(situation.Budget, ResponsiveMilliseconds));
   }
   else
   {
