@@ -6,7 +6,7 @@
 #else
 #define FIELD_SKY raySkyRadiance
 #endif
-const int FIELD_STEPS = 2; // surfaces that a path visits to find one that a probe sees
+const int FIELD_STEPS = 4; // surfaces that a path visits to find one whose light the probes know
 
 // Weight of a probe that sees the surface.
 float fieldSeenWeight(vec3 toProbe, vec3 N)
@@ -58,13 +58,14 @@ int fieldSeenProbe(fieldGrid grid, RaySurfacePoint at, inout uint state)
   return -1;
 }
 
-// Irradiance divided by pi, from a probe that sees the point.
-bool fieldSeenLight(RaySurfacePoint at, out vec3 light, inout uint state)
+// Irradiance divided by pi, from a probe that sees the point. way: as for fieldReflected().
+bool fieldSeenLight(RaySurfacePoint at, float way, out vec3 light, inout uint state)
 {
   light = vec3(0.0);
   fieldEachGrid(at.position)
   {
-    int probe = giRandom(state) < walk.share ? fieldSeenProbe(walk.grid, at, state) : -1;
+    bool isFar = way >= fieldCellSize(walk.grid);
+    int probe = isFar && giRandom(state) < walk.share ? fieldSeenProbe(walk.grid, at, state) : -1;
     if (probe >= 0)
     {
       light = fieldLightOf(probe, at.normal);
@@ -75,9 +76,11 @@ bool fieldSeenLight(RaySurfacePoint at, out vec3 light, inout uint state)
   return false;
 }
 
-// Radiance that a surface reflects where a ray ended: what hitStraightLight() finds, and what a probe knows. If no probe sees
-// the surface, a path goes on to one that a probe sees.
-vec3 fieldReflected(RaySurfacePoint at, inout uint state)
+// Radiance that a surface reflects where a ray ended: what hitStraightLight() finds, and what a probe knows. A path goes on to
+// another surface if no probe sees this one, or if the ray was shorter than a cell: light that differs within a cell, as in folds
+// and at contacts, is found by rays (as from photon maps: Jensen 1996, Global Illumination using Photon Maps). way: length of the
+// ray; RAY_FAR: a cell is small enough.
+vec3 fieldReflected(RaySurfacePoint at, float way, inout uint state)
 {
   vec3 sum = vec3(0.0);
   vec3 weight = vec3(1.0);
@@ -90,7 +93,7 @@ vec3 fieldReflected(RaySurfacePoint at, inout uint state)
     }
     sum += weight * hitStraightLight(at, state);
     vec3 light;
-    if (fieldSeenLight(at, light, state))
+    if (fieldSeenLight(at, i < FIELD_STEPS ? way : RAY_FAR, light, state))
     {
       return sum + weight * light;
     }
@@ -101,6 +104,7 @@ vec3 fieldReflected(RaySurfacePoint at, inout uint state)
     {
       break;
     }
+    vec3 from = at.position;
     float first;
     if (traceThrough(ray, at, first, state).instance < 0)
     {
@@ -109,6 +113,7 @@ vec3 fieldReflected(RaySurfacePoint at, inout uint state)
 #endif
       break;
     }
+    way = distance(from, at.position);
 #ifdef GI_SEEK_EMITTERS
     bool sought = raySurfaces[at.surface].Emission.w > 0.0;
 #else

@@ -112,7 +112,7 @@ void main()
     bool sought = emitterIsSought(raySurfaces[at.surface].Emission.w, at.position - start);
     result.a = length(at.position - start);
     vec3 emitted = sought ? vec3(0.0) : at.emission;
-    result.rgb = emitted + (lit ? fieldReflected(at, state) : hitReflected(at, state));
+    result.rgb = emitted + (lit ? fieldReflected(at, RAY_FAR, state) : hitReflected(at, state));
     straight.rgb = raySurfaces[at.surface].Emission.w > 0.0 ? emitted : vec3(0.0);
   }
 #if defined(GI_RAY_SKY) && !defined(GI_SKY_APART)

@@ -28,7 +28,7 @@
 #include "ddgi/seen_field.glsl"
 #define REFLECTED fieldReflected
 #else
-#define REFLECTED hitReflected
+#define REFLECTED(at, way, state) hitReflected(at, state)
 #endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -98,7 +98,7 @@ vec3 fromDirection(RaySurfacePoint at, vec3 L, inout uint state)
 #endif
   }
   float sampled = emitterMisDensity(raySurfaces[found.surface], at.position, found.position, found.geometric);
-  return found.emission * giPowerHeuristic(density, sampled) + REFLECTED(found, state);
+  return found.emission * giPowerHeuristic(density, sampled) + REFLECTED(found, distance(at.position, found.position), state);
 }
 
 // Black instead of a colour that is no number.

@@ -76,7 +76,7 @@ void FillAll(const Texture& texture, const glm::vec4& value)
 int LiveProbeUpdate::MaximumParts(int rays)
 {
   constexpr int most = 8;
-  constexpr int leastRays = 16;
+  constexpr int leastRays = 8;
   int parts = 1;
   while (2 * parts <= std::min(most, rays / leastRays) && rays % (2 * parts) == 0 &&
     EmitterRaysOf(rays) % (2 * parts) == 0)
