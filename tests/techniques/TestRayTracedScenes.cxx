@@ -6,7 +6,6 @@
  */
 #include "RoomStage.h"
 
-
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -177,6 +176,24 @@ TEST_F(RayTracedScenes, LampInTheNextRoom)
   this->LookFrom(0.2, 0.9, 0.7, 1.9, 0.5, -0.4);
   const Values drawn = this->Drawn();
   this->ExpectNear("next door", drawn, this->Traced(), 0.0045, 0.045);
+}
+
+// A lamp lights one side of each gap, and what is below sees little else than the gap's sides. The probes' cells are six times as
+// wide as a gap. If rays asked probes wherever they end, the mean would be 3.3 % too dark, and the error 0.0051. Half of the rest
+// is noise.
+TEST_F(RayTracedScenes, GapsNarrowerThanACell)
+{
+  Paint(AddFloor(this->Scene, -1.0, 1.0, -1.0, 1.0, -0.4), 0.8);
+  for (double x = -0.9; x < 1.0; x += 0.18)
+  {
+    this->AddBox(x, x + 0.1, -1.0, 1.0, -0.4, 0.0, 0.8);
+  }
+  this->Lamp->SetPosition(1.5, 0.0, 1.5);
+  this->Lamp->SetIntensity(1.0);
+  this->Pass->GetTechnique("ddgi")->SetParameter("probes", 125);
+  this->LookFrom(-0.1, -0.5, 0.5, -0.1, 0.0, -0.2);
+  const Values drawn = this->Drawn();
+  this->ExpectNear("in gaps", drawn, this->Traced(), 0.003, 0.02);
 }
 
 // Relative squared error 0.0001; filtered 0.0002. With 1024 probes the mean is 0.6 % too bright.
