@@ -8,6 +8,17 @@ namespace penumbra
 {
 namespace
 {
+// The Halton sequence, which is evenly distributed for any number of frames.
+double Halton(int index, int base)
+{
+  double result = 0.0;
+  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base)
+  {
+    result += digit * (index % base);
+  }
+  return result;
+}
+
 // Where the depth is that VTK's next draws meet: in the window's buffer if passes write to it, otherwise in the texture
 // that is presented later.
 const Texture* ShownDepth(FrameContext& context)
@@ -28,11 +39,7 @@ void RestoreDepth(FrameContext& context, const History& kept)
 
 glm::dvec2 StillFrameJitter(int index)
 {
-  // Powers of the inverse of the plastic number, the real root of x^3 = x + 1.
-  constexpr double inverse = 0.75487766624669276;
-  const double step = index % 2 != 0 ? (index + 1) / 2 : -(index / 2);
-  const glm::dvec2 place = step * glm::dvec2(inverse, inverse * inverse) + 0.5;
-  return glm::fract(place) - 0.5;
+  return index > 0 ? glm::dvec2(Halton(index, 2), Halton(index, 3)) - 0.5 : glm::dvec2(0.0);
 }
 
 void ShiftStillFrame(FrameBuilder& frame, int index)
