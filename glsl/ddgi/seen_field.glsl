@@ -79,7 +79,7 @@ bool fieldSeenLight(RaySurfacePoint at, float way, out vec3 light, inout uint st
 // Radiance that a surface reflects where a ray ended: what hitStraightLight() finds, and what a probe knows. A path goes on to
 // another surface if no probe sees this one, or if the ray was shorter than a cell: light that differs within a cell, as in folds
 // and at contacts, is found by rays (as from photon maps: Jensen 1996, Global Illumination using Photon Maps). way: length of the
-// ray; RAY_FAR: a cell is small enough.
+// ray; RAY_FAR: ask probes however short it was.
 vec3 fieldReflected(RaySurfacePoint at, float way, inout uint state)
 {
   vec3 sum = vec3(0.0);

@@ -31,6 +31,7 @@ protected:
     {
       this->Pass->GetTechnique(name)->EnabledOn();
     }
+    this->Pass->GetTechnique("ddgi")->SetParameter("rays", 64);
     this->Pass->GetTechnique("ddgi")->SetParameter("updates", 32);
     this->Pass->KeepRadianceOn();
   }

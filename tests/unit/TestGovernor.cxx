@@ -340,3 +340,31 @@ TEST(Governor, ExchangesLevelsWhereNoSingleStepFits)
   EXPECT_EQ(simulator.Levels.back(), (std::vector<int>{ 1, 0 }));
   EXPECT_EQ(simulator.OverShare(30, 900), 0.0);
 }
+
+// Refining frames may take longer than the budget, but must keep within that time as surely.
+TEST(Governor, KeepsTheMarginForAnotherTime)
+{
+  ForLoads([](Simulator& simulator) {
+    simulator.Noise = 0.1;
+    simulator.Run(400);
+    Simulator without = simulator;
+    for (const double time : { 7.0, 8.0, 10.0, 13.0 })
+    {
+      const std::vector<int> levels = simulator.Tested.LevelsFor(time);
+      const double target = simulator.Tested.TargetFor(time);
+      EXPECT_LE(simulator.Tested.PredictedTotal(levels), target);
+      EXPECT_LE(simulator.Tested.PredictedTotal(levels), 0.95 * time);
+      EXPECT_LE(simulator.TrueTotal(levels), time);
+      for (std::size_t knob = 0; knob < levels.size(); ++knob)
+      {
+        std::vector<int> more = levels;
+        ++more[knob];
+        EXPECT_TRUE(more[knob] == static_cast<int>(simulator.Costs[knob].size()) ||
+          simulator.Tested.PredictedTotal(more) > target);
+      }
+    }
+    simulator.Run(100);
+    without.Run(100);
+    EXPECT_EQ(simulator.Levels, without.Levels);
+  });
+}

@@ -168,7 +168,7 @@ void Governor::WatchFloor()
 
 double Governor::Floor() const
 {
-  return this->Model.Total(std::vector<int>(this->Levels.size(), 0), this->Pixels);
+  return this->PredictedTotal(std::vector<int>(this->Levels.size(), 0));
 }
 
 double Governor::Predicted(int knob, int level) const
@@ -176,7 +176,7 @@ double Governor::Predicted(int knob, int level) const
   return this->Model.Predict(knob, level, this->Pixels);
 }
 
-double Governor::TargetShare() const
+double Governor::TargetFor(double milliseconds) const
 {
   // 95 % of frames shall be below the budget. The quantile is higher, as it rests on few frames. Spikes are no reason for
   // a margin, as none would be large enough, unless they are frequent.
@@ -201,7 +201,7 @@ double Governor::TargetShare() const
     quantile = *at;
   }
   quantile = usual.size() < 64 ? std::max(quantile, 0.1) : quantile; // few frames prove little
-  return std::clamp(1.0 / (1.0 + std::max(quantile, 0.0)), 0.78, 0.95);
+  return milliseconds * std::clamp(1.0 / (1.0 + std::max(quantile, 0.0)), 0.78, 0.95);
 }
 
 void Governor::Set(const std::vector<int>& levels)

@@ -47,16 +47,24 @@ public:
   void Measure(const FrameCost& cost);
 
   /// ms of a frame with the current levels.
-  double PredictedTotal() const { return this->Model.Total(this->Levels, this->Pixels); }
+  double PredictedTotal() const { return this->PredictedTotal(this->Levels); }
+  /// ms of a frame with other levels.
+  double PredictedTotal(const std::vector<int>& levels) const
+  {
+    return this->Model.Total(levels, this->Pixels);
+  }
   /// ms of a frame with all knobs at their lowest levels.
   double Floor() const;
+  /// ms of what no level changes.
+  double Rest() const { return this->Model.Rest(this->Pixels); }
   /// ms of a knob at a level, for the current number of pixels.
   double Predicted(int knob, int level) const;
-  /// Share of a time that predicted frames must keep within to keep within the time: less a margin for the usual fluctuation,
-  /// 0.78 to 0.95.
-  double TargetShare() const;
-  /// ms that predicted frames are kept within.
-  double Target() const { return this->TargetShare() * this->Budget; }
+  /// ms that predicted frames are kept within, so that frames keep within a time: less a margin for the usual fluctuation, 5 to
+  /// 22 % of it.
+  double TargetFor(double milliseconds) const;
+  double Target() const { return this->TargetFor(this->Budget); }
+  /// The best levels for another time than the budget. The next choice does not depend on them.
+  std::vector<int> LevelsFor(double milliseconds) const;
   /// Whether frames are too slow even at the lowest levels, as shown by at least 30 frames.
   bool FloorExceedsBudget() const { return this->FloorIsHigh; }
   /// Number of frames so far whose levels differ from those of the frame before.

@@ -112,6 +112,16 @@ std::vector<LevelValues> Governor::Values(double caution) const
   return all;
 }
 
+std::vector<int> Governor::LevelsFor(double milliseconds) const
+{
+  std::vector<LevelValues> values = this->Values(1.0);
+  for (LevelValues& knob : values)
+  {
+    knob.Most = static_cast<int>(knob.Costs.size()) - 1; // bars are those of the budget
+  }
+  return ChooseLevels(values, this->TargetFor(milliseconds) - this->Rest());
+}
+
 double Governor::MedianTotal() const
 {
   const std::size_t count = std::min<std::size_t>(this->Totals.size(), 5);
@@ -212,7 +222,7 @@ void Governor::Probe()
     if (next < static_cast<int>(this->Knobs[knob].Levels.size()) && !this->Model.IsSeen(knob, next))
     {
       ++levels[knob];
-      if (this->Model.Total(levels, this->Pixels) <= MostProbed * this->Budget)
+      if (this->PredictedTotal(levels) <= MostProbed * this->Budget)
       {
         break;
       }
@@ -243,7 +253,7 @@ void Governor::GoDown(double overrun)
   {
     values[i].Most = this->Levels[i]; // what is raised now may have to be lowered soon
   }
-  this->Set(ChooseLevels(values, limit - this->Model.Rest(this->Pixels)));
+  this->Set(ChooseLevels(values, limit - this->Rest()));
 }
 
 bool Governor::IsSupported(double added) const
@@ -276,8 +286,8 @@ void Governor::Refresh(const std::vector<LevelValues>& values, double leastShare
 {
   const double share = this->IsSettling() ? DownShare : 1.0;
   const double limit = std::min(this->Target(), share * this->Budget);
-  const std::vector<int> levels = ChooseLevels(values, limit - this->Model.Rest(this->Pixels));
-  const double added = this->Model.Total(levels, this->Pixels) - this->PredictedTotal();
+  const std::vector<int> levels = ChooseLevels(values, limit - this->Rest());
+  const double added = this->PredictedTotal(levels) - this->PredictedTotal();
   if (this->Error(levels) < (1.0 - leastShare) * this->Error(this->Levels) &&
     this->IsSupported(added))
   {

@@ -20,6 +20,12 @@ constexpr double RestMilliseconds = 150.0;
 constexpr double ResponsiveMilliseconds = 100.0;
 constexpr int RefiningFrames = 8;
 
+// ms that a frame which refines may take.
+double RefiningTime(const FrameBudget::Situation& situation)
+{
+  return std::max(situation.Budget, ResponsiveMilliseconds);
+}
+
 const char* NameOf(FrameBudget::State state)
 {
   constexpr const char* Names[] = { "off", "moving", "refining", "settled" };
@@ -55,13 +61,13 @@ FrameBudget::State FrameBudget::NextState(const Situation& situation)
     // The budget, or a technique, was switched on at rest: nothing is known of costs.
     return State::Settled;
   }
-  const double limit = std::max(situation.Budget, ResponsiveMilliseconds);
   std::vector<int> own;
   for (const TechniqueKnob& knob : this->Knobs)
   {
     own.push_back(knob.NumberOfLevels() - 1);
   }
-  const bool isCheap = this->CostAt(own) <= limit;
+  const bool isCheap =
+    this->Chooser.PredictedTotal(own) <= this->Chooser.TargetFor(RefiningTime(situation));
   return isCheap || ++this->Refined > RefiningFrames ? State::Settled : State::Refining;
 }
 
@@ -73,43 +79,6 @@ std::vector<std::pair<std::string, std::size_t>> FrameBudget::NamesAndLevels() c
     names.emplace_back(knob.Technique, knob.Levels.size());
   }
   return names;
-}
-
-double FrameBudget::CostOfOthers() const
-{
-  double cost = this->Chooser.Floor();
-  for (std::size_t k = 0; k < this->Knobs.size(); ++k)
-  {
-    cost -= this->Chooser.Predicted(static_cast<int>(k), 0);
-  }
-  return cost;
-}
-
-double FrameBudget::CostAt(const std::vector<int>& levels) const
-{
-  double cost = this->CostOfOthers();
-  for (std::size_t k = 0; k < levels.size(); ++k)
-  {
-    cost += this->Chooser.Predicted(static_cast<int>(k), levels[k]);
-  }
-  return cost;
-}
-
-std::vector<int> FrameBudget::ChooseFor(double milliseconds) const
-{
-  std::vector<LevelValues> values;
-  for (std::size_t k = 0; k < this->Declared.size(); ++k)
-  {
-    LevelValues knob;
-    knob.Most = static_cast<int>(this->Declared[k].Levels.size()) - 1;
-    for (int level = 0; level <= knob.Most; ++level)
-    {
-      knob.Costs.push_back(this->Chooser.Predicted(static_cast<int>(k), level));
-      knob.Errors.push_back(this->Declared[k].Levels[level].Error);
-    }
-    values.push_back(std::move(knob));
-  }
-  return ChooseLevels(values, milliseconds - this->CostOfOthers());
 }
 
 std::vector<double> FrameBudget::TookPart(const Techniques& techniques)
@@ -175,8 +144,7 @@ void FrameBudget::Decide(const Techniques& techniques, const std::vector<double>
   }
   else if (this->Current == State::Refining)
   {
-    this->Levels = this->ChooseFor(
-      this->Chooser.TargetShare() * std::max(situation.Budget, ResponsiveMilliseconds));
+    this->Levels = this->Chooser.LevelsFor(RefiningTime(situation));
   }
   else
   {
@@ -291,7 +259,7 @@ void FrameBudget::WatchFloor()
   {
     return;
   }
-  const double others = this->CostOfOthers();
+  const double others = this->Chooser.Rest();
   std::size_t dearest = 0;
   for (std::size_t k = 1; k < this->Knobs.size(); ++k)
   {

@@ -109,9 +109,6 @@ private:
     return this->Chooser.Frame() > 0 && this->Known == this->NamesAndLevels();
   }
   State NextState(const Situation& situation);
-  std::vector<int> ChooseFor(double milliseconds) const;
-  double CostAt(const std::vector<int>& levels) const;
-  double CostOfOthers() const;
   void WatchFloor();
 
   Governor Chooser;
