@@ -8,6 +8,7 @@
 #include "Picture.h"
 #include "Stage.h"
 
+#include "technique/StillFrames.h"
 #include "vtkGITechnique.h"
 
 #include <vtkActor.h>
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 using namespace penumbra_test;
 
@@ -134,16 +136,35 @@ TEST_F(AntiAliasing, FirstFrameMatchesFXAAAndFramesAtRestBeatEightSamples)
   vtkSmartPointer<vtkGIPass> pass = this->Scene.SetPasses().front();
   pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
   const double first = this->Error(Shoot(this->Scene.Window));
-  double still = first;
-  while (pass->GetAccumulatedFrames(this->Scene.Renderer) < 64)
+  std::map<int, double> still;
+  for (int frames = 2; frames <= 64; ++frames)
   {
-    still = this->Error(Shoot(this->Scene.Window));
+    still[frames] = this->Error(Shoot(this->Scene.Window));
   }
+  EXPECT_EQ(pass->GetAccumulatedFrames(this->Scene.Renderer), 64);
   std::printf("error in 1/255: none %.3f, FXAA %.3f, 8 samples %.3f; pass: one frame %.3f, "
-              "64 still frames %.3f\n",
-    none, fxaa, msaa, first, still);
+              "9 still frames %.3f, 17 %.3f, 64 %.3f\n",
+    none, fxaa, msaa, first, still[9], still[17], still[64]);
   EXPECT_LE(first, fxaa);
-  EXPECT_LT(still, msaa);
+  EXPECT_LT(still[17], msaa);
+  EXPECT_LT(still[64], 0.33 * msaa);
+}
+
+// The mean of an odd number of frames is not shifted against the first.
+TEST(StillFrames, AreShiftedAroundTheirPixels)
+{
+  glm::dvec2 sum(0.0);
+  for (int index = 0; index < 1000; ++index)
+  {
+    const glm::dvec2 shift = penumbra::StillFrameShift(index);
+    EXPECT_LE(std::max(std::abs(shift.x), std::abs(shift.y)), 0.5) << index;
+    sum += shift;
+    if (index % 2 == 0)
+    {
+      EXPECT_NEAR(sum.x, 0.0, 1e-9) << index;
+      EXPECT_NEAR(sum.y, 0.0, 1e-9) << index;
+    }
+  }
 }
 
 TEST_F(AntiAliasing, ChangesShowAtOnceAndCompletely)

@@ -8,17 +8,6 @@ namespace penumbra
 {
 namespace
 {
-// The Halton sequence, which is evenly distributed for any number of frames.
-double Halton(int index, int base)
-{
-  double result = 0.0;
-  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base)
-  {
-    result += digit * (index % base);
-  }
-  return result;
-}
-
 // Where the depth is that VTK's next draws meet: in the window's buffer if passes write to it, otherwise in the texture
 // that is presented later.
 const Texture* ShownDepth(FrameContext& context)
@@ -37,17 +26,17 @@ void RestoreDepth(FrameContext& context, const History& kept)
 }
 }
 
-glm::dvec2 StillFrameJitter(int index)
+glm::dvec2 StillFrameShift(int index)
 {
-  return index > 0 ? glm::dvec2(Halton(index, 2), Halton(index, 3)) - 0.5 : glm::dvec2(0.0);
+  // Powers of the inverse of the plastic number, the real root of x^3 = x + 1.
+  constexpr double inverse = 0.75487766624669276;
+  const double step = index % 2 != 0 ? (index + 1) / 2 : -(index / 2);
+  return glm::fract(step * glm::dvec2(inverse, inverse * inverse) + 0.5) - 0.5;
 }
 
-void ShiftStillFrame(FrameBuilder& frame, int index)
+void ShiftStillFrame(FrameBuilder& frame, const glm::dvec2& pixels)
 {
-  if (index > 0)
-  {
-    frame.SetJitter(StillFrameJitter(index));
-  }
+  frame.SetJitter(pixels);
   const GLenum format = frame.GetView().DepthFormat;
   History& kept = frame.Keep("depth", frame.WindowTexture(format ? format : GL_DEPTH_COMPONENT32F));
   frame.AddLast([&kept](FrameBuilder& last) {

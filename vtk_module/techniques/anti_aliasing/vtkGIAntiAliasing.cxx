@@ -92,7 +92,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
     Sums& sums = frame.ViewState<Sums>(this);
     const bool complete = sums.IsComplete(resource::Color, maximum) &&
       (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));
-    ShiftStillFrame(frame, complete ? 0 : view.StillFrames);
+    ShiftStillFrame(frame, StillFrameShift(complete ? 0 : view.StillFrames));
     AddAverage(frame.AddPass("accumulate").Modify(resource::Color, AccumulateOrder), frame, sums,
       resource::Color, maximum);
     if (view.KeepsRadiance)

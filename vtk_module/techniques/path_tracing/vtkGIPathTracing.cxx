@@ -45,6 +45,24 @@ constexpr const char* ShowShader = "path_tracing/show.frag";
 constexpr const char* OwnName = "path-tracing.own";
 constexpr const char* OwnImage = "sumOwn";
 constexpr int MostOwnAtOnce = 16;
+
+// The Halton sequence.
+double Halton(int index, int base)
+{
+  double result = 0.0;
+  for (double digit = 1.0 / base; index > 0; index /= base, digit /= base)
+  {
+    result += digit * (index % base);
+  }
+  return result;
+}
+
+// By how many pixels the paths of a sample are shifted. Where the noise is that of paths, the sequence of other still frames
+// has no advantage; on an isosurface its first 16 paths have a fifth more error.
+glm::dvec2 SampleShift(int index)
+{
+  return index > 0 ? glm::dvec2(Halton(index, 2), Halton(index, 3)) - 0.5 : glm::dvec2(0.0);
+}
 }
 
 struct penumbra::PathTracer
@@ -94,7 +112,7 @@ struct penumbra::PathTracer
     Defines variant = this->Rays->ShaderDefines();
     variant["GI_OWN"] = "1";
     const glm::vec2 shift =
-      earlier ? context.GetView().Jitter - StillFrameJitter(sampleIndex) : glm::dvec2(0.0);
+      earlier ? context.GetView().Jitter - SampleShift(sampleIndex) : glm::dvec2(0.0);
     this->Trace(context, sampleIndex, seed, variant,
       Arguments().Set("ownSamples", ownSamples).Set("shift", shift));
   }
@@ -313,7 +331,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
       static_cast<int>(resumed->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
   }
   PathTracer tracer = { &rays, &frame.Lights(), {} };
-  ShiftStillFrame(frame, this->IsFinished(progress) ? 0 : progress.Samples);
+  ShiftStillFrame(frame, SampleShift(this->IsFinished(progress) ? 0 : progress.Samples));
   auto& pass = frame.AddPass("path-trace");
   for (std::size_t i = 0; i < tracer.Sums.size(); ++i)
   {
