@@ -19,14 +19,17 @@ from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtkLight,
                                          vtkPolyDataMapper, vtkRenderer)
 
-MRICRON = "/usr/share/mricron/templates/"
+# A folder with the files below under the same paths, where the packages are not installed.
+DATA = os.environ.get("PENUMBRA_SCENE_DATA", "")
+MRICRON = DATA + "/usr/share/mricron/templates/"
+VOLUMES = ("ch2.nii.gz", "ch2bet.nii.gz", "ch2better.nii.gz")
 # The first one that is installed is used, because not every release of Debian has both.
 PROTEINS = {
-    "/usr/share/pymol/data/demo/1tii.pdb": "heat-labile enterotoxin (1TII)",
-    "/usr/share/EMBOSS/test/data/structure/2hhb.ent": "haemoglobin (2HHB)",
+    DATA + "/usr/share/pymol/data/demo/1tii.pdb": "heat-labile enterotoxin (1TII)",
+    DATA + "/usr/share/EMBOSS/test/data/structure/2hhb.ent": "haemoglobin (2HHB)",
 }
 PROTEIN = next((path for path in PROTEINS if os.path.exists(path)), next(iter(PROTEINS)))
-ELEVATION = "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"
+ELEVATION = DATA + "/usr/share/matplotlib/mpl-data/sample_data/jacksboro_fault_dem.npz"
 
 
 def actor(source, color=None, specular=0.0, power=20):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Copy the Python interpreter, the modules that the benchmarks of tests/bench import, and their sources to a folder. Prints the
-compiled modules, whose libraries the caller gathers.
+"""Copy the Python interpreter, the modules that the benchmarks of tests/bench import, their sources, and the data of the demo's scenes
+as far as it is installed, to a folder. Prints the compiled modules, whose libraries the caller gathers.
 
 Usage: gather_python.py SOURCE DESTINATION, with the package penumbra on PYTHONPATH.
 """
@@ -31,6 +31,16 @@ def imported(source):
     return {name: pathlib.Path(module.__file__) for name, module in sorted(sys.modules.items()) if getattr(module, "__file__", None)}
 
 
+def copy_scene_data(destination):
+    """Copy the files of examples/scenes.py, under the paths that they have here."""
+    scenes = sys.modules["scenes"]
+    for file in (*(scenes.MRICRON + name for name in scenes.VOLUMES), scenes.PROTEIN, scenes.ELEVATION):
+        if os.path.exists(file):
+            place = destination / os.path.relpath(file, "/")
+            place.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(file, place)
+
+
 def main():
     source, destination = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
     for folder in ("tests/bench", "examples", "tool/denoiser"):
@@ -49,6 +59,7 @@ def main():
             place = (place if file.name == "__init__.py" else place.parent) / file.name
             place.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(file, place)
+    copy_scene_data(destination / "data" / "scenes")
     interpreter = destination / "python" / "bin" / "python3"
     interpreter.parent.mkdir(parents=True, exist_ok=True)
     shutil.copy2(os.path.realpath(sys.executable), interpreter)

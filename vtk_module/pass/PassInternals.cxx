@@ -237,7 +237,7 @@ void vtkGIPass::Internals::SkipFrame(vtkRenderer* renderer)
   {
     if (view.second.Renderer == renderer)
     {
-      view.second.Radiance = nullptr;
+      view.second.RadianceKept = false;
     }
   }
 }
@@ -331,10 +331,10 @@ bool vtkGIPass::Internals::DrawFrame(
     { this->Capture.IsExtended(), self->GetKeepRadiance(), builder.WantsLitRadiance(),
       plan.HasLitParts(), ambientLight, plan.SpreadShare(), plan.Interreflection(), plan.Rules(),
       builder.GetDirectDisplay() });
-  record.Radiance = nullptr;
+  record.RadianceKept = false;
   if (self->GetKeepRadiance())
   {
-    this->KeepRadiance(builder, record);
+    this->KeepRadiance(builder);
   }
   if (self->CurrentFrameBudget(window) > 0.0 && !record.Budget.Problem().empty())
   {
@@ -360,6 +360,7 @@ bool vtkGIPass::Internals::DrawFrame(
     timer->Mark("frame-setup");
   }
   executor.Run(graph, timer);
+  record.RadianceKept = self->GetKeepRadiance();
   this->CapturedProps = this->Capture.CapturedProps() + skies + this->Capture.DrawOthers(renderer);
   this->Forward->SetLights(this->Lights, builder.GetForwardLight());
   FrameStatistics& statistics = record.Statistics;
@@ -377,41 +378,16 @@ bool vtkGIPass::Internals::DrawFrame(
   return true;
 }
 
-namespace
+void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame)
 {
-// Read a texture into an image of four floats per pixel, bottom row first. Returns the first value.
-float* ReadTexture(const Texture& texture, vtkImageData* image)
-{
-  image->SetDimensions(texture.Desc().Width, texture.Desc().Height, 1);
-  image->AllocateScalars(VTK_FLOAT, 4);
-  auto* values = static_cast<float*>(image->GetScalarPointer());
-  glBindTexture(GL_TEXTURE_2D, texture.Get());
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, values);
-  glBindTexture(GL_TEXTURE_2D, 0);
-  return values;
-}
-}
-
-void vtkGIPass::Internals::KeepRadiance(FrameBuilder& frame, ViewRecord& record)
-{
+  const glm::ivec2& size = frame.GetView().WindowSize;
   frame.AddPass("keep-radiance")
     .Read(resource::Radiance)
     .Read(resource::Albedo)
-    .ReadIfPresent(resource::Sky)
+    .ReadIfPresent(resource::Sky, "GI_VISIBLE_SKY")
+    .WriteHistory(frame.Keep(resource::Radiance, frame.WindowTexture(GL_RGBA32F)), "kept")
     .SideEffect()
-    .Execute([&record](FrameContext& context) {
-      const Texture* radiance = context.Input(resource::Radiance);
-      auto kept = vtkSmartPointer<vtkImageData>::New();
-      float* values = ReadTexture(*radiance, kept);
-      vtkNew<vtkImageData> albedo;
-      const float* albedoValues = ReadTexture(*context.Input(resource::Albedo), albedo);
-      for (vtkIdType i = 3; i < 4 * kept->GetNumberOfPoints(); i += 4)
-      {
-        // A catcher covers its pixels partly.
-        values[i] = context.Input(resource::Sky) ? 1.0f : std::min(values[i], albedoValues[i]);
-      }
-      record.Radiance = kept;
-    });
+    .Compute("lib/keep_radiance.comp", {}, {}, Work::Items(size.x, size.y));
 }
 
 bool vtkGIPass::Internals::ReadHistory(
@@ -426,19 +402,18 @@ bool vtkGIPass::Internals::ReadHistory(
     return false;
   }
   this->Guard->Window()->MakeCurrent();
-  ReadTexture(*texture, image);
+  image->SetDimensions(texture->Desc().Width, texture->Desc().Height, 1);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  glBindTexture(GL_TEXTURE_2D, texture->Get());
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, image->GetScalarPointer());
+  glBindTexture(GL_TEXTURE_2D, 0);
   return true;
 }
 
 bool vtkGIPass::Internals::ReadRadiance(vtkRenderer* renderer, vtkImageData* image)
 {
   const ViewRecord* record = this->FindRecord(renderer);
-  if (!record || !image || !record->Radiance)
-  {
-    return false;
-  }
-  image->DeepCopy(record->Radiance);
-  return true;
+  return record && record->RadianceKept && this->ReadHistory(renderer, resource::Radiance, image);
 }
 
 void vtkGIPass::Internals::ReleaseGraphicsResources(vtkWindow* window)

@@ -74,8 +74,8 @@ public:
     int StillFrames = 0;
     int Restarts = 0; ///< the pass's Restarts at its last frame
     int FrameNumber = 0;
-    int FirstFrame = 0;                     ///< since the last Restart()
-    vtkSmartPointer<vtkImageData> Radiance; ///< radiance of the last frame, if it was kept
+    int FirstFrame = 0;        ///< since the last Restart()
+    bool RadianceKept = false; ///< whether the last frame's radiance was kept
     std::optional<penumbra::GpuTimer> Timer; ///< while times are wanted
     penumbra::FrameStatistics Statistics;
     penumbra::FrameBudget Budget;
@@ -106,7 +106,7 @@ private:
   bool DrawFrame(
     vtkGIPass* self, const vtkRenderState* state, ViewRecord& record, bool standsAlone);
   void ForgetView(const ViewKey& key); ///< free what is kept for a view that is gone
-  void KeepRadiance(penumbra::FrameBuilder& frame, ViewRecord& record);
+  static void KeepRadiance(penumbra::FrameBuilder& frame);
   void BeginTimes(ViewRecord& record, bool wanted);
   /// Lower the techniques' settings for this frame, as far as its budget demands.
   void ApplyBudget(
