@@ -2,8 +2,12 @@
 // Smooths stair-steps along edges, after FXAA (Lottes 2009): finds the edge through a
 // pixel by its contrast, follows it in both directions to its ends, and shifts the pixel across the edge by its
 // position along the step. Single dots and thin lines, which have no such edge, are blended by their contrast to the
-// neighbourhood.
+// neighbourhood. Variant: GI_PICKED (only where rays do not see everything).
 #include "shared/view.h"
+#ifdef GI_PICKED
+#include "anti_aliasing/picks.glsl"
+layout(binding = 1) uniform usampler2D picksTexture;
+#endif
 
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(location = 0) out vec4 color;
@@ -49,6 +53,12 @@ void main()
   {
     return;
   }
+#ifdef GI_PICKED
+  if (texelFetch(picksTexture, p, 0).r != PICK_UNKNOWN)
+  {
+    return;
+  }
+#endif
 
   float ne = lumaAt(p + ivec2(1, 1));
   float nw = lumaAt(p + ivec2(-1, 1));

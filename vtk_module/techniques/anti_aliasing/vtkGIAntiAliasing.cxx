@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGIAntiAliasing.h"
 
+#include "capture/MaterialTable.h"
+#include "capture/SceneCapture.h"
+#include "rays/RayProps.h"
 #include "technique/FrameBuilder.h"
 #include "technique/StillFrames.h"
 
@@ -30,7 +33,17 @@ constexpr int AccumulateOrder = 800;
 constexpr int EdgeFilterOrder = 810;
 
 // Number of averaged frames from which the edge filter no longer improves the average.
-constexpr int FramesToFilter = 8;
+constexpr int FramesToFilter = 3;
+
+// Numbers of frames up to which what rays find at edges counts fully, and from which it does not count.
+constexpr double FullEdgeFrames = 4.0;
+constexpr double LastEdgeFrames = 12.0;
+
+// How much that counts in the mean of so many frames.
+double EdgeShare(int frames)
+{
+  return glm::clamp((LastEdgeFrames - frames) / (LastEdgeFrames - FullEdgeFrames), 0.0, 1.0);
+}
 
 // Averages of a view. Each resource counts its own frames, because radiance may be requested later than the picture.
 struct Sums
@@ -45,20 +58,51 @@ struct Sums
   }
 };
 
-// Add this frame to the sum of the previous frames, and show the average.
-void AddAverage(
-  PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource, int maximum)
+// Add this frame to the sum of the previous frames, and show the average. picked: whether rays find out what is at edges.
+void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource,
+  int maximum, bool picked)
 {
   History& sum = frame.Keep(std::string("sum.") + resource, frame.WindowTexture(GL_RGBA32F));
-  pass.UpdateHistory(sum, "sums").Execute([&sums, &sum, resource, maximum](FrameContext& context) {
+  pass.UpdateHistory(sum, "sums");
+  if (picked)
+  {
+    pass.Read(resource::EdgePicks)
+      .UpdateHistory(
+        frame.Keep(std::string("edges.") + resource, frame.WindowTexture(GL_RGBA16F)), "edges");
+  }
+  pass.Execute([&sums, &sum, resource, maximum, picked](FrameContext& context) {
     const bool first = !sum.Written || context.GetView().StillFrames == 0;
     const bool frozen = !first && sums.IsComplete(resource, maximum);
     int& frames = sums.Frames[resource];
     frames = first ? 1 : frozen ? frames : frames + 1;
-    context.Draw("anti_aliasing/accumulate.frag",
-      { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } },
-      Arguments().Set("frames", static_cast<double>(frames)));
+    Defines variant = { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } };
+    Arguments arguments = Arguments().Set("frames", static_cast<double>(frames));
+    if (picked)
+    {
+      variant["GI_PICKED"] = "1";
+      arguments.Set("share", EdgeShare(frames));
+    }
+    context.Draw("anti_aliasing/accumulate.frag", variant, arguments);
   });
+}
+
+// Find out by rays what covers the pixels at edges.
+void AddPicks(FrameBuilder& frame, int index)
+{
+  RayProps& rays = frame.Rays("their edges are smoothed by still frames only");
+  const View& view = frame.GetView();
+  frame.AddPass("edge-rays")
+    .Read(resource::Albedo)
+    .Read(resource::Normal)
+    .Read(resource::DepthCopy)
+    .Write(resource::EdgePicks, frame.WindowTexture(GL_R32UI), "picks")
+    .Offer(rays.ShaderArguments())
+    .Offer(frame.Capture().Materials().ShaderArguments())
+    .Compute("anti_aliasing/pick.comp", rays.ShaderDefines(),
+      view.ToScene(rays.Origin())
+        .Set("jitter", glm::vec2(view.Jitter))
+        .Set("turn", glm::vec2(StillFrameShift(index))),
+      Work::Items(view.Viewport.z, view.Viewport.w));
 }
 }
 
@@ -92,14 +136,20 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
     Sums& sums = frame.ViewState<Sums>(this);
     const bool complete = sums.IsComplete(resource::Color, maximum) &&
       (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));
-    ShiftStillFrame(frame, StillFrameShift(complete ? 0 : view.StillFrames));
+    const int index = complete ? 0 : view.StillFrames;
+    ShiftStillFrame(frame, StillFrameShift(index));
+    const bool picked = this->EdgeRays > 0 && !complete && EdgeShare(index + 1) > 0.0;
+    if (picked)
+    {
+      AddPicks(frame, index);
+    }
     AddAverage(frame.AddPass("accumulate").Modify(resource::Color, AccumulateOrder), frame, sums,
-      resource::Color, maximum);
+      resource::Color, maximum, picked);
     if (view.KeepsRadiance)
     {
       AddAverage(
         frame.AddPass("accumulate-radiance").ModifyIfPresent(resource::Radiance, AccumulateOrder),
-        frame, sums, resource::Radiance, maximum);
+        frame, sums, resource::Radiance, maximum, picked);
     }
     if (frame.Plan().HasLitParts())
     {
@@ -107,7 +157,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       {
         AddAverage(frame.AddPass(std::string("accumulate-") + part)
                      .ModifyIfPresent(part, AccumulateOrder, "colorTexture"),
-          frame, sums, part, maximum);
+          frame, sums, part, maximum, picked);
       }
     }
     filter = view.StillFrames + 1 < FramesToFilter;
@@ -116,6 +166,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   {
     frame.AddPass("edge-filter")
       .Modify(resource::Color, EdgeFilterOrder)
+      .ReadIfPresent(resource::EdgePicks, "GI_PICKED")
       .Draw("anti_aliasing/edge_filter.frag", {}, {});
   }
 }
