@@ -9,7 +9,6 @@ uniform float frames; // number of frames in the sum, including this one
 #include "anti_aliasing/picks.glsl"
 layout(binding = 1) uniform usampler2D picksTexture;
 layout(binding = 1, rgba16f) uniform image2D edges;
-uniform int edgeRays;
 uniform float share; // of the differences
 
 // Difference of what covers a pixel from what its own sample shows.
@@ -17,11 +16,11 @@ vec4 coverDifference(ivec2 pixel, vec4 own)
 {
   uint picks = texelFetch(picksTexture, pixel, 0).r;
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < edgeRays && hasPicks(picks); ++i)
+  for (int i = 0; i < PICK_POINTS && hasPicks(picks); ++i)
   {
     sum += texelFetch(colorTexture, pixel + offsetOfPick(picks, i), 0) - own;
   }
-  return sum / float(edgeRays);
+  return sum / float(PICK_POINTS);
 }
 #endif
 

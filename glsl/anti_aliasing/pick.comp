@@ -22,9 +22,12 @@ layout(binding = 2) uniform sampler2D depthTexture;
 
 uniform mat3 viewToScene;
 uniform vec3 eye; // relative to the scene's origin
-uniform int edgeRays;
 uniform vec2 jitter; // of the frame, in pixels
-uniform vec2 turn;   // of the points, from frame to frame
+uniform vec2 turn;   // by which the points are shifted within the pixel, from frame to frame
+
+// A rotated grid.
+const vec2 PICK_PLACES[PICK_POINTS] =
+  vec2[](vec2(0.125, 0.375), vec2(0.375, 0.875), vec2(0.625, 0.125), vec2(0.875, 0.625));
 
 const float ALIKE = 0.5;      // least similarity of neighbours between which there is no edge
 const float CONTRAST = 0.05;  // most difference of their colours
@@ -127,11 +130,9 @@ void main()
   uint state = giHash(uint(pixel.x) + (uint(pixel.y) << 16));
   mat3 sceneToView = transpose(viewToScene);
   uint found = PICK_ALL_OWN;
-  for (int i = 0; i < edgeRays; ++i)
+  for (int i = 0; i < PICK_POINTS; ++i)
   {
-    // Hammersley's points, turned so that four of them are those of a rotated grid.
-    vec2 place = vec2(float(i) / float(edgeRays), float((bitfieldReverse(uint(i)) ^ 0x40000000u) >> 8) / 16777216.0);
-    vec2 point = vec2(pixel) + fract(place + 0.5 / float(edgeRays) + turn) + jitter;
+    vec2 point = vec2(pixel) + fract(PICK_PLACES[i] + turn) + jitter;
     vec3 start = giViewPosition(point, 0.0);
     vec3 path = giViewPosition(point, 1.0) - start;
     Ray ray = Ray(eye + viewToScene * start, 0.0, viewToScene * normalize(path), length(path));

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Of each point of a pixel at an edge, the pixel around it whose colour the point has: four bits per point, the place
 // among 3 x 3 pixels, row by row.
+const int PICK_POINTS = 4;
 const uint PICK_BITS = 4u;
 const uint PICK_OWN = 4u;
-const uint PICK_ALL_OWN = 0x44444444u;
+const uint PICK_ALL_OWN = 0x4444u;
 const uint PICK_UNKNOWN = 0xffffffffu; // all own, as rays do not see everything there
 
 bool hasPicks(uint picks)

@@ -110,6 +110,10 @@ void main()
       }
       count += 1.0;
     }
+    else
+    {
+      imageStore(fine, at + ivec2(view.Viewport.xy), vec4(0.0)); // the filter weighs it with 0
+    }
   }
   for (int four = 0; four < 4; ++four)
   {

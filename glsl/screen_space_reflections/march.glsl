@@ -105,6 +105,10 @@ bool hitsSurface(vec3 O, vec3 D, vec2 direction2D, ivec2 cell, vec2 surface, flo
     crossing = surfacePosition;
     crossingWindow.xy = center;
   }
+  // The crossing may be a pixel farther on, where there is no surface.
+  ivec2 crossed = clamp(ivec2(floor(crossingWindow.xy)), ivec2(0), ivec2(view.Viewport.zw) - 1);
+  bool shown = texelFetch(albedoTexture, crossed + ivec2(view.Viewport.xy), 0).a > 0.0;
+  crossingWindow.xy = shown ? crossingWindow.xy : center;
   result.end = GI_REFLECTION_HIT;
   result.position = crossing;
   result.window = crossingWindow.xy;

@@ -6,7 +6,7 @@ path tracer, less that with the last level. The governor weighs these figures, t
 
 Each level has a film of its own: some frames at rest, then an orbit of the camera, during which three frames are compared. All
 films draw the same frames with the same random numbers, so that the noise of what the levels share cancels in the differences,
-as do the noise of the truth and the edges of objects, which only the truth smooths. What remains is given as the standard error
+as do the noise of the truth and, except for anti-aliasing, the edges of objects, which only the truth smooths. What remains is given as the standard error
 over scenes and frames. A level whose figure is not above twice that is marked ~: it cannot be told from the last one. The last
 column is the relMSE of its pictures against those of the last level: how much of a difference there is, better or worse.
 
@@ -50,6 +50,7 @@ SETUPS = {
     "ambient-occlusion": {"preset": "balanced", "scenes": ("lamps", "isosurface", "terrain-1002", "plates-1000")},
     "sky-light": {"preset": "balanced", "scenes": ("isosurface", "terrain", "tubes-1000"), "kind": "sky"},
     "ddgi": {"scenes": ("lamps", "isosurface", "plates-1000"), "kind": "lamp", "rest": True},
+    "anti-aliasing": {"scenes": ("isosurface", "terrain-1002", "tubes-1000", "plates-1000"), "smooth": True},
     "ray-traced-light": {"scenes": LIGHT},
     "denoising": {"scenes": LIGHT},
     "ray-traced-shadows": {"scenes": SHADOWS, "kind": "soft", "on": ["ray-traced-shadows"], "off": ["shadow-maps"]},
@@ -191,7 +192,7 @@ def moving(technique, setup, name, level, last, args):
     scene = Stage(name, setup)
     rests = setup.get("rest")
     shot = Film(scene.renderer, args.size, setup.get("preset", "high"), on=setup.get("on", ()), off=setup.get("off", ()),
-                **parameters(last if rests else level))
+                smooth=setup.get("smooth", False), **parameters(last if rests else level))
     for _ in range(WARM):
         shot.frame()
     if rests:

@@ -13,11 +13,16 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkConeSource.h>
+#include <vtkLineSource.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSuperquadricSource.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
 
@@ -106,6 +111,26 @@ protected:
     return this->Error(Average(picture.Pixels.begin(), picture.Pixels.end()));
   }
 
+  // Errors of the next still frames, by their number.
+  std::map<int, double> StillErrors(int last)
+  {
+    std::map<int, double> errors;
+    for (int frames = 1; frames <= last; ++frames)
+    {
+      errors[frames] = this->Error(Shoot(this->Scene.Window));
+    }
+    return errors;
+  }
+
+  // A pass that averages still frames. edges: what smooths edges.
+  vtkSmartPointer<vtkGIPass> Smooth(const char* edges)
+  {
+    vtkSmartPointer<vtkGIPass> pass = this->Scene.SetPasses().front();
+    pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
+    pass->GetTechnique("anti-aliasing")->SetParameterFromText("edges", edges);
+    return pass;
+  }
+
   Stage Scene;
   vtkActor* Cone = nullptr;
   Average Reference;
@@ -133,21 +158,90 @@ TEST_F(AntiAliasing, FirstFrameMatchesFXAAAndFramesAtRestBeatEightSamples)
   }
   const double msaa = this->Error(eight);
 
-  vtkSmartPointer<vtkGIPass> pass = this->Scene.SetPasses().front();
-  pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
-  const double first = this->Error(Shoot(this->Scene.Window));
-  std::map<int, double> still;
-  for (int frames = 2; frames <= 64; ++frames)
-  {
-    still[frames] = this->Error(Shoot(this->Scene.Window));
-  }
+  vtkSmartPointer<vtkGIPass> pass = this->Smooth("frames");
+  std::map<int, double> still = this->StillErrors(64);
   EXPECT_EQ(pass->GetAccumulatedFrames(this->Scene.Renderer), 64);
   std::printf("error in 1/255: none %.3f, FXAA %.3f, 8 samples %.3f; pass: one frame %.3f, "
-              "9 still frames %.3f, 17 %.3f, 64 %.3f\n",
-    none, fxaa, msaa, first, still[9], still[17], still[64]);
-  EXPECT_LE(first, fxaa);
+              "3 still frames %.3f, 9 %.3f, 17 %.3f, 64 %.3f\n",
+    none, fxaa, msaa, still[1], still[3], still[9], still[17], still[64]);
+  EXPECT_LE(still[1], fxaa);
+  EXPECT_LT(still[3], 0.7 * still[1]);
   EXPECT_LT(still[17], msaa);
   EXPECT_LT(still[64], 0.33 * msaa);
+}
+
+TEST_F(AntiAliasing, RaysSmoothEdgesFromTheFirstFrame)
+{
+  this->Smooth("frames");
+  std::map<int, double> frames = this->StillErrors(12);
+  const Picture last = Shoot(this->Scene.Window);
+  this->Smooth("rays");
+  std::map<int, double> rays = this->StillErrors(12);
+  for (const int number : { 1, 2, 3, 5, 8 })
+  {
+    std::printf("%d frames: error %.3f, with rays %.3f\n", number, frames[number], rays[number]);
+    EXPECT_LT(rays[number], 0.8 * frames[number]) << number;
+  }
+  EXPECT_LT(rays[1], 0.5 * frames[1]);
+  // What rays find fades out.
+  EXPECT_EQ(Compare(last, Shoot(this->Scene.Window), 0).Within, 1.0);
+}
+
+// Between faces in one plane, whose colours alone differ.
+TEST_F(AntiAliasing, RaysSmoothBordersOfColours)
+{
+  this->Scene.Renderer->RemoveAllViewProps();
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(7, 5);
+  plane->Update();
+  vtkPolyData* squares = plane->GetOutput();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType cell = 0; cell < squares->GetNumberOfCells(); ++cell)
+  {
+    const bool light = cell % 2 == 0;
+    colors->InsertNextTuple3(light ? 230 : 20, light ? 200 : 60, light ? 40 : 160);
+  }
+  squares->GetCellData()->SetScalars(colors);
+  this->Scene.Add(plane)->RotateZ(17.0);
+  Stage::LookAround(this->Scene.Renderer);
+  this->Reference = this->Supersampled(8);
+  const double none = this->Error(Shoot(this->Scene.Window));
+  this->Smooth("frames");
+  const std::map<int, double> frames = this->StillErrors(3);
+  this->Smooth("rays");
+  const std::map<int, double> rays = this->StillErrors(3);
+  std::printf("error %.3f; one frame %.3f, with rays %.3f; 3 frames %.3f, with rays %.3f\n", none,
+    frames.at(1), rays.at(1), frames.at(3), rays.at(3));
+  EXPECT_LT(rays.at(1), 0.4 * none);
+  EXPECT_LT(rays.at(3), 0.6 * frames.at(3));
+}
+
+// Rays pass lines, so that pixels beside them cannot tell what they show.
+TEST_F(AntiAliasing, RaysLeaveLinesAsTheyAre)
+{
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-1.0, -0.4, 1.2);
+  line->SetPoint2(1.0, 0.5, 1.2);
+  vtkActor* drawn = this->Scene.Add(line);
+  drawn->GetProperty()->LightingOff();
+  drawn->GetProperty()->SetColor(0.0, 1.0, 0.0);
+  const auto green = [](const Picture& picture) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 2 < picture.Pixels.size(); i += 3)
+    {
+      const int more = picture.Pixels[i + 1] - std::max(picture.Pixels[i], picture.Pixels[i + 2]);
+      sum += more > 100 ? more : 0;
+    }
+    return sum;
+  };
+  this->Smooth("frames");
+  const double frames = green(Shoot(this->Scene.Window));
+  this->Smooth("rays");
+  const double rays = green(Shoot(this->Scene.Window));
+  std::printf("green of the line %.0f, with rays %.0f\n", frames, rays);
+  EXPECT_GT(frames, 1e4);
+  EXPECT_NEAR(rays, frames, 0.05 * frames);
 }
 
 // The mean of an odd number of frames is not shifted against the first.

@@ -3,6 +3,8 @@
 #include "gpu/ResourcePool.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 
 namespace penumbra
 {
@@ -10,6 +12,38 @@ namespace
 {
 // Number of frames after which an unused texture is deleted.
 constexpr int IdleLimit = 16;
+
+// For tests: fill a texture with what must not be read before something else is written. GPUs leave anything there, software
+// OpenGL zeros.
+void Spoil(const Texture& texture)
+{
+  static const bool wanted = std::getenv("PENUMBRA_SPOIL_TEXTURES") != nullptr;
+  const TextureDesc& desc = texture.Desc();
+  if (!wanted || desc.IsDepth())
+  {
+    return;
+  }
+  GLint type = GL_NONE;
+  glBindTexture(texture.Target(), texture.Get());
+  glGetTexLevelParameteriv(texture.Target(), 0, GL_TEXTURE_RED_TYPE, &type);
+  if (type == GL_FLOAT || type == GL_UNSIGNED_NORMALIZED)
+  {
+    const float value = type == GL_FLOAT ? std::numeric_limits<float>::quiet_NaN() : 0.37f;
+    const std::size_t layers = std::max(desc.Layers, 1);
+    const std::vector<float> values(layers * desc.Width * desc.Height * 4, value);
+    if (desc.Layers > 0)
+    {
+      glTexSubImage3D(texture.Target(), 0, 0, 0, 0, desc.Width, desc.Height, desc.Layers, GL_RGBA,
+        GL_FLOAT, values.data());
+    }
+    else
+    {
+      glTexSubImage2D(
+        texture.Target(), 0, 0, 0, desc.Width, desc.Height, GL_RGBA, GL_FLOAT, values.data());
+    }
+  }
+  glBindTexture(texture.Target(), 0);
+}
 }
 
 Texture* ResourcePool::Acquire(const TextureDesc& desc)
@@ -20,10 +54,12 @@ Texture* ResourcePool::Acquire(const TextureDesc& desc)
     {
       slot.Lent = true;
       slot.IdleFrames = 0;
+      Spoil(slot.Storage);
       return &slot.Storage;
     }
   }
   this->Slots.push_back({ Texture(desc), true, 0 });
+  Spoil(this->Slots.back().Storage);
   return &this->Slots.back().Storage;
 }
 
@@ -52,6 +88,7 @@ History& ResourcePool::Keep(
   if (found == histories.end())
   {
     found = histories.emplace(name, KeptHistory{ { Texture(desc), false }, 0 }).first;
+    Spoil(found->second.Value.Storage);
   }
   found->second.IdleFrames = 0;
   return found->second.Value;

@@ -28,6 +28,13 @@ enum Modes
   Accumulate
 };
 
+// Values of Edges.
+enum
+{
+  ByFrames,
+  ByRays
+};
+
 // Places among the passes that modify the picture.
 constexpr int AccumulateOrder = 800;
 constexpr int EdgeFilterOrder = 810;
@@ -138,7 +145,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));
     const int index = complete ? 0 : view.StillFrames;
     ShiftStillFrame(frame, StillFrameShift(index));
-    const bool picked = this->EdgeRays > 0 && !complete && EdgeShare(index + 1) > 0.0;
+    const bool picked = this->Edges == ByRays && !complete && EdgeShare(index + 1) > 0.0;
     if (picked)
     {
       AddPicks(frame, index);
