@@ -8,7 +8,7 @@ uniform float frames; // number of frames in the sum, including this one
 #ifdef GI_PICKED
 #include "anti_aliasing/picks.glsl"
 layout(binding = 1) uniform usampler2D picksTexture;
-layout(binding = 1, rgba16f) uniform image2D edges;
+layout(binding = 1, rgba32f) uniform image2D edges;
 uniform float share; // of the differences
 
 // Difference of what covers a pixel from what its own sample shows.
@@ -18,7 +18,8 @@ vec4 coverDifference(ivec2 pixel, vec4 own)
   vec4 sum = vec4(0.0);
   for (int i = 0; i < PICK_POINTS && hasPicks(picks); ++i)
   {
-    sum += texelFetch(colorTexture, pixel + offsetOfPick(picks, i), 0) - own;
+    vec4 apart = texelFetch(colorTexture, pixel + offsetOfPick(picks, i), 0) - own;
+    sum += any(isnan(apart)) || any(isinf(apart)) ? vec4(0.0) : apart;
   }
   return sum / float(PICK_POINTS);
 }

@@ -1,6 +1,8 @@
 #version 430 core
 // Finds out what covers the pixels at edges: a ray through each of some points of the pixel meets a surface or nothing, and
-// the point takes the colour of a pixel nearby that shows the same. Variants: those of rays/passage.glsl.
+// the point takes the colour of a pixel nearby that shows the same. Variants: GI_RAY_EDGES (some surfaces show the edges of
+// their cells), and those of rays/passage.glsl.
+#define GI_RAY_OPAQUE 1
 #include "shared/view.h"
 #include "shared/material.h"
 #include "rays/trace.glsl"
@@ -10,6 +12,9 @@
 #include "lib/alike.glsl"
 #include "rays/surface.glsl"
 #include "rays/passage.glsl"
+#ifdef GI_RAY_EDGES
+#include "path_tracing/edges.glsl"
+#endif
 #include "anti_aliasing/picks.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -31,7 +36,8 @@ const vec2 PICK_PLACES[PICK_POINTS] =
 
 const float ALIKE = 0.5;      // least similarity of neighbours between which there is no edge
 const float CONTRAST = 0.05;  // most difference of their colours
-const float SAME = 1.5;       // most unlikeness of a point and a pixel of the same surface, in pixels off the plane
+const float SAME = 1.5;       // unlikeness of a point and its own pixel from which others may suit better, in pixels off the plane
+const float MOST = 4.0;       // unlikeness from which no pixel suits
 const float BEND = 4.0;       // that of normals at a right angle
 const float COLORED = 4.0;    // that of black and white
 const float FARTHER = 0.25;   // that of a pixel one pixel farther away
@@ -138,11 +144,19 @@ void main()
     Ray ray = Ray(eye + viewToScene * start, 0.0, viewToScene * normalize(path), length(path));
     RaySurfacePoint at;
     float first;
-    bool met = traceThrough(ray, at, first, state).instance >= 0;
+    RayHit hit = traceThrough(ray, at, first, state);
+    bool met = hit.instance >= 0;
+#ifdef GI_RAY_EDGES
+    if (met)
+    {
+      at = withEdges(at, hit, sceneToView, eye, point);
+    }
+#endif
     vec3 position = sceneToView * (at.position - eye);
     vec3 normal = sceneToView * at.normal;
     uint pick = PICK_OWN;
-    float least = captured == met ? (met ? unlikeness(pixel, point, position, normal, at.color.rgb) : 0.0) : RAY_FAR;
+    float least = captured == met ? (met ? unlikeness(pixel, point, position, normal, at.color.rgb) : 0.0) : MOST;
+    least = min(least, MOST);
     for (int j = 0; j < 9 && least > SAME; ++j)
     {
       ivec2 offset = ivec2(j % 3, j / 3) - 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rays that pass culled faces, clipped parts and, with a probability of one minus the opacity, translucent surfaces.
 // Needs rays/surface.glsl, lib/sampling.glsl. Variants: GI_RAY_PARTLY (some surfaces let rays
-// pass), and those of rays/surface.glsl.
+// pass), GI_RAY_OPAQUE (rays pass all surfaces that are not opaque), and those of rays/surface.glsl.
 const int RAY_PASSES = 64; // maximum number of surfaces that a ray passes
 const float RAY_FAR = 1e30;
 
@@ -12,7 +12,11 @@ bool rayPasses(RaySurfacePoint at, int flags, inout uint state)
 #ifdef GI_RAY_CLIPPED
   culled = culled || rayClipped(raySurfaces[at.surface], at.position);
 #endif
+#ifdef GI_RAY_OPAQUE
+  return culled || at.color.a < 1.0;
+#else
   return culled || (at.color.a < 1.0 && giRandom(state) >= at.color.a);
+#endif
 }
 
 // Traces a ray to the first surface that it does not pass. Moves ray.origin along the ray. first: distance to the first

@@ -75,7 +75,7 @@ void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const ch
   {
     pass.Read(resource::EdgePicks)
       .UpdateHistory(
-        frame.Keep(std::string("edges.") + resource, frame.WindowTexture(GL_RGBA16F)), "edges");
+        frame.Keep(std::string("edges.") + resource, frame.WindowTexture(GL_RGBA32F)), "edges");
   }
   pass.Execute([&sums, &sum, resource, maximum, picked](FrameContext& context) {
     const bool first = !sum.Written || context.GetView().StillFrames == 0;
