@@ -19,6 +19,12 @@ layout(binding = 2) uniform usampler2D countTexture; // how much features and st
 uniform int level;
 #endif
 
+#ifdef GI_SLOPES
+layout(binding = 3) uniform sampler2DArray slopes;
+
+const float TILE = 16.0; // pixels
+#endif
+
 uniform int step;
 uniform int sharing; // number of pixels that share a sample in one frame
 
@@ -41,6 +47,28 @@ float stretchOf(GiSurfel here, vec2 offset)
   vec3 across = giViewPosition(gl_FragCoord.xy + offset, here.depth) - P;
   return max(length(along) / max(length(across), 1e-30), 1.0);
 }
+
+#ifdef GI_SLOPES
+// Change of light with each component of the normal around a pixel.
+mat3 slopeAt(vec2 place)
+{
+  vec2 last = ceil(view.Viewport.zw / TILE) - 1.0;
+  vec2 tile = (place - view.Viewport.xy) / TILE - 0.5;
+  vec2 f = fract(tile);
+  mat3 sum = mat3(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec2 offset = vec2(i & 1, i >> 1);
+    vec2 share = mix(1.0 - f, f, offset);
+    ivec2 at = ivec2(clamp(floor(tile) + offset, vec2(0.0), last));
+    for (int j = 0; j < 3; ++j)
+    {
+      sum[j] += share.x * share.y * texelFetch(slopes, ivec3(at, j), 0).rgb;
+    }
+  }
+  return sum;
+}
+#endif
 
 void main()
 {
@@ -83,6 +111,10 @@ void main()
 #else
   const float sharpness = 1.0 / TOLERANCE;
 #endif
+#ifdef GI_SLOPES
+  mat3 slope = slopeAt(gl_FragCoord.xy);
+  vec3 N = giDecodeOctahedral(signal.normal);
+#endif
   for (int i = 0; i < 9; ++i)
   {
     ivec2 offset = ivec2(i % 3, i / 3) - 1;
@@ -103,8 +135,11 @@ void main()
       continue;
     }
 #ifdef GI_LIGHT
+    float otherNoise = other.error * giLuminance(other.value.rgb);
+#ifdef GI_SLOPES
+    other.value.rgb += slope * (N - giDecodeOctahedral(other.normal));
+#endif
     float otherLight = giLuminance(other.value.rgb);
-    float otherNoise = other.error * otherLight;
     if (guided)
     {
       weight *= exp(-sharpness * abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)));
@@ -132,6 +167,7 @@ void main()
     signal.value += share * changes[i] / max(weights, 1e-6);
   }
 #ifdef GI_LIGHT
+  signal.value.rgb = max(signal.value.rgb, 0.0);
   if (!guided)
   {
     moments /= max(weights, 1e-6);

@@ -31,6 +31,11 @@ constexpr int GuidedLevels = 4;
 
 constexpr const char* View = "denoising.view";
 
+// Of the fit of light to normals, for tiles of so many pixels.
+constexpr const char* SlopeSums = "denoising.slope-sums";
+constexpr const char* Slopes = "denoising.slopes";
+constexpr int Tile = 16;
+
 /// Resources of a filter: what it filters, and two copies of that with the surfaces.
 struct Names
 {
@@ -63,6 +68,8 @@ struct Manner
   bool OwnSurface;  ///< whether the surfaces are not the frame's
   int Show = Off;   ///< what is to be shown of the signal
   GuideNetwork* Network = nullptr; ///< that guides the filter
+  /// Whether the filter spares what normals explain. While anything moves, and for the mean surfaces of paths, that does not pay.
+  bool FitsNormals = false;
 };
 
 void ShowSignal(
@@ -74,6 +81,24 @@ void ShowSignal(
       .Sample("signalTexture", signal)
       .Set("show", manner.Show)
       .Set("radius", manner.Radius));
+}
+
+// Fit light to normals. Returns the filter's argument.
+Arguments FitSlopes(FrameContext& context, const Texture* signal)
+{
+  const glm::ivec4& area = context.GetView().Viewport;
+  const Work tiles = Work::Items((area.z + Tile - 1) / Tile, (area.w + Tile - 1) / Tile);
+  context.Dispatch("denoising/slope_sums.comp", {},
+    Arguments()
+      .Sample("signalTexture", signal)
+      .Image("sums", *context.Output(SlopeSums), ShaderAccess::Write),
+    tiles);
+  context.Dispatch("denoising/slopes.comp", {},
+    Arguments()
+      .Sample("sums", context.Output(SlopeSums))
+      .Image("slopes", *context.Output(Slopes), ShaderAccess::Write),
+    tiles);
+  return Arguments().Sample("slopes", context.Output(Slopes));
 }
 
 // layer: -1 for a result without layers.
@@ -98,9 +123,15 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
       .Set("layer", layer));
   const std::optional<Arguments> guides =
     manner.Network ? manner.Network->Run(context, signal) : std::nullopt;
+  Arguments shared = guides ? *guides : Arguments();
   if (guides)
   {
     variant["GI_GUIDED"] = "1";
+  }
+  else if (manner.FitsNormals)
+  {
+    variant["GI_SLOPES"] = "1";
+    shared = FitSlopes(context, signal);
   }
   const bool shows = manner.Show != Off && layer <= 0;
   if (shows && manner.Show != Filtered)
@@ -110,7 +141,11 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   for (int level = 0; (1 << level) < 2.0 * manner.Radius && !(guides && level >= GuidedLevels);
        ++level)
   {
-    auto arguments = guides ? Arguments(*guides).Set("level", level) : Arguments();
+    Arguments arguments = shared;
+    if (guides)
+    {
+      arguments.Set("level", level);
+    }
     context.BindTarget({ { next, -1 } }, {});
     context.DrawBound("denoising/filter.frag", variant,
       arguments.Sample("signalTexture", signal)
@@ -152,6 +187,12 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   if (manner.Network)
   {
     GuideNetwork::Declare(pass, frame);
+  }
+  if (manner.FitsNormals)
+  {
+    const glm::ivec2 tiles = (frame.GetView().WindowSize + Tile - 1) / Tile;
+    pass.Write(SlopeSums, { GL_RGBA32F, tiles.x, tiles.y, 6 })
+      .Write(Slopes, { GL_RGBA32F, tiles.x, tiles.y, 3 });
   }
   if (manner.Show != Off)
   {
@@ -214,7 +255,8 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame)
       const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
       AddFilter(frame, noisy,
         { this->Radius, averaged / sharing, sharing, kind, noisy.Surface != nullptr, shown,
-          noisy.Light ? this->FindNetwork(frame) : nullptr });
+          noisy.Light ? this->FindNetwork(frame) : nullptr,
+          noisy.Light && !noisy.Surface && frame.GetView().StillFrames > 0 });
     }
   }
 }

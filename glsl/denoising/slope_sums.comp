@@ -1,0 +1,48 @@
+#version 430 core
+// Sums over tiles of 16x16 pixels for the fit in slopes.comp, in six texels: weights, normals, their products with themselves and
+// with the light, the light, and the number of pixels.
+#define GI_LIGHT
+#include "shared/view.h"
+#include "lib/octahedral.glsl"
+#include "lib/filter_reach.glsl"
+#include "denoising/signal.glsl"
+layout(local_size_x = 8, local_size_y = 8) in; // a tile each
+layout(binding = 0) uniform usampler2D signalTexture;
+layout(rgba32f, binding = 0) writeonly uniform image2DArray sums;
+
+const int TILE = 16;
+
+void main()
+{
+  ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 first = TILE * tile;
+  ivec2 end = min(first + TILE, ivec2(view.Viewport.zw));
+  if (any(greaterThanEqual(first, end)))
+  {
+    return;
+  }
+  vec4 sum[6] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  for (int y = first.y; y < end.y; ++y)
+  {
+    for (int x = first.x; x < end.x; ++x)
+    {
+      GiSignal signal = giUnpackSignal(texelFetch(signalTexture, ivec2(x, y) + ivec2(view.Viewport.xy), 0));
+      vec3 N = giDecodeOctahedral(signal.normal);
+      vec3 light = signal.value.rgb;
+      float weight = signal.frames;
+      if (weight > 0.0)
+      {
+        sum[0] += weight * vec4(N, 1.0);
+        sum[1] += weight * vec4(N * N, light.r);
+        sum[2] += weight * vec4(N.xxy * N.yzz, light.g);
+        sum[3] += weight * vec4(N * light.r, light.b);
+        sum[4] += vec4(weight * N * light.g, 1.0);
+        sum[5] += vec4(weight * N * light.b, 0.0);
+      }
+    }
+  }
+  for (int i = 0; i < 6; ++i)
+  {
+    imageStore(sums, ivec3(tile, i), sum[i]);
+  }
+}
