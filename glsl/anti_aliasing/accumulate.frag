@@ -1,7 +1,8 @@
 #version 430 core
 // Mean of the still frames so far. GI_FIRST starts a new sum; GI_FROZEN shows the sum as it
 // is, without this frame. GI_PICKED: pixels at edges get the colours of what covers them, see pick.comp; differences to these
-// have a sum of their own, which fades out, so that the mean of many frames is that of what the pixels themselves show.
+// have a sum of their own (GI_FIRST_PICKED: a new one), which fades out, so that the mean of many frames is that of what the pixels
+// themselves show.
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(binding = 0, rgba32f) uniform image2D sums;
 uniform float frames; // number of frames in the sum, including this one
@@ -40,7 +41,7 @@ void main()
   imageStore(sums, pixel, sum);
 #ifdef GI_PICKED
   vec4 difference = coverDifference(pixel, own);
-#if !GI_FIRST
+#if !GI_FIRST_PICKED
   difference += imageLoad(edges, pixel);
 #endif
   imageStore(edges, pixel, difference);

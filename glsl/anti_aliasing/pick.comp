@@ -162,7 +162,8 @@ void main()
       ivec2 offset = ivec2(j % 3, j / 3) - 1;
       ivec2 other = within(pixel + offset);
       bool suits = isCaptured(other) == met && (!met || isTraced(other));
-      float unlike = suits ? (met ? unlikeness(other, point, position, normal, at.color.rgb) : length(point - vec2(other) - 0.5)) : RAY_FAR;
+      float unlike = !suits ? RAY_FAR
+        : met ? unlikeness(other, point, position, normal, at.color.rgb) : length(point - vec2(other) - 0.5);
       pick = unlike < least ? pickOf(other - pixel) : pick;
       least = min(least, unlike);
     }

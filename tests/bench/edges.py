@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Edges of still frames, smoothed by frames alone and by rays too: difference of the shown picture from the mean of many frames, root
-mean square in 1/255, by number of frames; and the time of the rays. Exits with 1 if rays do not help."""
+"""Edges of still frames, smoothed by frames alone and by rays too: difference of the shown picture from the mean of many frames,
+root mean square in 1/255, by number of frames; and the time of the rays. Exits with 1 if rays do not help."""
 import argparse
 import sys
 

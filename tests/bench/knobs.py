@@ -6,8 +6,8 @@ path tracer, less that with the last level. The governor weighs these figures, t
 
 Each level has a film of its own: some frames at rest, then an orbit of the camera, during which three frames are compared. All
 films draw the same frames with the same random numbers, so that the noise of what the levels share cancels in the differences,
-as do the noise of the truth and, except for anti-aliasing, the edges of objects, which only the truth smooths. What remains is given as the standard error
-over scenes and frames. A level whose figure is not above twice that is marked ~: it cannot be told from the last one. The last
+as do the noise of the truth and, except for anti-aliasing, the edges of objects, which only the truth smooths. What remains is
+given as the standard error over scenes and frames. A level whose figure is not above twice that is marked ~: it cannot be told from the last one. The last
 column is the relMSE of its pictures against those of the last level: how much of a difference there is, better or worse.
 
 ddgi: the lamp moves, too, and the frames at rest have the last level, as those of a user's have: otherwise the figures would

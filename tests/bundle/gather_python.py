@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Penumbra authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Copy the Python interpreter, the modules that the benchmarks of tests/bench import, their sources, and the data of the demo's scenes
-as far as it is installed, to a folder. Prints the compiled modules, whose libraries the caller gathers.
+"""Copy the Python interpreter, the modules that the benchmarks of tests/bench import, their sources, and the data of the demo's
+scenes as far as it is installed, to a folder. Prints the compiled modules, whose libraries the caller gathers.
 
 Usage: gather_python.py SOURCE DESTINATION, with the package penumbra on PYTHONPATH.
 """

@@ -56,6 +56,7 @@ double EdgeShare(int frames)
 struct Sums
 {
   std::map<std::string, int> Frames; ///< number summed since the scene changed, by resource
+  std::map<std::string, int> Edged;  ///< number up to which the differences at edges are summed
 
   // Whether a resource has all its frames, so that further ones change nothing.
   bool IsComplete(const char* name, int maximum) const
@@ -86,7 +87,10 @@ void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const ch
     Arguments arguments = Arguments().Set("frames", static_cast<double>(frames));
     if (picked)
     {
+      const bool goesOn = !first && sums.Edged[resource] == frames - 1;
+      sums.Edged[resource] = frames;
       variant["GI_PICKED"] = "1";
+      variant["GI_FIRST_PICKED"] = goesOn ? "0" : "1";
       arguments.Set("share", EdgeShare(frames));
     }
     context.Draw("anti_aliasing/accumulate.frag", variant, arguments);
