@@ -77,7 +77,7 @@ class Film:
         self.frame(2)
         before = self.buffer("surface", False)
         self.frame()
-        self.parity = bool(np.array_equal(before, self.buffer("surface", False)))
+        self.parity = bool(np.array_equal(before, self.buffer("surface", False), equal_nan=True))
 
     def cut(self):
         """Look the other way for a frame, so that the next one finds no history."""
@@ -90,6 +90,8 @@ class Film:
         mean = self.buffer("irradiance.rays", self.parity)
         surface = self.buffer("surface", self.parity)
         frames = np.where(surface[..., 1] < 0, np.minimum(surface[..., 3], MOST), 0)
+        # Where there is no surface, histories may hold anything.
+        mean, surface = (np.where(frames[..., None] > 0, values, 0) for values in (mean, surface))
         luminance = mean[..., :3] @ LUMINANCE
         variance = np.maximum(mean[..., 3] - luminance ** 2, 0) * (RECENT if still else 1) / np.maximum(frames, 1)
         error = np.minimum(np.sqrt(variance) / np.maximum(luminance, 1e-20), 0.99)
@@ -97,8 +99,8 @@ class Film:
         normal = np.stack((high, surface[..., 0] - high * NORMAL), -1) / (NORMAL - 1)
         aspect = mean.shape[1] / mean.shape[0]
         matrix = self.camera.GetProjectionTransformMatrix(aspect, -1, 1)
-        return Signal(mean[..., :3] * (frames[..., None] > 0), np.where(frames >= LEAST, error, 0), frames, normal,
-                      np.where(frames > 0, surface[..., 1], 0), np.array((matrix.GetElement(0, 0), matrix.GetElement(1, 1))))
+        return Signal(mean[..., :3], np.where(frames >= LEAST, error, 0), frames, normal, surface[..., 1],
+                      np.array((matrix.GetElement(0, 0), matrix.GetElement(1, 1))))
 
 
 def target(film):

@@ -17,9 +17,9 @@ constexpr int IdleLimit = 16;
 // OpenGL zeros.
 void Spoil(const Texture& texture)
 {
-  static const bool wanted = std::getenv("PENUMBRA_SPOIL_TEXTURES") != nullptr;
+  static const char* asked = std::getenv("PENUMBRA_SPOIL_TEXTURES");
   const TextureDesc& desc = texture.Desc();
-  if (!wanted || desc.IsDepth())
+  if (!asked || !*asked || desc.IsDepth())
   {
     return;
   }
