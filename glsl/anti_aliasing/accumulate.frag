@@ -1,28 +1,28 @@
 #version 430 core
 // Mean of the still frames so far. GI_FIRST starts a new sum; GI_FROZEN shows the sum as it
-// is, without this frame. GI_PICKED: pixels at edges get the colours of what covers them, see pick.comp; differences to these
-// have a sum of their own (GI_FIRST_PICKED: a new one), which fades out, so that the mean of many frames is that of what the pixels
-// themselves show.
+// is, without this frame. GI_COVERAGE: edge pixels are blended by their coverage, see coverage.comp. The
+// differences this makes are summed separately (GI_FIRST_COVERAGE starts a new sum) and fade out, so that the mean of many frames
+// is unbiased.
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(binding = 0, rgba32f) uniform image2D sums;
 uniform float frames; // number of frames in the sum, including this one
-#ifdef GI_PICKED
-#include "anti_aliasing/picks.glsl"
-layout(binding = 1) uniform usampler2D picksTexture;
+#ifdef GI_COVERAGE
+#include "anti_aliasing/coverage.glsl"
+layout(binding = 1) uniform usampler2D coverageTexture;
 layout(binding = 1, rgba32f) uniform image2D edges;
-uniform float share; // of the differences
+uniform float share; // weight of the differences
 
-// Difference of what covers a pixel from what its own sample shows.
-vec4 coverDifference(ivec2 pixel, vec4 own)
+// Difference between the pixel blended by its coverage and its own colour.
+vec4 coverageDifference(ivec2 pixel, vec4 own)
 {
-  uint picks = texelFetch(picksTexture, pixel, 0).r;
+  uint coverage = texelFetch(coverageTexture, pixel, 0).r;
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < PICK_POINTS && hasPicks(picks); ++i)
+  for (int i = 0; i < COVERAGE_SAMPLES && isShared(coverage); ++i)
   {
-    vec4 apart = texelFetch(colorTexture, pixel + offsetOfPick(picks, i), 0) - own;
+    vec4 apart = texelFetch(colorTexture, pixel + sampleOffset(coverage, i), 0) - own;
     sum += any(isnan(apart)) || any(isinf(apart)) ? vec4(0.0) : apart;
   }
-  return sum / float(PICK_POINTS);
+  return sum / float(COVERAGE_SAMPLES);
 }
 #endif
 
@@ -39,9 +39,9 @@ void main()
   sum += imageLoad(sums, pixel);
 #endif
   imageStore(sums, pixel, sum);
-#ifdef GI_PICKED
-  vec4 difference = coverDifference(pixel, own);
-#if !GI_FIRST_PICKED
+#ifdef GI_COVERAGE
+  vec4 difference = coverageDifference(pixel, own);
+#if !GI_FIRST_COVERAGE
   difference += imageLoad(edges, pixel);
 #endif
   imageStore(edges, pixel, difference);

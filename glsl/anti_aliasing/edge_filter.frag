@@ -2,11 +2,11 @@
 // Smooths stair-steps along edges, after FXAA (Lottes 2009): finds the edge through a
 // pixel by its contrast, follows it in both directions to its ends, and shifts the pixel across the edge by its
 // position along the step. Single dots and thin lines, which have no such edge, are blended by their contrast to the
-// neighbourhood. Variant: GI_PICKED (only where rays do not see everything).
+// neighbourhood. Variant: GI_COVERAGE (only where coverage is unknown).
 #include "shared/view.h"
-#ifdef GI_PICKED
-#include "anti_aliasing/picks.glsl"
-layout(binding = 1) uniform usampler2D picksTexture;
+#ifdef GI_COVERAGE
+#include "anti_aliasing/coverage.glsl"
+layout(binding = 1) uniform usampler2D coverageTexture;
 #endif
 
 layout(binding = 0) uniform sampler2D colorTexture;
@@ -53,8 +53,8 @@ void main()
   {
     return;
   }
-#ifdef GI_PICKED
-  if (texelFetch(picksTexture, p, 0).r != PICK_UNKNOWN)
+#ifdef GI_COVERAGE
+  if (texelFetch(coverageTexture, p, 0).r != COVERAGE_UNKNOWN)
   {
     return;
   }

@@ -3,8 +3,10 @@
 // Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering). Samples of light weigh by their number of
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
-// Denoising using Affinity of Neural Features). Variants: those of denoising/signal.glsl.
+// Denoising using Affinity of Neural Features). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
+// Variants: those of denoising/signal.glsl.
 #include "shared/view.h"
+#include "shared/denoising.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/alike.glsl"
@@ -22,7 +24,6 @@ uniform int level;
 #ifdef GI_SLOPES
 layout(binding = 3) uniform sampler2DArray slopes;
 
-const float TILE = 16.0; // pixels
 #endif
 
 uniform int step;
@@ -49,11 +50,11 @@ float stretchOf(GiSurfel here, vec2 offset)
 }
 
 #ifdef GI_SLOPES
-// Change of light with each component of the normal around a pixel.
+// Derivative of light with respect to the normal at a pixel, interpolated between tiles.
 mat3 slopeAt(vec2 place)
 {
-  vec2 last = ceil(view.Viewport.zw / TILE) - 1.0;
-  vec2 tile = (place - view.Viewport.xy) / TILE - 0.5;
+  vec2 last = ceil(view.Viewport.zw / float(GI_DENOISING_TILE)) - 1.0;
+  vec2 tile = (place - view.Viewport.xy) / float(GI_DENOISING_TILE) - 0.5;
   vec2 f = fract(tile);
   mat3 sum = mat3(0.0);
   for (int i = 0; i < 4; ++i)

@@ -3,6 +3,7 @@
 // 2x2 pixels get their mean; of single pixels only the layer "fine" knows.
 #define GI_LIGHT
 #include "shared/view.h"
+#include "shared/denoising.h"
 #include "lib/octahedral.glsl"
 #include "lib/reconstruct.glsl"
 #include "lib/alike.glsl"
@@ -16,7 +17,6 @@ layout(binding = 1) uniform sampler2D tileTexture;
 layout(rgba16f, binding = 0) writeonly uniform image2DArray inputs;
 layout(rgba16f, binding = 1) writeonly uniform image2D fine;
 
-const float TILE = 16.0;       // pixels
 const float DEPTH_CHANGE = 16.0; // scale of the relative change of depth from pixel to pixel
 
 GiSignal signalAt(ivec2 at)
@@ -29,7 +29,7 @@ GiSignal signalAt(ivec2 at)
 // Mean luminance around a block: of the nearest tiles and their neighbours, with the weights of linear interpolation.
 float scaleAt(ivec2 block)
 {
-  vec2 place = (2.0 * vec2(block) + 1.0) / TILE - 0.5;
+  vec2 place = (2.0 * vec2(block) + 1.0) / float(GI_DENOISING_TILE) - 0.5;
   ivec2 corner = ivec2(floor(place)) - 1;
   vec2 f = fract(place);
   vec2 sum = vec2(0.0);
@@ -37,7 +37,7 @@ float scaleAt(ivec2 block)
   {
     ivec2 k = ivec2(i & 3, i >> 2);
     ivec2 tile = corner + k;
-    if (all(greaterThanEqual(tile, ivec2(0))) && all(lessThan(vec2(tile), ceil(view.Viewport.zw / TILE))))
+    if (all(greaterThanEqual(tile, ivec2(0))) && all(lessThan(vec2(tile), ceil(view.Viewport.zw / float(GI_DENOISING_TILE)))))
     {
       vec2 weight = mix(mix(vec2(1.0), f, equal(k, ivec2(3))), 1.0 - f, equal(k, ivec2(0)));
       sum += weight.x * weight.y * texelFetch(tileTexture, tile, 0).rg;
@@ -112,7 +112,7 @@ void main()
     }
     else
     {
-      imageStore(fine, at + ivec2(view.Viewport.xy), vec4(0.0)); // the filter weighs it with 0
+      imageStore(fine, at + ivec2(view.Viewport.xy), vec4(0.0)); // read by the filter, with a weight of 0
     }
   }
   for (int four = 0; four < 4; ++four)

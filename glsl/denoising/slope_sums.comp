@@ -1,8 +1,9 @@
 #version 430 core
-// Sums over tiles of 16x16 pixels for the fit in slopes.comp, in six texels: weights, normals, their products with themselves and
-// with the light, the light, and the number of pixels.
+// Sums over tiles for the regression in slopes.comp, in six texels: weight, normal, light, products of the normal's components
+// with each other and with the light, and pixel count.
 #define GI_LIGHT
 #include "shared/view.h"
+#include "shared/denoising.h"
 #include "lib/octahedral.glsl"
 #include "lib/filter_reach.glsl"
 #include "lib/luminance.glsl"
@@ -11,8 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in; // a tile each
 layout(binding = 0) uniform usampler2D signalTexture;
 layout(rgba32f, binding = 0) writeonly uniform image2DArray sums;
 
-const int TILE = 16;
-const float BRIGHTEST = 8.0; // times the mean around it, light counts fully: single bright samples must not tilt the fit
+const float MAXIMUM_LIGHT = 8.0; // of a pixel, as a multiple of the tile's mean: limits the influence of outliers
 
 GiSignal signalAt(ivec2 place)
 {
@@ -22,7 +22,7 @@ GiSignal signalAt(ivec2 place)
   return signal;
 }
 
-// Mean luminance between two corners, to which bright pixels contribute little.
+// Mean luminance of a tile, robust against outliers: the square of the mean square root.
 float meanOf(ivec2 first, ivec2 end)
 {
   vec2 sum = vec2(0.0);
@@ -41,13 +41,13 @@ float meanOf(ivec2 first, ivec2 end)
 void main()
 {
   ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 first = TILE * tile;
-  ivec2 end = min(first + TILE, ivec2(view.Viewport.zw));
+  ivec2 first = GI_DENOISING_TILE * tile;
+  ivec2 end = min(first + GI_DENOISING_TILE, ivec2(view.Viewport.zw));
   if (any(greaterThanEqual(first, end)))
   {
     return;
   }
-  float most = BRIGHTEST * meanOf(first, end);
+  float most = MAXIMUM_LIGHT * meanOf(first, end);
   vec4 sum[6] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int y = first.y; y < end.y; ++y)
   {

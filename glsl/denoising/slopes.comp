@@ -1,15 +1,14 @@
 #version 430 core
-// How light changes with the normal around each tile: a linear fit over the tile and, with less weight, its neighbours. Where light
-// is noisy for its number of frames, or normals hardly differ, it says little (ridge regression: Hoerl and Kennard 1970, Ridge
-// Regression: Biased Estimation for Nonorthogonal Problems). As in regressions on features (Moon, Carr and Yoon 2014, Adaptive
-// Rendering Based on Weighted Local Regression), the filter then averages what normals do not explain.
+// Derivative of light with respect to the normal: a linear ridge regression over a tile and its neighbours (Hoerl and Kennard 1970,
+// Ridge Regression: Biased Estimation for Nonorthogonal Problems). The filter averages the residuals, as in Moon, Carr and Yoon
+// 2014, Adaptive Rendering Based on Weighted Local Regression.
 #include "shared/view.h"
+#include "shared/denoising.h"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2DArray sums; // of slope_sums.comp
-layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // for each component of a normal, of red, green and blue
+layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // a layer for each component of the normal
 
-const float TILE = 16.0;
-const float RIDGE = 0.05; // variance of normals, times the number of frames, below which a fit says little
+const float RIDGE = 0.05; // added to the variance of normals, divided by the mean frame count
 
 vec4 sumAt(ivec2 tile, int part, ivec2 last)
 {
@@ -27,7 +26,7 @@ vec4 sumAt(ivec2 tile, int part, ivec2 last)
 void main()
 {
   ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 last = ivec2(ceil(view.Viewport.zw / TILE)) - 1;
+  ivec2 last = ivec2(ceil(view.Viewport.zw / float(GI_DENOISING_TILE))) - 1;
   if (any(greaterThan(tile, last)))
   {
     return;

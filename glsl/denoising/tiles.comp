@@ -2,6 +2,7 @@
 // Sum of the luminance in tiles of 16x16 pixels, and number of pixels with a surface.
 #define GI_LIGHT
 #include "shared/view.h"
+#include "shared/denoising.h"
 #include "lib/octahedral.glsl"
 #include "lib/filter_reach.glsl"
 #include "lib/luminance.glsl"
@@ -10,13 +11,12 @@ layout(local_size_x = 8, local_size_y = 8) in; // a tile each: barriers cost mor
 layout(binding = 0) uniform usampler2D signalTexture;
 layout(rg32f, binding = 0) writeonly uniform image2D tiles;
 
-const int TILE = 16;
 
 void main()
 {
   ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 first = TILE * tile;
-  ivec2 end = min(first + TILE, ivec2(view.Viewport.zw));
+  ivec2 first = GI_DENOISING_TILE * tile;
+  ivec2 end = min(first + GI_DENOISING_TILE, ivec2(view.Viewport.zw));
   vec2 sum = vec2(0.0);
   for (int y = first.y; y < end.y; ++y)
   {

@@ -1,5 +1,5 @@
 #version 430 core
-// Keeps the picture's radiance: 0 outside of the viewport. Variant: GI_VISIBLE_SKY (a skybox is behind everything).
+// Copies the picture's radiance; 0 outside the viewport. Variant: GI_VISIBLE_SKY (a skybox is behind everything).
 #include "shared/view.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -105,7 +105,7 @@ bool hitsSurface(vec3 O, vec3 D, vec2 direction2D, ivec2 cell, vec2 surface, flo
     crossing = surfacePosition;
     crossingWindow.xy = center;
   }
-  // The crossing may be a pixel farther on, where there is no surface.
+  // The crossing may lie in the next pixel, which may be background.
   ivec2 crossed = clamp(ivec2(floor(crossingWindow.xy)), ivec2(0), ivec2(view.Viewport.zw) - 1);
   bool shown = texelFetch(albedoTexture, crossed + ivec2(view.Viewport.xy), 0).a > 0.0;
   crossingWindow.xy = shown ? crossingWindow.xy : center;

@@ -122,7 +122,7 @@ protected:
     return errors;
   }
 
-  // A pass that averages still frames. edges: what smooths edges.
+  // A pass that averages still frames. edges: value of the parameter.
   vtkSmartPointer<vtkGIPass> Smooth(const char* edges)
   {
     vtkSmartPointer<vtkGIPass> pass = this->Scene.SetPasses().front();
@@ -183,11 +183,11 @@ TEST_F(AntiAliasing, RaysSmoothEdgesFromTheFirstFrame)
     EXPECT_LT(rays[number], 0.8 * frames[number]) << number;
   }
   EXPECT_LT(rays[1], 0.5 * frames[1]);
-  // What rays find fades out.
+  // The weight of the coverage is 0 by now.
   EXPECT_EQ(Compare(last, Shoot(this->Scene.Window), 0).Within, 1.0);
 }
 
-// Between faces in one plane, whose colours alone differ.
+// Coplanar faces that differ in colour only.
 TEST_F(AntiAliasing, RaysSmoothBordersOfColours)
 {
   this->Scene.Renderer->RemoveAllViewProps();
@@ -217,7 +217,7 @@ TEST_F(AntiAliasing, RaysSmoothBordersOfColours)
   EXPECT_LT(rays.at(3), 0.6 * frames.at(3));
 }
 
-// Rays pass lines, so that pixels beside them cannot tell what they show.
+// Rays do not hit lines.
 TEST_F(AntiAliasing, RaysLeaveLinesAsTheyAre)
 {
   vtkNew<vtkLineSource> line;

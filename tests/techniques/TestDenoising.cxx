@@ -106,11 +106,11 @@ TEST_F(Denoising, SparesFineSlopesInTheEnd)
   EXPECT_LT(this->ErrorLeft(64, 500), 0.8);
 }
 
-// Light that follows from where surfaces face is no noise: it is fitted, and what the fit explains is not averaged.
+// The filter preserves variation of light with the normal.
 TEST_F(Denoising, SparesWhatNormalsExplain)
 {
   this->AddHills();
-  EXPECT_LT(this->ErrorLeft(6, 300), 0.205); // 0.227 without the fit
+  EXPECT_LT(this->ErrorLeft(6, 300), 0.205); // 0.227 without the regression
 }
 
 // A small change leaves most of the history, so that there is little noise; of a great one nothing stays.

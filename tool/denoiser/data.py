@@ -90,7 +90,7 @@ class Film:
         mean = self.buffer("irradiance.rays", self.parity)
         surface = self.buffer("surface", self.parity)
         frames = np.where(surface[..., 1] < 0, np.minimum(surface[..., 3], MOST), 0)
-        # Where there is no surface, histories may hold anything.
+        # Histories are undefined where there is no surface.
         mean, surface = (np.where(frames[..., None] > 0, values, 0) for values in (mean, surface))
         luminance = mean[..., :3] @ LUMINANCE
         variance = np.maximum(mean[..., 3] - luminance ** 2, 0) * (RECENT if still else 1) / np.maximum(frames, 1)

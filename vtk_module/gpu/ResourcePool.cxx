@@ -13,8 +13,8 @@ namespace
 // Number of frames after which an unused texture is deleted.
 constexpr int IdleLimit = 16;
 
-// For tests: fill a texture with what must not be read before something else is written. GPUs leave anything there, software
-// OpenGL zeros.
+// Fill a texture with NaN, for tests of shaders that read what no pass has written. On a GPU such texels hold arbitrary values,
+// whereas software OpenGL clears them.
 void Spoil(const Texture& texture)
 {
   static const char* asked = std::getenv("PENUMBRA_SPOIL_TEXTURES");

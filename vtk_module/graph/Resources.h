@@ -53,8 +53,8 @@ constexpr const char* LitEncoded = "radiance.encoded"; ///< of those that VTK en
 constexpr const char* Reflection = "reflection";    ///< radiance over each pixel's lobe, confidence
 /// How far a filter of reflections may reach, in scene units; 0 if unknown, negative where nothing reflects.
 constexpr const char* ReflectionReach = "reflection.reach";
-/// Of the points of each pixel at an edge, the pixels whose colours they have: see anti_aliasing/picks.glsl.
-constexpr const char* EdgePicks = "edge-picks";
+/// Coverage of edge pixels by the surfaces around them, see anti_aliasing/coverage.glsl.
+constexpr const char* EdgeCoverage = "edge-coverage";
 constexpr const char* Color = "color";              ///< the picture, encoded for display
 constexpr const char* Radiance = "radiance";        ///< the picture, linear
 }
@@ -75,7 +75,7 @@ inline std::string SamplerOf(const std::string& resource)
     { Sky, "skyTexture" }, { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" },
     { LitShown, "shownTexture" }, { LitEncoded, "encodedTexture" },
     { Reflection, "reflectionTexture" }, { ReflectionReach, "reachTexture" },
-    { EdgePicks, "picksTexture" }, { Color, "colorTexture" }, { Radiance, "colorTexture" } };
+    { EdgeCoverage, "coverageTexture" }, { Color, "colorTexture" }, { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
 }

@@ -42,21 +42,23 @@ constexpr int EdgeFilterOrder = 810;
 // Number of averaged frames from which the edge filter no longer improves the average.
 constexpr int FramesToFilter = 3;
 
-// Numbers of frames up to which what rays find at edges counts fully, and from which it does not count.
-constexpr double FullEdgeFrames = 4.0;
-constexpr double LastEdgeFrames = 12.0;
+// Coverage by rays has its full weight up to the first number of averaged frames, and none from the second on.
+constexpr double FullCoverageFrames = 4.0;
+constexpr double NoCoverageFrames = 12.0;
 
-// How much that counts in the mean of so many frames.
-double EdgeShare(int frames)
+// Weight of the coverage in the mean of a number of frames.
+double CoverageWeight(int frames)
 {
-  return glm::clamp((LastEdgeFrames - frames) / (LastEdgeFrames - FullEdgeFrames), 0.0, 1.0);
+  return glm::clamp(
+    (NoCoverageFrames - frames) / (NoCoverageFrames - FullCoverageFrames), 0.0, 1.0);
 }
 
 // Averages of a view. Each resource counts its own frames, because radiance may be requested later than the picture.
 struct Sums
 {
   std::map<std::string, int> Frames; ///< number summed since the scene changed, by resource
-  std::map<std::string, int> Edged;  ///< number up to which the differences at edges are summed
+  std::map<std::string, int>
+    CoverageFrames; ///< number at the last update of the differences at edges
 
   // Whether a resource has all its frames, so that further ones change nothing.
   bool IsComplete(const char* name, int maximum) const
@@ -66,39 +68,39 @@ struct Sums
   }
 };
 
-// Add this frame to the sum of the previous frames, and show the average. picked: whether rays find out what is at edges.
+// Add this frame to the sum of the previous frames, and show the average. blends: whether edge pixels are blended by their coverage.
 void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const char* resource,
-  int maximum, bool picked)
+  int maximum, bool blends)
 {
   History& sum = frame.Keep(std::string("sum.") + resource, frame.WindowTexture(GL_RGBA32F));
   pass.UpdateHistory(sum, "sums");
-  if (picked)
+  if (blends)
   {
-    pass.Read(resource::EdgePicks)
+    pass.Read(resource::EdgeCoverage)
       .UpdateHistory(
         frame.Keep(std::string("edges.") + resource, frame.WindowTexture(GL_RGBA32F)), "edges");
   }
-  pass.Execute([&sums, &sum, resource, maximum, picked](FrameContext& context) {
+  pass.Execute([&sums, &sum, resource, maximum, blends](FrameContext& context) {
     const bool first = !sum.Written || context.GetView().StillFrames == 0;
     const bool frozen = !first && sums.IsComplete(resource, maximum);
     int& frames = sums.Frames[resource];
     frames = first ? 1 : frozen ? frames : frames + 1;
     Defines variant = { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } };
     Arguments arguments = Arguments().Set("frames", static_cast<double>(frames));
-    if (picked)
+    if (blends)
     {
-      const bool goesOn = !first && sums.Edged[resource] == frames - 1;
-      sums.Edged[resource] = frames;
-      variant["GI_PICKED"] = "1";
-      variant["GI_FIRST_PICKED"] = goesOn ? "0" : "1";
-      arguments.Set("share", EdgeShare(frames));
+      const bool goesOn = !first && sums.CoverageFrames[resource] == frames - 1;
+      sums.CoverageFrames[resource] = frames;
+      variant["GI_COVERAGE"] = "1";
+      variant["GI_FIRST_COVERAGE"] = goesOn ? "0" : "1";
+      arguments.Set("share", CoverageWeight(frames));
     }
     context.Draw("anti_aliasing/accumulate.frag", variant, arguments);
   });
 }
 
-// Find out by rays what covers the pixels at edges.
-void AddPicks(FrameBuilder& frame, int index)
+// Trace the coverage of edge pixels. index: number of still frames before this one.
+void AddCoverage(FrameBuilder& frame, int index)
 {
   RayProps& rays = frame.Rays("their edges are smoothed by still frames only");
   const View& view = frame.GetView();
@@ -106,10 +108,10 @@ void AddPicks(FrameBuilder& frame, int index)
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::DepthCopy)
-    .Write(resource::EdgePicks, frame.WindowTexture(GL_R32UI), "picks")
+    .Write(resource::EdgeCoverage, frame.WindowTexture(GL_R32UI), "coverage")
     .Offer(rays.ShaderArguments())
     .Offer(frame.Capture().Materials().ShaderArguments())
-    .Compute("anti_aliasing/pick.comp", rays.ShaderDefines(),
+    .Compute("anti_aliasing/coverage.comp", rays.ShaderDefines(),
       view.ToScene(rays.Origin())
         .Set("jitter", glm::vec2(view.Jitter))
         .Set("turn", glm::vec2(StillFrameShift(index))),
@@ -149,18 +151,18 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));
     const int index = complete ? 0 : view.StillFrames;
     ShiftStillFrame(frame, StillFrameShift(index));
-    const bool picked = this->Edges == ByRays && !complete && EdgeShare(index + 1) > 0.0;
-    if (picked)
+    const bool blends = this->Edges == ByRays && !complete && CoverageWeight(index + 1) > 0.0;
+    if (blends)
     {
-      AddPicks(frame, index);
+      AddCoverage(frame, index);
     }
     AddAverage(frame.AddPass("accumulate").Modify(resource::Color, AccumulateOrder), frame, sums,
-      resource::Color, maximum, picked);
+      resource::Color, maximum, blends);
     if (view.KeepsRadiance)
     {
       AddAverage(
         frame.AddPass("accumulate-radiance").ModifyIfPresent(resource::Radiance, AccumulateOrder),
-        frame, sums, resource::Radiance, maximum, picked);
+        frame, sums, resource::Radiance, maximum, blends);
     }
     if (frame.Plan().HasLitParts())
     {
@@ -168,7 +170,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
       {
         AddAverage(frame.AddPass(std::string("accumulate-") + part)
                      .ModifyIfPresent(part, AccumulateOrder, "colorTexture"),
-          frame, sums, part, maximum, picked);
+          frame, sums, part, maximum, blends);
       }
     }
     filter = view.StillFrames + 1 < FramesToFilter;
@@ -177,7 +179,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
   {
     frame.AddPass("edge-filter")
       .Modify(resource::Color, EdgeFilterOrder)
-      .ReadIfPresent(resource::EdgePicks, "GI_PICKED")
+      .ReadIfPresent(resource::EdgeCoverage, "GI_COVERAGE")
       .Draw("anti_aliasing/edge_filter.frag", {}, {});
   }
 }

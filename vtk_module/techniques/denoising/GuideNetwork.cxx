@@ -4,6 +4,8 @@
 
 #include "techniques/denoising/NetworkWeights.h"
 
+#include "denoising.h"
+
 #include <stdexcept>
 
 namespace penumbra
@@ -12,7 +14,6 @@ namespace
 {
 constexpr int Levels = 4;  // of the U-Net
 constexpr int Inputs = 16; // numbers for each pixel
-constexpr int Tile = 16;   // pixels
 
 constexpr const char* Prefix = "denoising.network.";
 constexpr const char* Tiles = "denoising.network.tiles";
@@ -77,7 +78,7 @@ void GuideNetwork::Declare(PassDeclaration& pass, const Frame& frame)
     const glm::ivec2 size = SizeAt(window, level);
     pass.Write(Prefix + name, { GL_RGBA16F, size.x, size.y, channels / 4 });
   };
-  const glm::ivec2 tiles = (window + Tile - 1) / Tile;
+  const glm::ivec2 tiles = (window + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE;
   pass.Write(Tiles, { GL_RG32F, tiles.x, tiles.y, 0 });
   write(First, Inputs, 0);
   for (int level = 0; level < Levels; ++level)
@@ -130,7 +131,7 @@ void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
 Arguments GuideNetwork::Infer(FrameContext& context, const Texture* signal)
 {
   const glm::ivec2 pixels = PixelsOf(context);
-  const glm::ivec2 tiles = (pixels + Tile - 1) / Tile;
+  const glm::ivec2 tiles = (pixels + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE;
   const glm::ivec2 blocks = SizeAt(pixels, 0);
   context.Dispatch("denoising/tiles.comp", {},
     Arguments()

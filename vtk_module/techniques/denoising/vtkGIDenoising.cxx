@@ -6,6 +6,8 @@
 #include "technique/FrameBuilder.h"
 #include "techniques/denoising/GuideNetwork.h"
 
+#include "denoising.h"
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -31,10 +33,9 @@ constexpr int GuidedLevels = 4;
 
 constexpr const char* View = "denoising.view";
 
-// Of the fit of light to normals, for tiles of so many pixels.
+// Fit of light to normals.
 constexpr const char* SlopeSums = "denoising.slope-sums";
 constexpr const char* Slopes = "denoising.slopes";
-constexpr int Tile = 16;
 
 /// Resources of a filter: what it filters, and two copies of that with the surfaces.
 struct Names
@@ -68,7 +69,8 @@ struct Manner
   bool OwnSurface;  ///< whether the surfaces are not the frame's
   int Show = Off;   ///< what is to be shown of the signal
   GuideNetwork* Network = nullptr; ///< that guides the filter
-  /// Whether the filter spares what normals explain. While anything moves, and for the mean surfaces of paths, that does not pay.
+  /// Whether the filter preserves variation of light with the normal. It increases the error while the camera moves, and on the
+  /// mean surfaces of paths.
   bool FitsNormals = false;
 };
 
@@ -87,7 +89,8 @@ void ShowSignal(
 Arguments FitSlopes(FrameContext& context, const Texture* signal)
 {
   const glm::ivec4& area = context.GetView().Viewport;
-  const Work tiles = Work::Items((area.z + Tile - 1) / Tile, (area.w + Tile - 1) / Tile);
+  const Work tiles = Work::Items((area.z + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE,
+    (area.w + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE);
   context.Dispatch("denoising/slope_sums.comp", {},
     Arguments()
       .Sample("signalTexture", signal)
@@ -190,7 +193,8 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   }
   if (manner.FitsNormals)
   {
-    const glm::ivec2 tiles = (frame.GetView().WindowSize + Tile - 1) / Tile;
+    const glm::ivec2 tiles =
+      (frame.GetView().WindowSize + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE;
     pass.Write(SlopeSums, { GL_RGBA32F, tiles.x, tiles.y, 6 })
       .Write(Slopes, { GL_RGBA32F, tiles.x, tiles.y, 3 });
   }

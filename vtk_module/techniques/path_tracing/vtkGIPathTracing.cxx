@@ -46,7 +46,7 @@ constexpr const char* OwnName = "path-tracing.own";
 constexpr const char* OwnImage = "sumOwn";
 constexpr int MostOwnAtOnce = 16;
 
-// The Halton sequence.
+// Element of the Halton sequence.
 double Halton(int index, int base)
 {
   double result = 0.0;
@@ -57,8 +57,8 @@ double Halton(int index, int base)
   return result;
 }
 
-// By how many pixels the paths of a sample are shifted. Where the noise is that of paths, the sequence of other still frames
-// has no advantage; on an isosurface its first 16 paths have a fifth more error.
+// Jitter of a sample, in pixels. StillFrameShift() is not better where paths are the source of noise: the error of 16 paths on an
+// isosurface is a fifth larger.
 glm::dvec2 SampleShift(int index)
 {
   return index > 0 ? glm::dvec2(Halton(index, 2), Halton(index, 3)) - 0.5 : glm::dvec2(0.0);

@@ -1,7 +1,7 @@
 #version 430 core
-// Finds out what covers the pixels at edges: a ray through each of some points of the pixel meets a surface or nothing, and
-// the point takes the colour of a pixel nearby that shows the same. Variants: GI_RAY_EDGES (some surfaces show the edges of
-// their cells), and those of rays/passage.glsl.
+// Coverage of edge pixels: traces a ray through each sample of a pixel, and finds a neighbouring pixel that shows the surface or
+// the background that the ray hits. Variants: GI_RAY_EDGES (some surfaces show the edges of their cells), and those of
+// rays/passage.glsl.
 #define GI_RAY_OPAQUE 1
 #include "shared/view.h"
 #include "shared/material.h"
@@ -15,11 +15,11 @@
 #ifdef GI_RAY_EDGES
 #include "path_tracing/edges.glsl"
 #endif
-#include "anti_aliasing/picks.glsl"
+#include "anti_aliasing/coverage.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(r32ui, binding = 0) uniform writeonly uimage2D picks;
+layout(r32ui, binding = 0) uniform writeonly uimage2D coverage;
 
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
@@ -28,19 +28,20 @@ layout(binding = 2) uniform sampler2D depthTexture;
 uniform mat3 viewToScene;
 uniform vec3 eye; // relative to the scene's origin
 uniform vec2 jitter; // of the frame, in pixels
-uniform vec2 turn;   // by which the points are shifted within the pixel, from frame to frame
+uniform vec2 turn;   // offset of the samples within the pixel, modulo 1; varies from frame to frame
 
-// A rotated grid.
-const vec2 PICK_PLACES[PICK_POINTS] =
+// Rotated grid.
+const vec2 SAMPLE_PLACES[COVERAGE_SAMPLES] =
   vec2[](vec2(0.125, 0.375), vec2(0.375, 0.875), vec2(0.625, 0.125), vec2(0.875, 0.625));
 
-const float ALIKE = 0.5;      // least similarity of neighbours between which there is no edge
-const float CONTRAST = 0.05;  // most difference of their colours
-const float SAME = 1.5;       // unlikeness of a point and its own pixel from which others may suit better, in pixels off the plane
-const float MOST = 4.0;       // unlikeness from which no pixel suits
-const float BEND = 4.0;       // that of normals at a right angle
-const float COLORED = 4.0;    // that of black and white
-const float FARTHER = 0.25;   // that of a pixel one pixel farther away
+const float MINIMUM_SIMILARITY = 0.5; // of neighbours on the same surface
+const float MAXIMUM_CONTRAST = 0.05;  // between colours of neighbours without an edge
+// Mismatch between a hit and a pixel, in pixels of distance from the pixel's plane.
+const float GOOD_MATCH = 1.5;       // the pixel itself is accepted below this mismatch
+const float MAXIMUM_MISMATCH = 4.0; // no pixel is accepted above it
+const float NORMAL_WEIGHT = 4.0;    // mismatch of perpendicular normals
+const float COLOR_WEIGHT = 4.0;     // mismatch of black and white
+const float DISTANCE_WEIGHT = 0.25; // mismatch per pixel of distance in the picture
 
 ivec2 low, high;
 
@@ -72,14 +73,13 @@ float contrast(vec3 one, vec3 other)
   return max(max(apart.r, apart.g), apart.b);
 }
 
-// What is around a pixel.
-struct Around
+struct Neighbourhood
 {
-  bool edge;    // whether it differs from the pixel
-  bool unknown; // whether rays do not see all of it
+  bool edge;    // a neighbour differs in surface or colour
+  bool unknown; // it contains surfaces that rays do not see
 };
 
-Around around(ivec2 pixel)
+Neighbourhood neighbourhoodOf(ivec2 pixel)
 {
   bool captured = isCaptured(pixel);
   GiSurfel here;
@@ -87,7 +87,7 @@ Around around(ivec2 pixel)
   {
     here = giSurfel(vec2(pixel) + 0.5, texelFetch(depthTexture, pixel, 0).r, texelFetch(normalTexture, pixel, 0).xy, 1.0);
   }
-  Around found = Around(false, false);
+  Neighbourhood found = Neighbourhood(false, false);
   for (int i = 0; i < 9; ++i)
   {
     ivec2 other = within(pixel + ivec2(i % 3, i / 3) - 1);
@@ -97,7 +97,7 @@ Around around(ivec2 pixel)
     {
       float similarity = giSimilarity(here, vec2(other - pixel), texelFetch(depthTexture, other, 0).r,
         texelFetch(normalTexture, other, 0).xy);
-      alike = similarity > ALIKE && contrast(colorAt(pixel), colorAt(other)) < CONTRAST;
+      alike = similarity > MINIMUM_SIMILARITY && contrast(colorAt(pixel), colorAt(other)) < MAXIMUM_CONTRAST;
     }
     found.edge = found.edge || !alike;
     found.unknown = found.unknown || (covered && !isTraced(other));
@@ -105,16 +105,16 @@ Around around(ivec2 pixel)
   return found;
 }
 
-// How little a pixel's colour suits a point where a ray has met a surface.
-float unlikeness(ivec2 pixel, vec2 point, vec3 position, vec3 normal, vec3 color)
+// Mismatch between a pixel's surface and a hit. point: place of the ray in the picture.
+float mismatch(ivec2 pixel, vec2 point, vec3 position, vec3 normal, vec3 color)
 {
   vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
   vec2 center = vec2(pixel) + 0.5;
   float depth = texelFetch(depthTexture, pixel, 0).r;
   vec3 P = giViewPosition(center, depth);
   float width = length(giViewPosition(center + vec2(1.0, 0.0), depth) - P);
-  return abs(dot(N, position - P)) / width + BEND * (1.0 - dot(N, normal)) +
-    COLORED * contrast(color, colorAt(pixel)) + FARTHER * length(point - center);
+  return abs(dot(N, position - P)) / width + NORMAL_WEIGHT * (1.0 - dot(N, normal)) +
+    COLOR_WEIGHT * contrast(color, colorAt(pixel)) + DISTANCE_WEIGHT * length(point - center);
 }
 
 void main()
@@ -127,18 +127,18 @@ void main()
     return;
   }
   bool captured = isCaptured(pixel);
-  Around near = around(pixel);
+  Neighbourhood near = neighbourhoodOf(pixel);
   if (near.unknown || !near.edge)
   {
-    imageStore(picks, pixel, uvec4(near.unknown ? PICK_UNKNOWN : PICK_ALL_OWN));
+    imageStore(coverage, pixel, uvec4(near.unknown ? COVERAGE_UNKNOWN : COVERAGE_OWN_ONLY));
     return;
   }
   uint state = giHash(uint(pixel.x) + (uint(pixel.y) << 16));
   mat3 sceneToView = transpose(viewToScene);
-  uint found = PICK_ALL_OWN;
-  for (int i = 0; i < PICK_POINTS; ++i)
+  uint found = COVERAGE_OWN_ONLY;
+  for (int i = 0; i < COVERAGE_SAMPLES; ++i)
   {
-    vec2 point = vec2(pixel) + fract(PICK_PLACES[i] + turn) + jitter;
+    vec2 point = vec2(pixel) + fract(SAMPLE_PLACES[i] + turn) + jitter;
     vec3 start = giViewPosition(point, 0.0);
     vec3 path = giViewPosition(point, 1.0) - start;
     Ray ray = Ray(eye + viewToScene * start, 0.0, viewToScene * normalize(path), length(path));
@@ -154,20 +154,20 @@ void main()
 #endif
     vec3 position = sceneToView * (at.position - eye);
     vec3 normal = sceneToView * at.normal;
-    uint pick = PICK_OWN;
-    float least = captured == met ? (met ? unlikeness(pixel, point, position, normal, at.color.rgb) : 0.0) : MOST;
-    least = min(least, MOST);
-    for (int j = 0; j < 9 && least > SAME; ++j)
+    uint source = COVERAGE_OWN;
+    float least = captured == met ? (met ? mismatch(pixel, point, position, normal, at.color.rgb) : 0.0) : MAXIMUM_MISMATCH;
+    least = min(least, MAXIMUM_MISMATCH);
+    for (int j = 0; j < 9 && least > GOOD_MATCH; ++j)
     {
       ivec2 offset = ivec2(j % 3, j / 3) - 1;
       ivec2 other = within(pixel + offset);
       bool suits = isCaptured(other) == met && (!met || isTraced(other));
-      float unlike = !suits ? RAY_FAR
-        : met ? unlikeness(other, point, position, normal, at.color.rgb) : length(point - vec2(other) - 0.5);
-      pick = unlike < least ? pickOf(other - pixel) : pick;
-      least = min(least, unlike);
+      float candidate = !suits ? RAY_FAR
+        : met ? mismatch(other, point, position, normal, at.color.rgb) : length(point - vec2(other) - 0.5);
+      source = candidate < least ? sourceOf(other - pixel) : source;
+      least = min(least, candidate);
     }
-    found = bitfieldInsert(found, pick, i * int(PICK_BITS), int(PICK_BITS));
+    found = bitfieldInsert(found, source, i * int(COVERAGE_BITS), int(COVERAGE_BITS));
   }
-  imageStore(picks, pixel, uvec4(found));
+  imageStore(coverage, pixel, uvec4(found));
 }
