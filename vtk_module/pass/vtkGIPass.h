@@ -84,7 +84,8 @@ public:
   /**
    * Copy the last frame's linear radiance of opaque surfaces and background into a float image of four components (red,
    * green, blue, and 1 where a surface was captured, 0 elsewhere), of the window's size in that frame. Needs
-   * KeepRadiance. Returns false if the renderer's last frame was not kept.
+   * KeepRadiance, and the window's graphics resources. Returns false if the renderer's last frame was not kept, or its resources
+   * have been released.
    */
   bool GetRadiance(vtkRenderer* renderer, vtkImageData* image);
 
