@@ -6,6 +6,7 @@
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(binding = 0, rgba32f) uniform image2D sums;
 uniform float frames; // number of frames in the sum, including this one
+uniform float lastWeight; // of the last of them in the mean
 #ifdef GI_COVERAGE
 #include "anti_aliasing/coverage.glsl"
 layout(binding = 1) uniform usampler2D coverageTexture;
@@ -41,11 +42,13 @@ void main()
   imageStore(sums, pixel, sum);
 #ifdef GI_COVERAGE
   vec4 difference = coverageDifference(pixel, own);
+  own += share * difference;
 #if !GI_FIRST_COVERAGE
   difference += imageLoad(edges, pixel);
 #endif
   imageStore(edges, pixel, difference);
   sum = max(sum + share * difference, 0.0);
 #endif
-  color = sum / frames;
+  float missing = 1.0 - lastWeight;
+  color = (sum - missing * own) / (frames - missing);
 }

@@ -23,7 +23,9 @@ uniform int level;
 
 #ifdef GI_SLOPES
 layout(binding = 3) uniform sampler2DArray slopes;
-
+#endif
+#ifdef GI_JOINT
+layout(binding = 4) uniform sampler2D values;
 #endif
 
 uniform int step;
@@ -39,6 +41,9 @@ const int DIRECTIONS = 1;
 #endif
 
 layout(location = 0) out uvec4 result;
+#ifdef GI_JOINT
+layout(location = 1) out vec4 filtered;
+#endif
 
 // Length of a step on the surface at a pixel, divided by that on a surface that faces the eye. offset: the step, in pixels.
 float stretchOf(GiSurfel here, vec2 offset)
@@ -76,6 +81,11 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   result = texelFetch(signalTexture, pixel, 0);
   GiSignal signal = giUnpackSignal(result);
+#ifdef GI_JOINT
+  vec4 own = texelFetch(values, pixel, 0);
+  vec4 change = vec4(0.0);
+  filtered = own;
+#endif
 #ifdef GI_LIGHT
   if (giFilterShare(signal.reach, float(step)).x == 0.0)
   {
@@ -137,9 +147,11 @@ void main()
     }
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);
+    vec3 turned = vec3(0.0);
 #ifdef GI_SLOPES
-    other.value.rgb += slope * (N - giDecodeOctahedral(other.normal));
+    turned = slope * (N - giDecodeOctahedral(other.normal));
 #endif
+    other.value.rgb += turned;
     float otherLight = giLuminance(other.value.rgb);
     if (guided)
     {
@@ -147,6 +159,9 @@ void main()
     }
     moments += weight * vec2(otherLight, otherLight * otherLight);
     squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
+#ifdef GI_JOINT
+    change += weight * (texelFetch(values, at, 0) + vec4(turned, 0.0) - own);
+#endif
 #endif
     changes[min(min(i, 8 - i), DIRECTIONS - 1)] += weight * (other.value - signal.value);
     weights += weight;
@@ -168,6 +183,9 @@ void main()
     signal.value += share * changes[i] / max(weights, 1e-6);
   }
 #ifdef GI_LIGHT
+#ifdef GI_JOINT
+  filtered = max(own + share.x * change / max(weights, 1e-6), 0.0);
+#endif
   signal.value.rgb = max(signal.value.rgb, 0.0);
   if (!guided)
   {

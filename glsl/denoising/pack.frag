@@ -15,6 +15,9 @@ uniform int layer;
 #define GI_AT(pixel) (pixel)
 #endif
 layout(binding = 0) uniform GI_TEXTURE current; // a of light: see temporal_accumulation/accumulate.frag
+#ifdef GI_JOINT
+layout(binding = 5) uniform sampler2D meanTexture;
+#endif
 #ifndef GI_LIGHT
 layout(binding = 4) uniform GI_TEXTURE reachTexture;
 #endif
@@ -28,9 +31,10 @@ layout(binding = 3) uniform sampler2D normalTexture;
 
 uniform int stillSamples; // of each pixel in another mean of the picture
 
-const float BRIGHTEST = 6e4; // what half floats hold
-
 layout(location = 0) out uvec4 result;
+#ifdef GI_JOINT
+layout(location = 1) out vec4 own;
+#endif
 
 void main()
 {
@@ -47,7 +51,11 @@ void main()
   signal.normal = texelFetch(normalTexture, pixel, 0).xy;
 #endif
   vec4 value = texelFetch(current, GI_AT(pixel), 0);
-  signal.value = exists ? min(value, vec4(BRIGHTEST)) : vec4(0.0);
+#ifdef GI_JOINT
+  own = min(value, vec4(GI_BRIGHTEST));
+  value = texelFetch(meanTexture, pixel, 0);
+#endif
+  signal.value = exists ? min(value, vec4(GI_BRIGHTEST)) : vec4(0.0);
 #ifndef GI_LIGHT
   float size = distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), signal.depth),
     giViewPosition(gl_FragCoord.xy, signal.depth));

@@ -1,7 +1,8 @@
 // A noisy result of a pixel with the surface that it belongs to, in one texel. Needs lib/octahedral.glsl and
 // lib/filter_reach.glsl. Variants: GI_SHARES (shares of four lights, each with a reach of its own), GI_LOBE (a colour and its
 // share, with a reach), GI_LIGHT (light in all directions, whose reach follows from its frames and its noise), GI_GUIDED (light,
-// filtered as a network says, which knows how much is left to filter).
+// filtered as a network says, which knows how much is left to filter). GI_JOINT: the values are means over frames, and guide the
+// filter of this frame's own values (Petschnigg et al. 2004, Digital Photography with Flash and No-Flash Image Pairs).
 struct GiSignal
 {
   vec4 value;
@@ -37,7 +38,8 @@ vec4 giFilterShare(vec4 reach, float step)
   return clamp(2.0 * reach / step - 1.0, 0.0, 1.0);
 }
 
-const float GI_WIDEST = 64.0; // reach that can be stored
+const float GI_WIDEST = 64.0;   // reach that can be stored
+const float GI_BRIGHTEST = 6e4; // light that half floats hold
 
 uvec4 giPackSignal(GiSignal signal)
 {
@@ -77,7 +79,11 @@ GiSignal giUnpackSignal(uvec4 word)
   signal.value = vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y).x, 0.0);
   signal.error = root * root;
   signal.frames = float(known >> 8);
+#if defined(GI_JOINT) && !defined(GI_GUIDED)
+  signal.reach = vec4(radius * giReachInMean(signal.frames));
+#else
   signal.reach = radius * giReachAfter(vec4(signal.frames), LIGHT_HALVED, LIGHT_LAST);
+#endif
 #endif
   return signal;
 }

@@ -12,6 +12,9 @@ uniform int layer;
 layout(binding = 0) uniform sampler2D current;
 #endif
 layout(binding = 1) uniform usampler2D signalTexture;
+#ifdef GI_JOINT
+layout(binding = 2) uniform sampler2D values;
+#endif
 
 layout(location = 0) out vec4 result;
 
@@ -26,6 +29,8 @@ void main()
   bool filtered = signal.frames > 0.0 && giFilterShare(signal.reach, 1.0).x > 0.0;
 #ifdef GI_LOBE
   result = filtered ? signal.value : result;
+#elif defined(GI_JOINT)
+  result.rgb = filtered ? texelFetch(values, pixel, 0).rgb : result.rgb;
 #else
   result.rgb = filtered ? signal.value.rgb : result.rgb;
 #endif

@@ -4,3 +4,11 @@ vec4 giReachAfter(vec4 frames, float halved, float last)
 {
   return clamp(2.0 - 2.0 * frames / last, 0.0, 1.0) / (1.0 + frames / halved);
 }
+
+// The same where the picture is a mean of filtered frames. It keeps what the first frames blur, so their reach falls faster; later
+// frames need some reach for as long as each still counts.
+float giReachInMean(float frames)
+{
+  float n = max(frames, 1.0);
+  return max(1.0 / (1.0 + n / 4.0), 0.5 * pow(n, -0.25));
+}

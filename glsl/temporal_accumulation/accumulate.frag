@@ -2,7 +2,10 @@
 // Temporal mean of a result over the frames in which its surface was visible. Variants: GI_LAYERS (an array
 // texture), GI_STILL (nothing moves), GI_CLAMP (something changed: clamp the history to the current values in the
 // neighbourhood; Karis 2014, High-Quality Temporal Supersampling; Salvi 2016, An Excursion in Temporal
-// Supersampling), GI_REACH (reduce the reach of the spatial filter that follows).
+// Supersampling), GI_REACH (reduce the reach of the spatial filter that follows), GI_GUIDE (also show the mean, as the filter's
+// guide).
+// If the picture is a mean of still frames, this frame's own value is shown instead of the mean. Products with what varies within
+// a pixel, such as its colours, are thus averaged instead of their factors, and each frame counts as much as any other.
 #include "shared/view.h"
 #include "lib/filter_reach.glsl"
 #include "lib/luminance.glsl"
@@ -29,10 +32,13 @@ uniform float recency;
 // history's a is the mean square of the luminance, the current value's a the number of pixels that share a sample, negative
 // if this one is another pixel's (ray_traced_light/spread.frag).
 uniform bool counts;
+uniform float averagedFrames; // number of still frames whose mean is the picture, including this one; 0: this frame is the picture
 
 layout(location = 0) out vec4 mean;  // the next frame's history
 layout(location = 1) out vec4 shown;
-#ifdef GI_REACH
+#ifdef GI_GUIDE
+layout(location = 2) out vec4 guide;
+#elif defined(GI_REACH)
 layout(binding = 3) uniform GI_TEXTURE reachTexture;
 layout(location = 2) out vec4 reach;
 #endif
@@ -134,6 +140,7 @@ void main()
   vec4 currentValue = valueAt(pixel);
   vec4 moved = texelFetch(reprojection, pixel, 0);
   mean = currentValue;
+  vec4 own = currentValue;
   vec4 frames = vec4(1.0);
   float sharing = counts ? texelFetch(current, GI_AT(pixel), 0).a : 1.0;
   if (int(moved.w) != 0)
@@ -161,11 +168,17 @@ void main()
     previousValue = clamp(previousValue, moment1 - width, moment1 + width);
 #endif
     frames = max(min(vec4(moved.z), most), 1.0);
-    mean = mix(previousValue, currentValue, currentShare(frames, sharing));
+    vec4 share = currentShare(frames, sharing);
+    mean = mix(previousValue, currentValue, share);
+    // What moving frames left in the mean counts in the first still frames.
+    own = averagedFrames > 0.0 ? mix(previousValue, currentValue, min(averagedFrames * share, 1.0)) : mean;
   }
-#ifdef GI_REACH
+  float samples = max(floor(frames.r / max(abs(sharing), 1.0)), 1.0);
+  float known = samples + errorOf(mean, samples);
+  shown = counts ? vec4(own.rgb, known) : own;
+#ifdef GI_GUIDE
+  guide = vec4(mean.rgb, known);
+#elif defined(GI_REACH)
   reach = texelFetch(reachTexture, GI_AT(pixel), 0) * giReachAfter(frames - 1.0, 4.0, 64.0);
 #endif
-  float samples = max(floor(frames.r / max(abs(sharing), 1.0)), 1.0);
-  shown = counts ? vec4(mean.rgb, samples + errorOf(mean, samples)) : mean;
 }

@@ -173,10 +173,10 @@ TEST_F(AntiAliasing, FirstFrameMatchesFXAAAndFramesAtRestBeatEightSamples)
 TEST_F(AntiAliasing, RaysSmoothEdgesFromTheFirstFrame)
 {
   this->Smooth("frames");
-  std::map<int, double> frames = this->StillErrors(12);
+  std::map<int, double> frames = this->StillErrors(16);
   const Picture last = Shoot(this->Scene.Window);
   this->Smooth("rays");
-  std::map<int, double> rays = this->StillErrors(12);
+  std::map<int, double> rays = this->StillErrors(16);
   for (const int number : { 1, 2, 3, 5, 8 })
   {
     std::printf("%d frames: error %.3f, with rays %.3f\n", number, frames[number], rays[number]);

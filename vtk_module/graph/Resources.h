@@ -31,6 +31,7 @@ constexpr const char* AmbientVisibility =
   "visibility.ambient";                          ///< r: openness; for other channels see giOpen()
 constexpr const char* Irradiance = "irradiance"; ///< see IndirectLight.h
 constexpr const char* TracedIrradiance = "irradiance.rays"; ///< what rays add to it; a: see accumulate.frag
+constexpr const char* MeanTracedIrradiance = "irradiance.rays.mean"; ///< see NoisyResource::Mean
 /// Mean light that paths carried to lit surfaces, divided by their colours; a: number of paths, and in its fraction the
 /// relative standard error of the luminance. Only if LightingPlan::FiltersNoise().
 constexpr const char* PathLight = "paths.light";
@@ -71,11 +72,12 @@ inline std::string SamplerOf(const std::string& resource)
     { VisibilityReach, "reachTexture" }, { Surroundings, "surroundingsTexture" },
     { AmbientVisibility, "ambientVisibility" }, { Irradiance, "irradianceTexture" },
     { Reprojection, "reprojection" }, { TracedIrradiance, "tracedTexture" },
-    { PathLight, "pathLight" }, { PathSurface, "pathSurface" }, { LampLight, "lampLightTexture" },
-    { Sky, "skyTexture" }, { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" },
-    { LitShown, "shownTexture" }, { LitEncoded, "encodedTexture" },
-    { Reflection, "reflectionTexture" }, { ReflectionReach, "reachTexture" },
-    { EdgeCoverage, "coverageTexture" }, { Color, "colorTexture" }, { Radiance, "colorTexture" } };
+    { MeanTracedIrradiance, "meanTexture" }, { PathLight, "pathLight" },
+    { PathSurface, "pathSurface" }, { LampLight, "lampLightTexture" }, { Sky, "skyTexture" },
+    { Backdrop, "backdropTexture" }, { LitRadiance, "litTexture" }, { LitShown, "shownTexture" },
+    { LitEncoded, "encodedTexture" }, { Reflection, "reflectionTexture" },
+    { ReflectionReach, "reachTexture" }, { EdgeCoverage, "coverageTexture" },
+    { Color, "colorTexture" }, { Radiance, "colorTexture" } };
   const auto found = names.find(resource);
   return found == names.end() ? std::string() : found->second;
 }
@@ -96,13 +98,17 @@ struct NoisyResource
   const char* Reach;
   /// Resource with the surfaces, as PathSurface, of a result that is a mean over frames already. nullptr: the frame's own.
   const char* Surface;
+  /// Resource with the mean over frames while the result itself is this frame's, because the picture is a mean of frames; to guide
+  /// the filter. nullptr: the filter needs no guide.
+  const char* Mean;
 };
 namespace resource
 {
-constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr, nullptr },
-  { DirectVisibility, true, false, false, VisibilityReach, nullptr },
-  { PathLight, false, true, true, nullptr, PathSurface },
-  { Reflection, false, true, false, ReflectionReach, nullptr },
-  { TracedIrradiance, false, true, true, nullptr, nullptr } };
+constexpr NoisyResource Noisy[] = { { AmbientVisibility, false, false, false, nullptr, nullptr,
+                                      nullptr },
+  { DirectVisibility, true, false, false, VisibilityReach, nullptr, nullptr },
+  { PathLight, false, true, true, nullptr, PathSurface, nullptr },
+  { Reflection, false, true, false, ReflectionReach, nullptr, nullptr },
+  { TracedIrradiance, false, true, true, nullptr, nullptr, MeanTracedIrradiance } };
 }
 }

@@ -34,6 +34,25 @@ void SceneSignature::Add(Group group, const double* values, int count)
   this->Values[group].insert(this->Values[group].end(), values, values + count);
 }
 
+void SceneSignature::AddLight(vtkLight* light)
+{
+  this->Values[Lights].push_back(light->GetSwitch());
+  if (light->LightTypeIsSceneLight())
+  {
+    this->Values[Lights].push_back(ToNumber(light->GetMTime()));
+    return;
+  }
+  // Following the camera modifies a light, too.
+  this->Values[CarriedLights].push_back(ToNumber(light->GetMTime()));
+  this->Add(Lights, light->GetDiffuseColor(), 3);
+  this->Add(Lights, light->GetAttenuationValues(), 3);
+  for (const double value : { light->GetIntensity(), light->GetConeAngle(), light->GetExponent(),
+         static_cast<double>(light->GetPositional()) })
+  {
+    this->Values[Lights].push_back(value);
+  }
+}
+
 void SceneSignature::AddProp(vtkProp* prop)
 {
   const bool visible = prop->GetVisibility() != 0;
@@ -99,8 +118,7 @@ SceneSignature SceneSignature::Of(vtkOpenGLRenderer* renderer, const View& view,
   {
     if (!placeholder.Is(light))
     {
-      signature.Values[Lights].push_back(ToNumber(light->GetMTime()));
-      signature.Values[Lights].push_back(light->GetSwitch());
+      signature.AddLight(light);
     }
   }
   vtkPropCollection* props = renderer->GetViewProps();
@@ -119,13 +137,15 @@ SceneChanges SceneSignature::ChangesSince(const SceneSignature& before) const
 {
   const auto differs = [&](Group group) { return this->Values[group] != before.Values[group]; };
   SceneChanges changes;
-  changes.Lights = differs(Lights);
+  const bool camera = differs(Camera);
+  changes.CarriedLights = camera && differs(CarriedLights);
+  changes.Lights = differs(Lights) || (!camera && differs(CarriedLights));
   changes.Props = differs(Props);
   changes.Presence = differs(Presence);
   changes.Appearance = differs(Looks);
   changes.Techniques = differs(Techniques);
-  changes.Any = changes.Lights || changes.Props || changes.Appearance || changes.Techniques ||
-    differs(Camera);
+  changes.Any =
+    changes.Lights || changes.Props || changes.Appearance || changes.Techniques || camera;
   return changes;
 }
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <vector>
 
+class vtkLight;
 class vtkProp;
 
 namespace penumbra
@@ -34,13 +35,15 @@ private:
   {
     Camera,
     Lights,
-    Props,    ///< positions and appearance of all props
-    Presence, ///< which props are visible
-    Looks,    ///< appearance of all props: shapes and colours
+    CarriedLights, ///< places and all else of lights that follow the camera
+    Props,         ///< positions and appearance of all props
+    Presence,      ///< which props are visible
+    Looks,         ///< appearance of all props: shapes and colours
     Techniques,
     Groups
   };
   void Add(Group group, const double* values, int count);
+  void AddLight(vtkLight* light);
   void AddProp(vtkProp* prop);
 
   std::array<std::vector<double>, Groups> Values; ///< include modification times

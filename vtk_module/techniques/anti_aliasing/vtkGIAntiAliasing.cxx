@@ -44,13 +44,20 @@ constexpr int FramesToFilter = 3;
 
 // Coverage by rays has its full weight up to the first number of averaged frames, and none from the second on.
 constexpr double FullCoverageFrames = 4.0;
-constexpr double NoCoverageFrames = 12.0;
+constexpr double NoCoverageFrames = 16.0;
 
 // Weight of the coverage in the mean of a number of frames.
 double CoverageWeight(int frames)
 {
   return glm::clamp(
-    (NoCoverageFrames - frames) / (NoCoverageFrames - FullCoverageFrames), 0.0, 1.0);
+    (NoCoverageFrames / frames - 1.0) / (NoCoverageFrames / FullCoverageFrames - 1.0), 0.0, 1.0);
+}
+
+// Weight of the last frame in the mean of a number of frames. Until the frame with the opposite jitter follows, its full weight
+// would shift the mean.
+double LastWeight(int frames)
+{
+  return frames % 2 != 0 ? 1.0 : 0.5;
 }
 
 // Averages of a view. Each resource counts its own frames, because radiance may be requested later than the picture.
@@ -65,6 +72,13 @@ struct Sums
   {
     const auto found = this->Frames.find(name);
     return found != this->Frames.end() && found->second >= maximum;
+  }
+
+  // Whether all that is shown or asked for has them.
+  bool AreComplete(const View& view, int maximum) const
+  {
+    return this->IsComplete(resource::Color, maximum) &&
+      (!view.KeepsRadiance || this->IsComplete(resource::Radiance, maximum));
   }
 };
 
@@ -86,7 +100,9 @@ void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const ch
     int& frames = sums.Frames[resource];
     frames = first ? 1 : frozen ? frames : frames + 1;
     Defines variant = { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } };
-    Arguments arguments = Arguments().Set("frames", static_cast<double>(frames));
+    Arguments arguments = Arguments()
+                            .Set("frames", static_cast<double>(frames))
+                            .Set("lastWeight", frames >= maximum ? 1.0 : LastWeight(frames));
     if (blends)
     {
       const bool goesOn = !first && sums.CoverageFrames[resource] == frames - 1;
@@ -130,6 +146,9 @@ void vtkGIAntiAliasing::Plan(LightingPlan& plan, FrameBuilder& frame)
   if (this->ModeIn(frame) == Accumulate)
   {
     plan.KeepLitParts();
+    const View& view = frame.GetView();
+    const bool complete = frame.ViewState<Sums>(this).AreComplete(view, this->MaximumFrames);
+    frame.AveragePictures(complete ? 0 : view.StillFrames + 1);
   }
 }
 
@@ -147,8 +166,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
     const int maximum = this->MaximumFrames;
     frame.AverageStillFrames();
     Sums& sums = frame.ViewState<Sums>(this);
-    const bool complete = sums.IsComplete(resource::Color, maximum) &&
-      (!view.KeepsRadiance || sums.IsComplete(resource::Radiance, maximum));
+    const bool complete = sums.AreComplete(view, maximum);
     const int index = complete ? 0 : view.StillFrames;
     ShiftStillFrame(frame, StillFrameShift(index));
     const bool blends = this->Edges == ByRays && !complete && CoverageWeight(index + 1) > 0.0;

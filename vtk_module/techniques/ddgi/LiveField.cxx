@@ -79,10 +79,10 @@ glm::dvec3 FocusPoint(const View& view, vtkCamera* camera)
 }
 }
 
-int LiveField::Settings::ProbesPerFrame(int maximum) const
+int LiveField::Settings::ProbesPerFrame(int probes, int slices) const
 {
-  const int affordable = this->RaysBudget > 0 ? this->RaysBudget / this->Rays : maximum;
-  return std::max(1, std::min(affordable, maximum));
+  const int affordable = this->RaysBudget > 0 ? this->RaysBudget / this->Rays : probes;
+  return std::max(1, std::min(affordable, (probes + slices - 1) / slices));
 }
 
 void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeType parameters)
@@ -100,9 +100,15 @@ void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeT
   if (view.StandsAlone)
   {
     this->Current.RaysBudget = 0; // all updates are done in this frame anyway
+    this->Current.Slices = 1;
   }
   const SceneChanges& changes = view.Changes;
   if (changes.Lights || changes.Props || changes.Appearance || this->Parameters != parameters)
+  {
+    this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
+    this->UpdatesSinceOtherChange = 0;
+  }
+  else if (changes.CarriedLights)
   {
     this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
   }
@@ -170,6 +176,7 @@ void LiveField::AddUpdates(Frame& frame, RayProps& rays, LightTable& lights, boo
     this->ProbeMaps.Clear(frame);
     this->NextProbe = this->TotalUpdates = 0;
     this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
+    this->UpdatesSinceOtherChange = 0;
     this->DistanceUpdates = this->DistanceUpdatesSinceMove = 0;
     this->UnconnectedProbes = size;
   }
@@ -193,7 +200,10 @@ void LiveField::AddUpdate(Frame& frame, RayProps& rays, LightTable& lights)
   update.RayCount = this->Current.Rays;
   update.UpdateNumber = this->TotalUpdates;
   update.First = this->NextProbe;
-  update.Last = this->NextProbe + this->Current.ProbesPerFrame(size - this->NextProbe);
+  const bool sliced = this->UpdatesSinceOtherChange >= AdaptationUpdates &&
+    this->UpdatesSinceChange < this->UpdatesSinceOtherChange;
+  const int affordable = this->Current.ProbesPerFrame(size, sliced ? this->Current.Slices : 1);
+  update.Last = std::min(this->NextProbe + affordable, size);
   this->Follow(frame);
   this->Uninitialized = false;
   if (this->UpdatesSinceChange >= this->Current.Updates)
@@ -250,6 +260,7 @@ void LiveField::Advance()
     ++this->TotalUpdates;
     ++this->CompleteRayResults;
     ++this->UpdatesSinceSceneChange;
+    ++this->UpdatesSinceOtherChange;
     ++this->UpdatesSinceChange;
     ++this->DistanceUpdates;
     ++this->DistanceUpdatesSinceMove;

@@ -28,12 +28,14 @@ public:
     double Refinement = 0.0; ///< 0: derived from what the camera shows
     int Rays = 0;            ///< per probe and update
     int RaysBudget = 0;      ///< per frame; 0: no limit
+    int Slices = 1;          ///< number of frames that share an update, unless the scene changes
     int Updates = 0;         ///< number of updates of a still scene after which the probes rest
     double Hysteresis = 0.0;
     double Bias = 0.0;
     bool Relocate = false;
 
-    int ProbesPerFrame(int maximum) const;
+    /// Number of probes that a frame updates. slices: number of frames that share an update.
+    int ProbesPerFrame(int probes, int slices) const;
   };
 
   /// Fit the grids to the scene, and restart what a change invalidated. Call before each frame.
@@ -71,7 +73,9 @@ private:
   int TotalUpdates = 0; ///< since the grids were created
   /// Number of whole updates whose results of rays are kept. The first may have begun before the results were kept.
   int CompleteRayResults = 0;
-  int UpdatesSinceSceneChange = 0;
+  int UpdatesSinceOtherChange =
+    0; ///< since more changed than the camera and lights that it carries
+  int UpdatesSinceSceneChange = 0;  ///< since that, or since the camera moved lights
   int UpdatesSinceChange = 0;       ///< since the scene changed or a grid moved
   int DistanceUpdates = 0;          ///< since geometry changed
   int DistanceUpdatesSinceMove = 0; ///< since geometry changed or a grid moved

@@ -21,6 +21,7 @@ LiveField::Settings SettingsOf(vtkGIDDGI& technique)
   settings.Refinement = technique.GetRefinement();
   settings.Rays = technique.GetRays();
   settings.RaysBudget = technique.GetRaysPerFrame();
+  settings.Slices = technique.GetSlices();
   settings.Updates = technique.GetUpdates();
   settings.Hysteresis = technique.GetHysteresis();
   settings.Bias = technique.GetBias();
@@ -129,7 +130,7 @@ const LiveField* vtkGIDDGI::Find(vtkRenderer* renderer) const
 
 int vtkGIDDGI::GetRequiredFrames()
 {
-  const int probes = SettingsOf(*this).ProbesPerFrame(this->Probes);
+  const int probes = SettingsOf(*this).ProbesPerFrame(this->Probes, 1);
   return this->Updates * ((this->Probes + probes - 1) / probes);
 }
 

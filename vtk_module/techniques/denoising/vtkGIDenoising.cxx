@@ -24,6 +24,7 @@ constexpr int Order = 600;
 // Number of samples in still frames after which no pixel is filtered, see glsl/denoising/signal.glsl.
 constexpr int LastSample = 64;
 constexpr int LastSampleOfLight = 256;
+constexpr int LastJointSample = 1024; // if the mean of still frames is the picture
 
 // Order of the picture of a signal: after everything else.
 constexpr int ShowOrder = 820;
@@ -43,6 +44,33 @@ struct Names
   std::string Result;
   std::string Signal;
   std::string Next;
+};
+
+// A frame's own values, while the mean over frames guides their filter.
+constexpr const char* Values = "denoising.values";
+constexpr const char* NextValues = "denoising.values.next";
+
+/// What a level of the filter reads or writes.
+struct Buffers
+{
+  const Texture* Signal;
+  const Texture* Values; ///< nullptr: those of the signal
+
+  void Bind(const FrameContext& context) const
+  {
+    std::vector<Attachment> targets = { { this->Signal, -1 } };
+    if (this->Values)
+    {
+      targets.push_back({ this->Values, -1 });
+    }
+    context.BindTarget(targets, {});
+  }
+
+  Arguments Samples(Arguments arguments) const
+  {
+    arguments.Sample("signalTexture", this->Signal);
+    return this->Values ? arguments.Sample("values", this->Values) : arguments;
+  }
 };
 
 // Values of the parameters "method" and "weights".
@@ -72,6 +100,8 @@ struct Manner
   /// Whether the filter preserves variation of light with the normal. It increases the error while the camera moves, and on the
   /// mean surfaces of paths.
   bool FitsNormals = false;
+  const char* Mean =
+    nullptr; ///< that guides the filter of the frame's own values, see NoisyResource
 };
 
 void ShowSignal(
@@ -110,22 +140,30 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, false);
-  const Texture* signal = context.Output(names.Signal.c_str());
-  const Texture* next = context.Output(names.Next.c_str());
+  const bool joint = manner.Mean && context.Input(manner.Mean);
+  const auto buffers = [&](const std::string& signal, const char* values) {
+    return Buffers{ context.Output(signal.c_str()), joint ? context.Output(values) : nullptr };
+  };
+  Buffers current = buffers(names.Signal, Values);
+  Buffers next = buffers(names.Next, NextValues);
   Defines variant = { { manner.Kind, "1" } };
+  if (joint)
+  {
+    variant["GI_JOINT"] = "1";
+  }
   Defines packing = variant;
   if (manner.OwnSurface)
   {
     packing["GI_OWN_SURFACE"] = "1";
   }
-  context.BindTarget({ { signal, -1 } }, {});
+  current.Bind(context);
   context.DrawBound("denoising/pack.frag", packing,
     Arguments()
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
       .Set("layer", layer));
   const std::optional<Arguments> guides =
-    manner.Network ? manner.Network->Run(context, signal) : std::nullopt;
+    manner.Network ? manner.Network->Run(context, current.Signal) : std::nullopt;
   Arguments shared = guides ? *guides : Arguments();
   if (guides)
   {
@@ -134,36 +172,35 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   else if (manner.FitsNormals)
   {
     variant["GI_SLOPES"] = "1";
-    shared = FitSlopes(context, signal);
+    shared = FitSlopes(context, current.Signal);
   }
   const bool shows = manner.Show != Off && layer <= 0;
   if (shows && manner.Show != Filtered)
   {
-    ShowSignal(context, signal, manner, variant);
+    ShowSignal(context, current.Signal, manner, variant);
   }
   for (int level = 0; (1 << level) < 2.0 * manner.Radius && !(guides && level >= GuidedLevels);
        ++level)
   {
-    Arguments arguments = shared;
+    Arguments arguments = current.Samples(shared);
     if (guides)
     {
       arguments.Set("level", level);
     }
-    context.BindTarget({ { next, -1 } }, {});
+    next.Bind(context);
     context.DrawBound("denoising/filter.frag", variant,
-      arguments.Sample("signalTexture", signal)
-        .Set("step", 1 << level)
+      arguments.Set("step", 1 << level)
         .Set("radius", manner.Radius)
         .Set("sharing", manner.Sharing));
-    std::swap(signal, next);
+    std::swap(current, next);
   }
   if (shows && manner.Show == Filtered)
   {
-    ShowSignal(context, signal, manner, variant);
+    ShowSignal(context, current.Signal, manner, variant);
   }
   context.BindTarget({ { context.Output(names.Result.c_str()), layer } }, {});
   context.DrawBound("denoising/unpack.frag", variant,
-    Arguments().Sample("signalTexture", signal).Set("radius", manner.Radius).Set("layer", layer));
+    current.Samples(Arguments()).Set("radius", manner.Radius).Set("layer", layer));
 }
 
 // A pass that filters a result, all its layers in turn.
@@ -186,6 +223,12 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   if (noisy.Reach)
   {
     pass.Read(noisy.Reach);
+  }
+  if (manner.Mean)
+  {
+    pass.ReadIfPresent(manner.Mean, "GI_MEAN")
+      .Write(Values, frame.WindowTexture(GL_RGBA16F))
+      .Write(NextValues, frame.WindowTexture(GL_RGBA16F));
   }
   if (manner.Network)
   {
@@ -251,7 +294,11 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame)
   {
     const int sharing = frame.PixelsPerSample(noisy.Name);
     const int shown = signals[this->Signal] == noisy.Name ? this->Show : Off;
-    const bool isNoisy = averaged / sharing < (noisy.Light ? LastSampleOfLight : LastSample);
+    const char* mean = frame.GetView().IsAveraged() ? noisy.Mean : nullptr;
+    const int last = !noisy.Light            ? LastSample
+      : mean && this->Method != NeuralMethod ? LastJointSample
+                                             : LastSampleOfLight;
+    const bool isNoisy = averaged / sharing < last;
     const bool filters = noisy.Light ? signals[LightSignal] == noisy.Name
                                      : noisy.Reach && frame.IsWritten(noisy.Reach);
     if ((isNoisy || shown != Off) && filters)
@@ -260,7 +307,7 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame)
       AddFilter(frame, noisy,
         { this->Radius, averaged / sharing, sharing, kind, noisy.Surface != nullptr, shown,
           noisy.Light ? this->FindNetwork(frame) : nullptr,
-          noisy.Light && !noisy.Surface && frame.GetView().StillFrames > 0 });
+          noisy.Light && !noisy.Surface && frame.GetView().StillFrames > 0, mean });
     }
   }
 }

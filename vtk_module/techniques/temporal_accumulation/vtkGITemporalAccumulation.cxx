@@ -50,35 +50,27 @@ struct Ages
   int Lit = 0;             ///< in the means of light on surfaces; few when it changes
   int Lighting =
     0; ///< since looks or lights changed, but for lights that the camera carries; 0 in that frame
-  bool Carried = false; ///< the camera moved, and a light with it
+  bool Carried = false; ///< the camera moved, and lights with it
   /// In the mean of each channel of the direct visibility: since its light changed, or a prop appeared or disappeared; few
   /// after props moved.
   std::vector<int> Lights;
   bool Restarted = false; ///< the means of all lights began after the last change of props
-  std::vector<LightGeometry> CarriedGeometries; ///< of the lights that the camera carries
   std::vector<LightGeometry> Geometries; ///< geometry of the lights in these channels
 
   void Advance(const View& view, const LightTable& lights, bool continued, int changeFrames)
   {
     this->Accumulation = continued ? this->Accumulation + 1 : 1;
     this->Looks =
-      !continued || view.Changes.Appearance || view.Changes.Lights ? 1 : this->Looks + 1;
+      !continued || view.Changes.Appearance || view.Changes.Lights || view.Changes.CarriedLights
+      ? 1
+      : this->Looks + 1;
     this->Props = view.Changes.Props ? 0 : this->Props + 1;
     this->Means = continued ? this->Means + 1 : 1;
     this->Means = this->IsSettling() ? std::min(this->Means, changeFrames) : this->Means;
     // Where penumbrae overlap, noise is so wide that clamping would keep the shadow of a prop that has gone.
     this->Restarted = view.Changes.Presence || (this->Restarted && !view.Changes.Props);
-    std::vector<LightGeometry> carried;
-    for (const Light& light : lights.Lights())
-    {
-      if (light.FollowsCamera)
-      {
-        carried.push_back(GeometryOf(light));
-      }
-    }
-    this->Carried = carried != this->CarriedGeometries;
-    this->CarriedGeometries = carried;
-    const bool changes = view.Changes.Appearance || (view.Changes.Lights && !this->Carried);
+    this->Carried = view.Changes.CarriedLights;
+    const bool changes = view.Changes.Appearance || view.Changes.Lights;
     this->Lighting = changes ? 0 : this->Lighting + 1;
     this->Lit = continued && !view.Changes.Techniques ? this->Lit + 1 : 1;
     this->Lit = changes || this->Carried ? std::min(this->Lit, changeFrames) : this->Lit;
@@ -273,6 +265,11 @@ struct Accumulator
     {
       variant["GI_REACH"] = "1";
     }
+    const Texture* guide = noisy.Mean && view.IsAveraged() ? context.Output(noisy.Mean) : nullptr;
+    if (guide)
+    {
+      variant["GI_GUIDE"] = "1";
+    }
     const bool mapped = noisy.PerLight && !reach; // rays know how far their noise reaches
     if (mapped && view.StillFrames == 0)
     {
@@ -285,6 +282,10 @@ struct Accumulator
       if (reach)
       {
         targets.push_back({ reach, target });
+      }
+      if (guide)
+      {
+        targets.push_back({ guide, target });
       }
       context.BindTarget(targets, { context.Input(resource::Depth), -1 });
       glm::vec4 maximumAge;
@@ -300,7 +301,8 @@ struct Accumulator
           .Set("most", maximumAge)
           .Set("layer", layer)
           .Set("recency", noisy.Light && view.StillFrames > 0 ? 1.0 : 0.0)
-          .Set("counts", noisy.Light));
+          .Set("counts", noisy.Light)
+          .Set("averagedFrames", static_cast<double>(view.AveragedFrames)));
     }
   }
 };
@@ -345,6 +347,10 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     if (noisy.Reach)
     {
       pass.ModifyIfPresent(noisy.Reach, Order, "reachTexture");
+    }
+    if (noisy.Mean && frame.GetView().IsAveraged())
+    {
+      pass.Write(noisy.Mean, frame.WindowTexture(GL_RGBA32F));
     }
     pass.Execute(
       [accumulator, noisy](FrameContext& context) { accumulator.Accumulate(context, noisy); });
