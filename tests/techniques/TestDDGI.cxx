@@ -117,6 +117,30 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
   EXPECT_EQ(this->Probes->GetRequiredFrames(), 60 * 216);
 }
 
+// Only the camera moves, and a light that it carries: four frames share an update. What else changes is urgent.
+TEST_F(DDGI, FramesOfAMovingCameraShareUpdates)
+{
+  this->PrepareLitRoom();
+  this->Lamp->SetLightTypeToHeadlight();
+  this->Probes->SetSlices(4);
+  const auto updatesAfter = [this](int frames) {
+    this->After(frames);
+    return this->Probes->GetUpdatesDone(this->Scene.Renderer);
+  };
+  EXPECT_EQ(updatesAfter(20), 20);
+  this->Scene.Renderer->GetActiveCamera()->Azimuth(3.0);
+  EXPECT_EQ(updatesAfter(3), 0);
+  EXPECT_EQ(updatesAfter(1), 1);
+  EXPECT_EQ(updatesAfter(4), 2);
+  this->Lamp->SetIntensity(0.8);
+  EXPECT_EQ(updatesAfter(10), 10);
+  // The first updates after a change stay urgent while the camera moves.
+  this->Lamp->SetIntensity(0.5);
+  EXPECT_EQ(updatesAfter(1), 1);
+  this->Scene.Renderer->GetActiveCamera()->Azimuth(3.0);
+  EXPECT_EQ(updatesAfter(4), 4);
+}
+
 TEST_F(DDGI, RestartDiscardsEarlierFrames)
 {
   this->PrepareLitRoom();

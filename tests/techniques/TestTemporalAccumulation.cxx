@@ -4,13 +4,16 @@
 #include "Studio.h"
 
 #include <vtkActor2D.h>
+#include <vtkMath.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper2D.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
 using namespace penumbra_test;
@@ -77,6 +80,55 @@ TEST(TemporalAccumulation, ErrorAtRestFallsWithTheSquareRoot)
   std::printf("slope %.3f\n", slope);
   EXPECT_LE(slope, -0.48);
   EXPECT_LT(points.back().second, 0.24);
+}
+
+// Ridges narrower than a pixel, under a low sun: what faces it is bright and half in shadow. The mean shadow of a pixel times its
+// mean brightness would be something else than the mean of their product.
+TEST(TemporalAccumulation, AveragedStillFramesAverageProductsWithinAPixel)
+{
+  constexpr int ridges = 60;
+  const double height = std::tan(vtkMath::RadiansFromDegrees(9.0)) / 2.0;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.0, 0.0, 0.0);
+  plane->SetPoint1(ridges, 0.0, 0.0);
+  plane->SetPoint2(0.0, ridges, 0.0);
+  plane->SetResolution(2 * ridges, 1);
+  plane->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(plane->GetOutput()->GetPoints());
+  surface->SetPolys(plane->GetOutput()->GetPolys());
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double at[3];
+    surface->GetPoint(i, at);
+    at[2] = i % (2 * ridges + 1) % 2 != 0 ? height : 0.0;
+    surface->GetPoints()->SetPoint(i, at);
+  }
+  std::array<double, 2> means{};
+  for (const bool accumulates : { false, true })
+  {
+    Studio studio(accumulates, 1, 60);
+    vtkRenderer* renderer = studio.Scene.Renderer;
+    renderer->RemoveAllViewProps();
+    studio.Scene.Add(surface)->GetProperty()->SetInterpolationToFlat();
+    studio.Occlusion->EnabledOff();
+    studio.Shadows->SetParameter("light-angle", 0.0);
+    studio.Sun->SetPosition(1.0, 0.0, std::tan(vtkMath::RadiansFromDegrees(5.0)));
+    studio.Pass->GetTechnique("anti-aliasing")->EnabledOn();
+    studio.Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.3 * ridges);
+    camera->SetFocalPoint(0.5 * ridges, 0.5 * ridges, 0.0);
+    camera->SetPosition(0.5 * ridges, 0.5 * ridges, ridges);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    renderer->ResetCameraClippingRange();
+    const Values values = studio.Frames(64);
+    means[accumulates] = std::accumulate(values.begin(), values.end(), 0.0) / values.size();
+  }
+  std::printf("ridges: mean %.3f / 255, accumulated %.3f\n", means[0], means[1]);
+  EXPECT_GT(means[0], 1.0);
+  EXPECT_NEAR(means[1], means[0], 0.02 * means[0]);
 }
 
 TEST(TemporalAccumulation, HiddenPropsLeaveNoGhost)
