@@ -34,7 +34,7 @@ uniform vec2 turn;   // offset of the samples within the pixel, modulo 1; varies
 const vec2 SAMPLE_PLACES[COVERAGE_SAMPLES] =
   vec2[](vec2(0.125, 0.375), vec2(0.375, 0.875), vec2(0.625, 0.125), vec2(0.875, 0.625));
 
-const float MINIMUM_SIMILARITY = 0.5; // of neighbours on the same surface
+const float MINIMUM_SIMILARITY = 0.2; // of neighbours on the same surface
 const float MAXIMUM_CONTRAST = 0.05;  // between colours of neighbours without an edge
 // Mismatch between a hit and a pixel, in pixels of distance from the pixel's plane.
 const float GOOD_MATCH = 1.5;       // the pixel itself is accepted below this mismatch

@@ -5,8 +5,8 @@ vec4 giReachAfter(vec4 frames, float halved, float last)
   return clamp(2.0 - 2.0 * frames / last, 0.0, 1.0) / (1.0 + frames / halved);
 }
 
-// The same where the picture is a mean of filtered frames. It keeps what the first frames blur, so their reach falls faster; later
-// frames need some reach for as long as each still counts.
+// The same for pictures that are means of filtered frames. Such a mean retains the blur of its first frames, so the reach falls
+// faster, but not to nothing, as each frame adds noise of its own.
 float giReachInMean(float frames)
 {
   float n = max(frames, 1.0);

@@ -4,8 +4,8 @@
 // neighbourhood; Karis 2014, High-Quality Temporal Supersampling; Salvi 2016, An Excursion in Temporal
 // Supersampling), GI_REACH (reduce the reach of the spatial filter that follows), GI_GUIDE (also show the mean, as the filter's
 // guide).
-// If the picture is a mean of still frames, this frame's own value is shown instead of the mean. Products with what varies within
-// a pixel, such as its colours, are thus averaged instead of their factors, and each frame counts as much as any other.
+// If the picture is a mean of still frames, this frame's own value is shown instead of the mean: where albedo or slope vary within a
+// pixel, the mean of their products with light is not the product of the means.
 #include "shared/view.h"
 #include "lib/filter_reach.glsl"
 #include "lib/luminance.glsl"
@@ -170,7 +170,7 @@ void main()
     frames = max(min(vec4(moved.z), most), 1.0);
     vec4 share = currentShare(frames, sharing);
     mean = mix(previousValue, currentValue, share);
-    // What moving frames left in the mean counts in the first still frames.
+    // The first still frames also show the history of moving ones.
     own = averagedFrames > 0.0 ? mix(previousValue, currentValue, min(averagedFrames * share, 1.0)) : mean;
   }
   float samples = max(floor(frames.r / max(abs(sharing), 1.0)), 1.0);

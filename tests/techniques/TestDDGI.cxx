@@ -117,7 +117,7 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
   EXPECT_EQ(this->Probes->GetRequiredFrames(), 60 * 216);
 }
 
-// Only the camera moves, and a light that it carries: four frames share an update. What else changes is urgent.
+// While only the camera and its headlight move, four frames share an update. After any other change each frame updates all probes.
 TEST_F(DDGI, FramesOfAMovingCameraShareUpdates)
 {
   this->PrepareLitRoom();
@@ -134,7 +134,7 @@ TEST_F(DDGI, FramesOfAMovingCameraShareUpdates)
   EXPECT_EQ(updatesAfter(4), 2);
   this->Lamp->SetIntensity(0.8);
   EXPECT_EQ(updatesAfter(10), 10);
-  // The first updates after a change stay urgent while the camera moves.
+  // So do the first frames after it, even if the camera moves.
   this->Lamp->SetIntensity(0.5);
   EXPECT_EQ(updatesAfter(1), 1);
   this->Scene.Renderer->GetActiveCamera()->Azimuth(3.0);

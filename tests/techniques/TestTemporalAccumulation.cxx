@@ -82,8 +82,8 @@ TEST(TemporalAccumulation, ErrorAtRestFallsWithTheSquareRoot)
   EXPECT_LT(points.back().second, 0.24);
 }
 
-// Ridges narrower than a pixel, under a low sun: what faces it is bright and half in shadow. The mean shadow of a pixel times its
-// mean brightness would be something else than the mean of their product.
+// Ridges narrower than a pixel, under a low sun: slopes that face it are bright, and half of each is in shadow. The product of a
+// pixel's mean shadow and mean brightness is not the mean of their product.
 TEST(TemporalAccumulation, AveragedStillFramesAverageProductsWithinAPixel)
 {
   constexpr int ridges = 60;

@@ -98,8 +98,8 @@ struct NoisyResource
   const char* Reach;
   /// Resource with the surfaces, as PathSurface, of a result that is a mean over frames already. nullptr: the frame's own.
   const char* Surface;
-  /// Resource with the mean over frames while the result itself is this frame's, because the picture is a mean of frames; to guide
-  /// the filter. nullptr: the filter needs no guide.
+  /// Resource with the mean over frames, the filter's guide, where the result has this frame's values because still frames are
+  /// averaged. nullptr: none.
   const char* Mean;
 };
 namespace resource

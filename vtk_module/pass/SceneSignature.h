@@ -35,7 +35,7 @@ private:
   {
     Camera,
     Lights,
-    CarriedLights, ///< places and all else of lights that follow the camera
+    CarriedLights, ///< lights that follow the camera
     Props,         ///< positions and appearance of all props
     Presence,      ///< which props are visible
     Looks,         ///< appearance of all props: shapes and colours

@@ -54,7 +54,7 @@ public:
     return this->States.Of<T>(owner);
   }
 
-  /// While techniques plan: tell that the picture is the mean of so many still frames, including this one.
+  /// While techniques plan: tell that the picture is the mean of this number of still frames, including this one.
   void AveragePictures(int frames) { this->CurrentView.AveragedFrames = frames; }
 
   /// Use different noise in every frame, even while the scene changes, because a technique averages over frames.

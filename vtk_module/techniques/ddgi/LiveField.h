@@ -73,9 +73,9 @@ private:
   int TotalUpdates = 0; ///< since the grids were created
   /// Number of whole updates whose results of rays are kept. The first may have begun before the results were kept.
   int CompleteRayResults = 0;
-  int UpdatesSinceOtherChange =
-    0; ///< since more changed than the camera and lights that it carries
-  int UpdatesSinceSceneChange = 0;  ///< since that, or since the camera moved lights
+  /// Since a change other than motion of the camera and of lights that follow it.
+  int UpdatesSinceOtherChange = 0;
+  int UpdatesSinceSceneChange = 0;  ///< or since motion of such lights
   int UpdatesSinceChange = 0;       ///< since the scene changed or a grid moved
   int DistanceUpdates = 0;          ///< since geometry changed
   int DistanceUpdatesSinceMove = 0; ///< since geometry changed or a grid moved
