@@ -6,7 +6,7 @@
 layout(binding = 0) uniform sampler2D colorTexture;
 layout(binding = 0, rgba32f) uniform image2D sums;
 uniform float frames; // number of frames in the sum, including this one
-uniform float lastWeight; // of the last of them in the mean
+uniform float lastWeight; // weight of the last frame in the mean
 #ifdef GI_COVERAGE
 #include "anti_aliasing/coverage.glsl"
 layout(binding = 1) uniform usampler2D coverageTexture;

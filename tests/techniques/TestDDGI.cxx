@@ -121,12 +121,17 @@ TEST_F(DDGI, ABudgetOfRaysSpreadsAnUpdateOverFrames)
 TEST_F(DDGI, FramesOfAMovingCameraShareUpdates)
 {
   this->PrepareLitRoom();
-  this->Lamp->SetLightTypeToHeadlight();
   this->Probes->SetSlices(4);
   const auto updatesAfter = [this](int frames) {
     this->After(frames);
     return this->Probes->GetUpdatesDone(this->Scene.Renderer);
   };
+  this->Lamp->SetLightTypeToHeadlight();
+  EXPECT_EQ(updatesAfter(20), 20);
+  this->Scene.Renderer->GetActiveCamera()->Azimuth(3.0);
+  EXPECT_EQ(updatesAfter(4), 1);
+  // The camera's matrix moves a camera light without modifying it.
+  this->Lamp->SetLightTypeToCameraLight();
   EXPECT_EQ(updatesAfter(20), 20);
   this->Scene.Renderer->GetActiveCamera()->Azimuth(3.0);
   EXPECT_EQ(updatesAfter(3), 0);

@@ -173,6 +173,12 @@ bool NeedsExtended(vtkProp* prop)
   });
 }
 
+bool IsPBR(vtkProp* prop)
+{
+  return AnyActor(prop, false,
+    [](vtkActor* actor) { return actor->GetProperty()->GetInterpolation() == VTK_PBR; });
+}
+
 bool ReflectsShare(vtkProp* prop, double share)
 {
   return AnyActor(prop, false, [share](vtkActor* actor) {

@@ -16,6 +16,9 @@ bool CanCapture(vtkProp* prop);
 /// Whether the G-buffer needs the targets for textures and PBR.
 bool NeedsExtended(vtkProp* prop);
 
+/// Whether some part is a PBR material, which VTK encodes for display.
+bool IsPBR(vtkProp* prop);
+
 /// Whether the highlight, facing the eye, reflects at least this share of light from all around.
 bool ReflectsShare(vtkProp* prop, double share);
 

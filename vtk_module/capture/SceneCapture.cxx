@@ -81,6 +81,11 @@ void SceneCapture::Collect(const vtkRenderState* state)
   this->Outputs.Extended = extended;
 }
 
+bool SceneCapture::HasPBR() const
+{
+  return std::any_of(this->Captured.begin(), this->Captured.end(), IsPBR);
+}
+
 bool SceneCapture::Reflects(double share) const
 {
   return std::any_of(this->Captured.begin(), this->Captured.end(),

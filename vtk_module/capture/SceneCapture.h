@@ -91,6 +91,8 @@ public:
   const std::vector<vtkProp*>& Casters() const { return this->CasterProps; }
   MaterialTable& Materials() { return this->Table; }
   bool IsExtended() const { return this->Outputs.Extended; }
+  /// Whether some prop in view is a PBR material.
+  bool HasPBR() const;
   int CapturedProps() const { return this->CapturedPropCount; }
 
 private:

@@ -17,8 +17,8 @@ namespace penumbra
 struct SceneChanges
 {
   bool Any = true;
-  bool Lights = true;
-  bool CarriedLights = true; ///< the camera moved, and lights that it carries with it
+  bool Lights = true; ///< a light or the environment changed, other than by following the camera
+  bool CarriedLights = true; ///< the camera moved, and with it lights that follow it
   bool Props = true;      ///< a prop moved, appeared, disappeared or changed its appearance
   bool Presence = true;   ///< a prop appeared or disappeared
   bool Appearance = true; ///< a shape or colour changed
@@ -42,9 +42,6 @@ struct View
   /// Window depths of the camera's clipping planes. Others than 0 and 1 where a technique looks beyond them.
   glm::dvec2 DepthWindow{ 0.0, 1.0 };
   int StillFrames = 0; ///< number of frames since the scene last changed, without this one
-  /// Number of still frames, including this one, whose mean is the picture; 0: this frame is the picture.
-  int AveragedFrames = 0;
-  bool IsAveraged() const { return this->AveragedFrames > 1; }
   int FrameNumber = 0;
   int FirstFrame = 0;       ///< number of the frame with which averages over frames began
   bool StandsAlone = false; ///< whether the picture must not use results of earlier frames

@@ -148,7 +148,6 @@ View vtkGIPass::Internals::MakeView(vtkOpenGLRenderer* renderer, ViewRecord& rec
   record.StillFrames = view.Changes.Any ? 0 : record.StillFrames;
   view.StillFrames = record.StillFrames;
   view.Sequence = record.StillFrames;
-  view.AveragedFrames = 0;
   view.FrameNumber = record.FrameNumber;
   view.FirstFrame = record.FirstFrame;
   return view;

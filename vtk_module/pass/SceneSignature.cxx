@@ -37,12 +37,22 @@ void SceneSignature::Add(Group group, const double* values, int count)
 void SceneSignature::AddLight(vtkLight* light)
 {
   this->Values[Lights].push_back(light->GetSwitch());
-  if (light->LightTypeIsSceneLight())
+  if (!light->LightTypeIsHeadlight())
   {
     this->Values[Lights].push_back(ToNumber(light->GetMTime()));
+    if (light->LightTypeIsCameraLight())
+    {
+      // The camera's matrix moves it, which does not modify it.
+      double position[3];
+      double focus[3];
+      light->GetTransformedPosition(position);
+      light->GetTransformedFocalPoint(focus);
+      this->Add(CarriedLights, position, 3);
+      this->Add(CarriedLights, focus, 3);
+    }
     return;
   }
-  // Following the camera modifies a light, too.
+  // Following the camera modifies a headlight.
   this->Values[CarriedLights].push_back(ToNumber(light->GetMTime()));
   this->Add(Lights, light->GetDiffuseColor(), 3);
   this->Add(Lights, light->GetAttenuationValues(), 3);

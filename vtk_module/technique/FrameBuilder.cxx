@@ -135,6 +135,12 @@ void FrameBuilder::AddSurface(
   view.DepthWindow = scale * view.DepthWindow + 0.5 * (1.0 + shift - scale);
 }
 
+int FrameBuilder::AveragedFrames() const
+{
+  const bool linear = this->CurrentPlan.HasLitParts() || !this->Scene.HasPBR();
+  return linear ? this->FramesInPicture : 0;
+}
+
 void FrameBuilder::SetJitter(const glm::dvec2& pixels)
 {
   View& view = this->CurrentView;

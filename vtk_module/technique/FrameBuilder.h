@@ -55,7 +55,10 @@ public:
   }
 
   /// While techniques plan: tell that the picture is the mean of this number of still frames, including this one.
-  void AveragePictures(int frames) { this->CurrentView.AveragedFrames = frames; }
+  void SetAveragedFrames(int frames) { this->FramesInPicture = frames; }
+  /// That number, once techniques have planned, if the picture is a mean of linear light; else 0. VTK shows PBR materials by a
+  /// nonlinear function, so that the mean of noisy frames would be too dark.
+  int AveragedFrames() const;
 
   /// Use different noise in every frame, even while the scene changes, because a technique averages over frames.
   void ChangeNoise()
@@ -135,6 +138,7 @@ private:
   bool LitRadianceRequested = false;
   std::map<std::string, int> Sharing;
   bool StillFramesAveraged = false;
+  int FramesInPicture = 0;
   std::vector<std::pair<std::string, std::function<void(FrameBuilder&)>>>
     Last; ///< with the technique
   ForwardPart Visibility;

@@ -8,6 +8,7 @@
 #include "technique/FrameBuilder.h"
 #include "technique/StillFrames.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -53,11 +54,11 @@ double CoverageWeight(int frames)
     (NoCoverageFrames / frames - 1.0) / (NoCoverageFrames / FullCoverageFrames - 1.0), 0.0, 1.0);
 }
 
-// Weight of the last frame in the mean of a number of frames. Until the frame with the opposite jitter follows, its full weight
-// would shift the mean.
-double LastWeight(int frames)
+// Weight of a still frame in the mean while it is the last one. index: number of still frames before it. Until the frame with the
+// opposite jitter follows, the full weight would shift the mean.
+double LastWeight(int index)
 {
-  return frames % 2 != 0 ? 1.0 : 0.5;
+  return index % 2 == 0 ? 1.0 : 0.5;
 }
 
 // Averages of a view. Each resource counts its own frames, because radiance may be requested later than the picture.
@@ -67,18 +68,18 @@ struct Sums
   std::map<std::string, int>
     CoverageFrames; ///< number at the last update of the differences at edges
 
-  // Whether a resource has all its frames, so that further ones change nothing.
-  bool IsComplete(const char* name, int maximum) const
+  // Number of frames of a resource since the scene changed.
+  int Of(const char* name) const
   {
     const auto found = this->Frames.find(name);
-    return found != this->Frames.end() && found->second >= maximum;
+    return found != this->Frames.end() ? found->second : 0;
   }
 
-  // Whether all that is shown or asked for has them.
-  bool AreComplete(const View& view, int maximum) const
+  // Number of frames in the picture, and in the radiance if it is kept, before this one.
+  int Shown(const View& view) const
   {
-    return this->IsComplete(resource::Color, maximum) &&
-      (!view.KeepsRadiance || this->IsComplete(resource::Radiance, maximum));
+    const int color = view.StillFrames > 0 ? this->Of(resource::Color) : 0;
+    return view.KeepsRadiance ? std::min(color, this->Of(resource::Radiance)) : color;
   }
 };
 
@@ -96,13 +97,14 @@ void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const ch
   }
   pass.Execute([&sums, &sum, resource, maximum, blends](FrameContext& context) {
     const bool first = !sum.Written || context.GetView().StillFrames == 0;
-    const bool frozen = !first && sums.IsComplete(resource, maximum);
+    const bool frozen = !first && sums.Of(resource) >= maximum;
     int& frames = sums.Frames[resource];
     frames = first ? 1 : frozen ? frames : frames + 1;
     Defines variant = { { "GI_FIRST", first ? "1" : "0" }, { "GI_FROZEN", frozen ? "1" : "0" } };
-    Arguments arguments = Arguments()
-                            .Set("frames", static_cast<double>(frames))
-                            .Set("lastWeight", frames >= maximum ? 1.0 : LastWeight(frames));
+    Arguments arguments =
+      Arguments()
+        .Set("frames", static_cast<double>(frames))
+        .Set("lastWeight", frames >= maximum ? 1.0 : LastWeight(context.GetView().StillFrames));
     if (blends)
     {
       const bool goesOn = !first && sums.CoverageFrames[resource] == frames - 1;
@@ -146,9 +148,9 @@ void vtkGIAntiAliasing::Plan(LightingPlan& plan, FrameBuilder& frame)
   if (this->ModeIn(frame) == Accumulate)
   {
     plan.KeepLitParts();
-    const View& view = frame.GetView();
-    const bool complete = frame.ViewState<Sums>(this).AreComplete(view, this->MaximumFrames);
-    frame.AveragePictures(complete ? 0 : view.StillFrames + 1);
+    const Sums& sums = frame.ViewState<Sums>(this);
+    const int frames = sums.Shown(frame.GetView());
+    frame.SetAveragedFrames(frames < this->MaximumFrames ? frames + 1 : 0);
   }
 }
 
@@ -166,7 +168,7 @@ void vtkGIAntiAliasing::Contribute(FrameBuilder& frame)
     const int maximum = this->MaximumFrames;
     frame.AverageStillFrames();
     Sums& sums = frame.ViewState<Sums>(this);
-    const bool complete = sums.AreComplete(view, maximum);
+    const bool complete = sums.Shown(view) >= maximum;
     const int index = complete ? 0 : view.StillFrames;
     ShiftStillFrame(frame, StillFrameShift(index));
     const bool blends = this->Edges == ByRays && !complete && CoverageWeight(index + 1) > 0.0;

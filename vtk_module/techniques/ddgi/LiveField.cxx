@@ -200,12 +200,12 @@ void LiveField::AddUpdate(Frame& frame, RayProps& rays, LightTable& lights)
   update.RayCount = this->Current.Rays;
   update.UpdateNumber = this->TotalUpdates;
   update.First = this->NextProbe;
+  this->Follow(frame);
+  this->Uninitialized = false;
   const bool sliced = this->UpdatesSinceOtherChange >= AdaptationUpdates &&
     this->UpdatesSinceChange < this->UpdatesSinceOtherChange;
   const int affordable = this->Current.ProbesPerFrame(size, sliced ? this->Current.Slices : 1);
   update.Last = std::min(this->NextProbe + affordable, size);
-  this->Follow(frame);
-  this->Uninitialized = false;
   if (this->UpdatesSinceChange >= this->Current.Updates)
   {
     return; // the probes rest

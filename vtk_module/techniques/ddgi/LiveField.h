@@ -75,7 +75,8 @@ private:
   int CompleteRayResults = 0;
   /// Since a change other than motion of the camera and of lights that follow it.
   int UpdatesSinceOtherChange = 0;
-  int UpdatesSinceSceneChange = 0;  ///< or since motion of such lights
+  int UpdatesSinceSceneChange =
+    0; ///< since such a change, or motion of lights that follow the camera
   int UpdatesSinceChange = 0;       ///< since the scene changed or a grid moved
   int DistanceUpdates = 0;          ///< since geometry changed
   int DistanceUpdatesSinceMove = 0; ///< since geometry changed or a grid moved

@@ -50,7 +50,7 @@ struct Names
 constexpr const char* Values = "denoising.values";
 constexpr const char* NextValues = "denoising.values.next";
 
-/// What a level of the filter reads or writes.
+/// Textures of one level of the filter.
 struct Buffers
 {
   const Texture* Signal;
@@ -100,8 +100,8 @@ struct Manner
   /// Whether the filter preserves variation of light with the normal. It increases the error while the camera moves, and on the
   /// mean surfaces of paths.
   bool FitsNormals = false;
-  const char* Mean =
-    nullptr; ///< that guides the filter of the frame's own values, see NoisyResource
+  /// Resource that guides the filter of the frame's own values, see NoisyResource; nullptr: none.
+  const char* Mean = nullptr;
 };
 
 void ShowSignal(
@@ -140,7 +140,7 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   ScopedState scope(context.State());
   scope.Set(GL_BLEND, false);
   scope.Set(GL_DEPTH_TEST, false);
-  const bool joint = manner.Mean && context.Input(manner.Mean);
+  const bool joint = manner.Mean != nullptr;
   const auto buffers = [&](const std::string& signal, const char* values) {
     return Buffers{ context.Output(signal.c_str()), joint ? context.Output(values) : nullptr };
   };
@@ -226,7 +226,7 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   }
   if (manner.Mean)
   {
-    pass.ReadIfPresent(manner.Mean, "GI_MEAN")
+    pass.Read(manner.Mean)
       .Write(Values, frame.WindowTexture(GL_RGBA16F))
       .Write(NextValues, frame.WindowTexture(GL_RGBA16F));
   }
@@ -294,7 +294,7 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame)
   {
     const int sharing = frame.PixelsPerSample(noisy.Name);
     const int shown = signals[this->Signal] == noisy.Name ? this->Show : Off;
-    const char* mean = frame.GetView().IsAveraged() ? noisy.Mean : nullptr;
+    const char* mean = noisy.Mean && frame.IsWritten(noisy.Mean) ? noisy.Mean : nullptr;
     const int last = !noisy.Light            ? LastSample
       : mean && this->Method != NeuralMethod ? LastJointSample
                                              : LastSampleOfLight;

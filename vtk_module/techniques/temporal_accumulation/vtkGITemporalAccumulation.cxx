@@ -169,6 +169,10 @@ struct Accumulator
   int ChangeFrames;
   double DepthTolerance;
   double NormalTolerance;
+  int AveragedFrames; ///< see FrameBuilder
+
+  /// Whether the mean of a result guides a filter, while the result has this frame's values.
+  bool IsGuide(const NoisyResource& noisy) const { return noisy.Mean && this->AveragedFrames > 1; }
 
   int MaximumAge(const View& view) const
   {
@@ -261,14 +265,14 @@ struct Accumulator
     this->Begin(scope);
     const Texture* reach =
       noisy.Reach && context.Input(noisy.Reach) ? context.Output(noisy.Reach) : nullptr;
-    if (reach)
-    {
-      variant["GI_REACH"] = "1";
-    }
-    const Texture* guide = noisy.Mean && view.IsAveraged() ? context.Output(noisy.Mean) : nullptr;
+    const Texture* guide = this->IsGuide(noisy) ? context.Output(noisy.Mean) : nullptr;
     if (guide)
     {
       variant["GI_GUIDE"] = "1";
+    }
+    else if (reach)
+    {
+      variant["GI_REACH"] = "1";
     }
     const bool mapped = noisy.PerLight && !reach; // rays know how far their noise reaches
     if (mapped && view.StillFrames == 0)
@@ -279,13 +283,9 @@ struct Accumulator
     {
       const int target = desc.Layers > 0 ? layer : -1;
       std::vector<Attachment> targets = { { means.Current, target }, { shown, target } };
-      if (reach)
+      if (const Texture* third = guide ? guide : reach)
       {
-        targets.push_back({ reach, target });
-      }
-      if (guide)
-      {
-        targets.push_back({ guide, target });
+        targets.push_back({ third, target });
       }
       context.BindTarget(targets, { context.Input(resource::Depth), -1 });
       glm::vec4 maximumAge;
@@ -302,7 +302,7 @@ struct Accumulator
           .Set("layer", layer)
           .Set("recency", noisy.Light && view.StillFrames > 0 ? 1.0 : 0.0)
           .Set("counts", noisy.Light)
-          .Set("averagedFrames", static_cast<double>(view.AveragedFrames)));
+          .Set("averagedFrames", static_cast<double>(this->AveragedFrames)));
     }
   }
 };
@@ -319,7 +319,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
   MotionTable& motion = frame.Motion();
   const LightTable& lights = frame.Lights();
   const Accumulator accumulator{ &motion, &ages, this->MaximumFrames, this->ChangeFrames,
-    this->DepthTolerance, this->NormalTolerance };
+    this->DepthTolerance, this->NormalTolerance, frame.AveragedFrames() };
   const SurfacePair surfaces(frame.GetView(), "temporal-accumulation.surface",
     [&](const std::string& name) { return &frame.Keep(name, frame.WindowTexture(GL_RGBA32F)); });
   frame.AddPass("temporal-reproject")
@@ -348,7 +348,7 @@ void vtkGITemporalAccumulation::Contribute(FrameBuilder& frame)
     {
       pass.ModifyIfPresent(noisy.Reach, Order, "reachTexture");
     }
-    if (noisy.Mean && frame.GetView().IsAveraged())
+    if (accumulator.IsGuide(noisy))
     {
       pass.Write(noisy.Mean, frame.WindowTexture(GL_RGBA32F));
     }
