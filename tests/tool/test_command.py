@@ -243,9 +243,10 @@ class Rendered(command.CommandTest):
         self.assertEqual(self.compare("rectangle.png", "line.png")["maximum"], 0)
 
     def test_techniques_change_the_picture(self):
-        self.render("on.png")
-        self.render("off.png", "--preset", "off")
-        self.render("again.png", "--preset", "off", "--on", "shadow-maps", "--on", "ambient-occlusion",
+        frames = ("--frames", "8")
+        self.render("on.png", *frames)
+        self.render("off.png", *frames, "--preset", "off")
+        self.render("again.png", *frames, "--preset", "off", "--on", "shadow-maps", "--on", "ambient-occlusion",
                     "--on", "temporal-accumulation", "--on", "anti-aliasing", "--set", "ambient-occlusion.ambient-share=0.02")
         self.assertGreater(self.compare("on.png", "off.png")["p99"], 0.1)
         self.assertLess(self.compare("on.png", "again.png")["maximum"], 1.5 / 255)
