@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Accumulation over frames: noise falls in scenes at rest, and no ghosts remain.
+#include "Picture.h"
 #include "Studio.h"
 
 #include <vtkActor2D.h>
+#include <vtkActorCollection.h>
 #include <vtkMath.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper2D.h>
@@ -129,6 +131,32 @@ TEST(TemporalAccumulation, AveragedStillFramesAverageProductsWithinAPixel)
   std::printf("ridges: mean %.3f / 255, accumulated %.3f\n", means[0], means[1]);
   EXPECT_GT(means[0], 1.0);
   EXPECT_NEAR(means[1], means[0], 0.02 * means[0]);
+}
+
+// VTK encodes PBR materials for display. The mean of encoded samples of a penumbra would be darker than the encoded mean.
+TEST(TemporalAccumulation, AveragedStillFramesKeepPenumbraeOnPBR)
+{
+  std::array<double, 2> means{};
+  for (const bool averages : { false, true })
+  {
+    Studio studio(true, 1, 60);
+    studio.Occlusion->EnabledOff();
+    studio.Shadows->SetParameter("light-angle", 60.0);
+    vtkActorCollection* actors = studio.Scene.Renderer->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor())
+    {
+      actor->GetProperty()->SetInterpolationToPBR();
+      actor->GetProperty()->SetRoughness(1.0);
+    }
+    studio.Pass->GetTechnique("anti-aliasing")->SetEnabled(averages);
+    studio.Pass->GetTechnique("anti-aliasing")->SetParameterFromText("mode", "accumulate");
+    studio.Frames(64);
+    const Picture picture = Shoot(studio.Scene.Window);
+    means[averages] = picture.MeanGrey(0, 0, picture.Width, picture.Height);
+  }
+  std::printf("PBR: mean %.2f / 255, averaged %.2f\n", means[0], means[1]);
+  EXPECT_NEAR(means[1], means[0], 0.01 * means[0]);
 }
 
 TEST(TemporalAccumulation, HiddenPropsLeaveNoGhost)

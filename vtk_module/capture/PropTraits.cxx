@@ -167,9 +167,8 @@ bool CanCapture(vtkProp* prop)
 
 bool NeedsExtended(vtkProp* prop)
 {
-  return AnyActor(prop, false, [](vtkActor* actor) {
-    return actor->GetTexture() || actor->GetProperty()->GetInterpolation() == VTK_PBR ||
-      actor->GetProperty()->GetNumberOfTextures() > 0;
+  return IsPBR(prop) || AnyActor(prop, false, [](vtkActor* actor) {
+    return actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
   });
 }
 

@@ -103,14 +103,15 @@ void LiveField::BeginFrame(const View& view, const Settings& settings, vtkMTimeT
     this->Current.Slices = 1;
   }
   const SceneChanges& changes = view.Changes;
-  if (changes.Lights || changes.Props || changes.Appearance || this->Parameters != parameters)
+  const bool other =
+    changes.Lights || changes.Props || changes.Appearance || this->Parameters != parameters;
+  if (other || changes.CarriedLights)
   {
     this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
-    this->UpdatesSinceOtherChange = 0;
   }
-  else if (changes.CarriedLights)
+  if (other)
   {
-    this->UpdatesSinceSceneChange = this->UpdatesSinceChange = 0;
+    this->UpdatesSinceOtherChange = 0;
   }
   if (changes.Props)
   {
