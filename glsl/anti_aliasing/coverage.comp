@@ -37,9 +37,9 @@ const vec2 SAMPLE_PLACES[COVERAGE_SAMPLES] =
 const float MINIMUM_SIMILARITY = 0.2; // of neighbours on the same surface
 const float MAXIMUM_CONTRAST = 0.05;  // between colours of neighbours without an edge
 // Mismatch between a hit and a pixel, in pixels of distance from the pixel's plane.
-const float GOOD_MATCH = 1.5;       // the pixel itself is accepted below this mismatch
+const float GOOD_MATCH = 0.5;       // the pixel itself is accepted below this mismatch
 const float MAXIMUM_MISMATCH = 4.0; // no pixel is accepted above it
-const float NORMAL_WEIGHT = 4.0;    // mismatch of perpendicular normals
+const float NORMAL_WEIGHT = 8.0;    // mismatch of perpendicular normals
 const float COLOR_WEIGHT = 4.0;     // mismatch of black and white
 const float DISTANCE_WEIGHT = 0.25; // mismatch per pixel of distance in the picture
 
