@@ -17,6 +17,8 @@
 #endif
 #include "anti_aliasing/coverage.glsl"
 
+const int SIDE = 8;
+const int PIXELS = SIDE * SIDE;
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(r32ui, binding = 0) uniform writeonly uimage2D coverage;
@@ -117,57 +119,89 @@ float mismatch(ivec2 pixel, vec2 point, vec3 position, vec3 normal, vec3 color)
     COLOR_WEIGHT * contrast(color, colorAt(pixel)) + DISTANCE_WEIGHT * length(point - center);
 }
 
+// The source of a sample's colour.
+uint sourceAt(ivec2 pixel, int number)
+{
+  uint state = giHash(uint(pixel.x) + (uint(pixel.y) << 16) + uint(number));
+  mat3 sceneToView = transpose(viewToScene);
+  vec2 point = vec2(pixel) + fract(SAMPLE_PLACES[number] + turn) + jitter;
+  vec3 start = giViewPosition(point, 0.0);
+  vec3 path = giViewPosition(point, 1.0) - start;
+  Ray ray = Ray(eye + viewToScene * start, 0.0, viewToScene * normalize(path), length(path));
+  RaySurfacePoint at;
+  float first;
+  RayHit hit = traceThrough(ray, at, first, state);
+  bool met = hit.instance >= 0;
+#ifdef GI_RAY_EDGES
+  if (met)
+  {
+    at = withEdges(at, hit, sceneToView, eye, point);
+  }
+#endif
+  vec3 position = sceneToView * (at.position - eye);
+  vec3 normal = sceneToView * at.normal;
+  uint source = COVERAGE_OWN;
+  float least = isCaptured(pixel) == met ? (met ? mismatch(pixel, point, position, normal, at.color.rgb) : 0.0) : MAXIMUM_MISMATCH;
+  least = min(least, MAXIMUM_MISMATCH);
+  for (int j = 0; j < 9 && least > GOOD_MATCH; ++j)
+  {
+    ivec2 offset = ivec2(j % 3, j / 3) - 1;
+    ivec2 other = within(pixel + offset);
+    bool suits = isCaptured(other) == met && (!met || isTraced(other));
+    float candidate = !suits ? RAY_FAR
+      : met ? mismatch(other, point, position, normal, at.color.rgb) : length(point - vec2(other) - 0.5);
+    source = candidate < least ? sourceOf(other - pixel) : source;
+    least = min(least, candidate);
+  }
+  return source;
+}
+
+shared int edges;          // pixels at edges in this group
+shared int places[PIXELS]; // within the group
+shared uint sources[PIXELS * COVERAGE_SAMPLES];
+
+ivec2 pixelAt(int place)
+{
+  return low + ivec2(gl_WorkGroupID.xy) * SIDE + ivec2(place % SIDE, place / SIDE);
+}
+
 void main()
 {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(view.Viewport.xy);
   low = ivec2(view.Viewport.xy);
   high = low + ivec2(view.Viewport.zw) - 1;
-  if (any(greaterThan(pixel, high)))
+  int own = int(gl_LocalInvocationIndex);
+  if (own == 0)
   {
-    return;
+    edges = 0;
   }
-  bool captured = isCaptured(pixel);
-  Neighbourhood near = neighbourhoodOf(pixel);
-  if (near.unknown || !near.edge)
+  barrier();
+  ivec2 pixel = pixelAt(own);
+  if (all(lessThanEqual(pixel, high)))
   {
-    imageStore(coverage, pixel, uvec4(near.unknown ? COVERAGE_UNKNOWN : COVERAGE_OWN_ONLY));
-    return;
-  }
-  uint state = giHash(uint(pixel.x) + (uint(pixel.y) << 16));
-  mat3 sceneToView = transpose(viewToScene);
-  uint found = COVERAGE_OWN_ONLY;
-  for (int i = 0; i < COVERAGE_SAMPLES; ++i)
-  {
-    vec2 point = vec2(pixel) + fract(SAMPLE_PLACES[i] + turn) + jitter;
-    vec3 start = giViewPosition(point, 0.0);
-    vec3 path = giViewPosition(point, 1.0) - start;
-    Ray ray = Ray(eye + viewToScene * start, 0.0, viewToScene * normalize(path), length(path));
-    RaySurfacePoint at;
-    float first;
-    RayHit hit = traceThrough(ray, at, first, state);
-    bool met = hit.instance >= 0;
-#ifdef GI_RAY_EDGES
-    if (met)
+    Neighbourhood near = neighbourhoodOf(pixel);
+    if (near.edge && !near.unknown)
     {
-      at = withEdges(at, hit, sceneToView, eye, point);
+      places[atomicAdd(edges, 1)] = own;
     }
-#endif
-    vec3 position = sceneToView * (at.position - eye);
-    vec3 normal = sceneToView * at.normal;
-    uint source = COVERAGE_OWN;
-    float least = captured == met ? (met ? mismatch(pixel, point, position, normal, at.color.rgb) : 0.0) : MAXIMUM_MISMATCH;
-    least = min(least, MAXIMUM_MISMATCH);
-    for (int j = 0; j < 9 && least > GOOD_MATCH; ++j)
+    else
     {
-      ivec2 offset = ivec2(j % 3, j / 3) - 1;
-      ivec2 other = within(pixel + offset);
-      bool suits = isCaptured(other) == met && (!met || isTraced(other));
-      float candidate = !suits ? RAY_FAR
-        : met ? mismatch(other, point, position, normal, at.color.rgb) : length(point - vec2(other) - 0.5);
-      source = candidate < least ? sourceOf(other - pixel) : source;
-      least = min(least, candidate);
+      imageStore(coverage, pixel, uvec4(near.unknown ? COVERAGE_UNKNOWN : COVERAGE_OWN_ONLY));
     }
-    found = bitfieldInsert(found, source, i * int(COVERAGE_BITS), int(COVERAGE_BITS));
   }
-  imageStore(coverage, pixel, uvec4(found));
+  barrier();
+  for (int i = own; i < edges * COVERAGE_SAMPLES; i += PIXELS)
+  {
+    sources[i] = sourceAt(pixelAt(places[i / COVERAGE_SAMPLES]), i % COVERAGE_SAMPLES);
+  }
+  barrier();
+  if (own < edges)
+  {
+    pixel = pixelAt(places[own]);
+    uint found = COVERAGE_OWN_ONLY;
+    for (int i = 0; i < COVERAGE_SAMPLES; ++i)
+    {
+      found = bitfieldInsert(found, sources[own * COVERAGE_SAMPLES + i], i * int(COVERAGE_BITS), int(COVERAGE_BITS));
+    }
+    imageStore(coverage, pixel, uvec4(found));
+  }
 }
