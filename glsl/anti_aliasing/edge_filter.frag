@@ -40,6 +40,13 @@ void main()
   high = low + ivec2(view.Viewport.zw) - 1;
   ivec2 p = ivec2(gl_FragCoord.xy);
   vec4 centre = texelFetch(colorTexture, p, 0);
+  color = centre;
+#ifdef GI_COVERAGE
+  if (texelFetch(coverageTexture, p, 0).r != COVERAGE_UNKNOWN)
+  {
+    return;
+  }
+#endif
   float m = luma(centre.rgb);
   float n = lumaAt(p + ivec2(0, 1));
   float s = lumaAt(p + ivec2(0, -1));
@@ -48,18 +55,10 @@ void main()
   float brightest = max(m, max(max(n, s), max(e, w)));
   float darkest = min(m, min(min(n, s), min(e, w)));
   float contrast = brightest - darkest;
-  color = centre;
   if (contrast < max(SmallestContrast, brightest * RelativeContrast))
   {
     return;
   }
-#ifdef GI_COVERAGE
-  if (texelFetch(coverageTexture, p, 0).r != COVERAGE_UNKNOWN)
-  {
-    return;
-  }
-#endif
-
   float ne = lumaAt(p + ivec2(1, 1));
   float nw = lumaAt(p + ivec2(-1, 1));
   float se = lumaAt(p + ivec2(1, -1));

@@ -44,8 +44,8 @@ constexpr int EdgeFilterOrder = 810;
 constexpr int FramesToFilter = 3;
 
 // Coverage by rays has its full weight up to the first number of averaged frames, and none from the second on.
-constexpr double FullCoverageFrames = 4.0;
-constexpr double NoCoverageFrames = 16.0;
+constexpr double FullCoverageFrames = 3.5;
+constexpr double NoCoverageFrames = 24.0;
 
 // Weight of the coverage in the mean of a number of frames.
 double CoverageWeight(int frames)
