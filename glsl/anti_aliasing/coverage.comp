@@ -17,9 +17,14 @@
 #endif
 #include "anti_aliasing/coverage.glsl"
 
-const int SIDE = 8;
+const int SIDE = 8; // of a group of pixels
 const int PIXELS = SIDE * SIDE;
 layout(local_size_x = 8, local_size_y = 8) in;
+
+// Few pixels are at edges. A group lists them, and traces all their samples side by side.
+shared int edges;          // number of listed pixels
+shared int places[PIXELS]; // of these pixels in the group
+shared uint sources[PIXELS * COVERAGE_SAMPLES];
 
 layout(r32ui, binding = 0) uniform writeonly uimage2D coverage;
 
@@ -119,10 +124,10 @@ float mismatch(ivec2 pixel, vec2 point, vec3 position, vec3 normal, vec3 color)
     COLOR_WEIGHT * contrast(color, colorAt(pixel)) + DISTANCE_WEIGHT * length(point - center);
 }
 
-// The source of a sample's colour.
+// Neighbour from which a sample takes its colour.
 uint sourceAt(ivec2 pixel, int number)
 {
-  uint state = giHash(uint(pixel.x) + (uint(pixel.y) << 16) + uint(number));
+  uint state = giHash(giHash(uint(pixel.x) + (uint(pixel.y) << 16)) + uint(number));
   mat3 sceneToView = transpose(viewToScene);
   vec2 point = vec2(pixel) + fract(SAMPLE_PLACES[number] + turn) + jitter;
   vec3 start = giViewPosition(point, 0.0);
@@ -141,8 +146,12 @@ uint sourceAt(ivec2 pixel, int number)
   vec3 position = sceneToView * (at.position - eye);
   vec3 normal = sceneToView * at.normal;
   uint source = COVERAGE_OWN;
-  float least = isCaptured(pixel) == met ? (met ? mismatch(pixel, point, position, normal, at.color.rgb) : 0.0) : MAXIMUM_MISMATCH;
-  least = min(least, MAXIMUM_MISMATCH);
+  bool alike = isCaptured(pixel) == met;
+  float least = alike && !met ? 0.0 : MAXIMUM_MISMATCH;
+  if (alike && met)
+  {
+    least = min(mismatch(pixel, point, position, normal, at.color.rgb), MAXIMUM_MISMATCH);
+  }
   for (int j = 0; j < 9 && least > GOOD_MATCH; ++j)
   {
     ivec2 offset = ivec2(j % 3, j / 3) - 1;
@@ -155,10 +164,6 @@ uint sourceAt(ivec2 pixel, int number)
   }
   return source;
 }
-
-shared int edges;          // pixels at edges in this group
-shared int places[PIXELS]; // within the group
-shared uint sources[PIXELS * COVERAGE_SAMPLES];
 
 ivec2 pixelAt(int place)
 {

@@ -115,8 +115,8 @@ void ShowSignal(
       .Set("radius", manner.Radius));
 }
 
-// Fit light to normals. Returns the filter's argument.
-Arguments FitSlopes(FrameContext& context, const Texture* signal)
+// Fit light to normals. Returns the derivatives.
+const Texture* FitSlopes(FrameContext& context, const Texture* signal)
 {
   const glm::ivec4& area = context.GetView().Viewport;
   const Work tiles = Work::Items((area.z + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE,
@@ -131,7 +131,7 @@ Arguments FitSlopes(FrameContext& context, const Texture* signal)
       .Sample("sums", context.Output(SlopeSums))
       .Image("slopes", *context.Output(Slopes), ShaderAccess::Write),
     tiles);
-  return Arguments().Sample("slopes", context.Output(Slopes));
+  return context.Output(Slopes);
 }
 
 // layer: -1 for a result without layers.
@@ -169,10 +169,10 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   {
     variant["GI_GUIDED"] = "1";
   }
-  else if (manner.FitsNormals)
+  if (manner.FitsNormals)
   {
     variant["GI_SLOPES"] = "1";
-    shared = FitSlopes(context, current.Signal);
+    shared.Sample("slopes", FitSlopes(context, current.Signal));
   }
   const bool shows = manner.Show != Off && layer <= 0;
   if (shows && manner.Show != Filtered)
