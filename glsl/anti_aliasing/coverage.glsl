@@ -5,7 +5,7 @@
 const int COVERAGE_SAMPLES = 4;
 const uint COVERAGE_BITS = 4u;
 const uint COVERAGE_OWN = 4u;
-const uint COVERAGE_OWN_ONLY = 0x4444u;   // no edge
+const uint COVERAGE_OWN_ONLY = 0x4444u;    // no edge
 const uint COVERAGE_UNKNOWN = 0xffffffffu; // lines, points or other untraced surfaces nearby
 
 bool isShared(uint coverage)
