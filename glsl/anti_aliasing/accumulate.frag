@@ -11,16 +11,18 @@ uniform float lastWeight; // weight of the last frame in the mean
 #include "anti_aliasing/coverage.glsl"
 layout(binding = 1) uniform usampler2D coverageTexture;
 layout(binding = 1, rgba32f) uniform image2D edges;
-uniform float share; // weight of the differences
+uniform float share;  // weight of the differences
+uniform bool display; // colours are encoded as VTK shows them
 
 // Difference between the pixel blended by its coverage and its own colour.
 vec4 coverageDifference(ivec2 pixel, vec4 own)
 {
-  uint coverage = texelFetch(coverageTexture, pixel, 0).r;
+  uvec2 coverage = texelFetch(coverageTexture, pixel, 0).rg;
   vec4 sum = vec4(0.0);
   for (int i = 0; i < COVERAGE_SAMPLES && isShared(coverage); ++i)
   {
-    vec4 apart = texelFetch(colorTexture, pixel + sampleOffset(coverage, i), 0) - own;
+    vec4 source = texelFetch(colorTexture, pixel + sampleOffset(coverage, i), 0);
+    vec4 apart = vec4(sampleGain(coverage, i, display) * source.rgb, source.a) - own;
     sum += any(isnan(apart)) || any(isinf(apart)) ? vec4(0.0) : apart;
   }
   return sum / float(COVERAGE_SAMPLES);

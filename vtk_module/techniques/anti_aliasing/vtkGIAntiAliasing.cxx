@@ -111,7 +111,8 @@ void AddAverage(PassDeclaration& pass, FrameBuilder& frame, Sums& sums, const ch
       sums.CoverageFrames[resource] = frames;
       variant["GI_COVERAGE"] = "1";
       variant["GI_FIRST_COVERAGE"] = goesOn ? "0" : "1";
-      arguments.Set("share", CoverageWeight(frames));
+      arguments.Set("share", CoverageWeight(frames))
+        .Set("display", resource == std::string(resource::Color));
     }
     context.Draw("anti_aliasing/accumulate.frag", variant, arguments);
   });
@@ -122,14 +123,22 @@ void AddCoverage(FrameBuilder& frame, int index)
 {
   RayProps& rays = frame.Rays("their edges are smoothed by still frames only");
   const View& view = frame.GetView();
+  Defines variant = rays.ShaderDefines();
+  if (frame.Lights().HasPositional())
+  {
+    variant["GI_POSITIONAL"] = "1";
+  }
   frame.AddPass("edge-rays")
     .Read(resource::Albedo)
     .Read(resource::Normal)
     .Read(resource::DepthCopy)
-    .Write(resource::EdgeCoverage, frame.WindowTexture(GL_R32UI), "coverage")
+    .Write(resource::EdgeCoverage, frame.WindowTexture(GL_RG32UI), "coverage")
+    .ReadIfPresent(resource::DirectVisibility, "GI_DIRECT_VISIBILITY")
+    .ReadIfPresent(resource::Irradiance, "GI_IRRADIANCE")
     .Offer(rays.ShaderArguments())
+    .Offer(frame.Lights().InView(1.0 - frame.Plan().SpreadShare()))
     .Offer(frame.Capture().Materials().ShaderArguments())
-    .Compute("anti_aliasing/coverage.comp", rays.ShaderDefines(),
+    .Compute("anti_aliasing/coverage.comp", variant,
       view.ToScene(rays.Origin())
         .Set("jitter", glm::vec2(view.Jitter))
         .Set("turn", glm::vec2(StillFrameShift(index))),
