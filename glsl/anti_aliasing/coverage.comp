@@ -143,7 +143,7 @@ float mismatch(ivec2 pixel, vec2 point, vec3 position, vec3 normal, vec3 color)
   vec2 center = vec2(pixel) + 0.5;
   vec2 ndc = (center - view.Viewport.xy) / view.Viewport.zw * 2.0 - 1.0;
   vec4 P = view.ClipToView * vec4(ndc, tileDepths[index] * 2.0 - 1.0, 1.0);
-  float width = length(view.ClipToView[0].xyz) * 2.0 / view.Viewport.z;
+  float width = length(view.ClipToView[0].xyz) * 2.0 / view.Viewport.z; // of a pixel, times P.w
   return abs(dot(N, position * P.w - P.xyz)) / width + NORMAL_WEIGHT * (1.0 - dot(N, normal)) +
     COLOR_WEIGHT * contrast(color, unpackUnorm4x8(tileColors[index]).rgb) + DISTANCE_WEIGHT * length(point - center);
 }
