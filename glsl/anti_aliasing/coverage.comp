@@ -43,12 +43,9 @@ layout(rg32ui, binding = 0) uniform writeonly uimage2D coverage;
 layout(binding = 0) uniform sampler2D albedoTexture;
 layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
-#ifdef GI_DIRECT_VISIBILITY
 layout(binding = 3) uniform sampler2DArray directVisibility;
-#endif
-#ifdef GI_IRRADIANCE
 layout(binding = 4) uniform sampler2D irradianceTexture;
-#endif
+#include "lib/direct_visibility.glsl"
 
 uniform int lightCount;
 uniform mat3 viewToScene;
@@ -90,15 +87,24 @@ int tileIndex(ivec2 pixel)
   return place.y * TILE + place.x;
 }
 
+int materialAt(ivec2 pixel)
+{
+  return int(texelFetch(normalTexture, pixel, 0).z * 65535.0 + 0.5);
+}
+
+bool isPBR(ivec2 pixel)
+{
+  return materials[materialAt(pixel)].Model.x == GI_MATERIAL_PBR;
+}
+
 void loadTile(int index)
 {
   ivec2 pixel = within(low + ivec2(gl_WorkGroupID.xy) * SIDE + ivec2(index % TILE, index / TILE) - 1);
   vec4 albedo = texelFetch(albedoTexture, pixel, 0);
-  vec4 normal = texelFetch(normalTexture, pixel, 0);
-  int material = int(normal.z * 65535.0 + 0.5);
+  int material = materialAt(pixel);
   bool traced = material != GI_MATERIAL_AS_DRAWN && (materials[material].Model.y & GI_MATERIAL_THIN) == 0;
   tileDepths[index] = texelFetch(depthTexture, pixel, 0).r;
-  tileNormals[index] = packSnorm2x16(normal.xy);
+  tileNormals[index] = packSnorm2x16(texelFetch(normalTexture, pixel, 0).xy);
   tileColors[index] = packUnorm4x8(vec4(albedo.rgb, albedo.a == 0.0 ? BACKGROUND : traced ? TRACED : UNTRACED));
 }
 
@@ -148,14 +154,8 @@ float mismatch(ivec2 pixel, vec2 point, vec3 position, vec3 normal, vec3 color)
     COLOR_WEIGHT * contrast(color, unpackUnorm4x8(tileColors[index]).rgb) + DISTANCE_WEIGHT * length(point - center);
 }
 
-bool isPBR(ivec2 pixel)
-{
-  int material = int(texelFetch(normalTexture, pixel, 0).z * 65535.0 + 0.5);
-  return materials[material].Model.x == GI_MATERIAL_PBR;
-}
-
 // Diffuse radiance of a hit, as a multiple of what it would be with the normal of a pixel's surface. Of shadows and of indirect light
-// only those of the pixel are known. Metal keeps its radiance, which depends little on what shines on it straight.
+// only those of the pixel are known.
 float gainAt(ivec2 pixel, RaySurfacePoint at, vec3 position, vec3 normal)
 {
   vec3 N = giDecodeOctahedral(texelFetch(normalTexture, pixel, 0).xy);
@@ -165,11 +165,7 @@ float gainAt(ivec2 pixel, RaySurfacePoint at, vec3 position, vec3 normal)
   {
     LightData light = lights[i];
     GiIncident incident = giIncident(light, position);
-    vec3 strength = incident.Attenuation * light.Color.rgb;
-#ifdef GI_DIRECT_VISIBILITY
-    int channel = light.Kind.y;
-    strength *= channel >= 0 ? texelFetch(directVisibility, ivec3(pixel, channel / 4), 0)[channel & 3] : 1.0;
-#endif
+    vec3 strength = incident.Attenuation * giDirectVisibility(pixel, light.Kind.y) * light.Color.rgb;
     here += max(dot(N, -incident.Travel), 0.0) * strength;
     there += max(dot(normal, -incident.Travel), 0.0) * strength;
   }
@@ -180,7 +176,7 @@ float gainAt(ivec2 pixel, RaySurfacePoint at, vec3 position, vec3 normal)
 #endif
   float before = giLuminance(at.color.rgb * (share * here + indirect) + at.emission);
   float after = giLuminance(at.color.rgb * (share * there + indirect) + at.emission);
-  return before > 0.0 ? mix(after / before, 1.0, at.metallic) : 1.0;
+  return before > 0.0 ? after / before : 1.0;
 }
 
 // A sample, see coverageSample().

@@ -43,6 +43,7 @@ layout(binding = 7) uniform sampler2D ambientVisibility;
 layout(binding = 8) uniform sampler2D irradianceTexture;
 layout(binding = 9) uniform sampler2D surroundingsTexture;
 layout(binding = 10) uniform sampler2D lampLightTexture;
+#include "lib/direct_visibility.glsl"
 
 #ifdef GI_PRESENT_DEPTH
 #include "direct_light/window_depth.glsl"
@@ -66,17 +67,6 @@ layout(location = 1) out vec4 lit;
 layout(location = GI_FIRST_PART) out vec4 litShown;
 layout(location = GI_SECOND_PART) out vec4 litEncoded;
 #endif
-
-float visibility(ivec2 pixel, int channel)
-{
-#ifdef GI_DIRECT_VISIBILITY
-  if (channel >= 0)
-  {
-    return texelFetch(directVisibility, ivec3(pixel, channel / 4), 0)[channel & 3];
-  }
-#endif
-  return 1.0;
-}
 
 // Radiance as the display shows it.
 vec3 displayed(vec3 radiance, int index, bool encoded)
@@ -187,7 +177,7 @@ void main()
     }
 #endif
 #endif
-    vec3 strength = light.Color.rgb * visibility(pixel, light.Kind.y);
+    vec3 strength = light.Color.rgb * giDirectVisibility(pixel, light.Kind.y);
 #ifdef GI_EXTENDED
     if (pbr)
     {

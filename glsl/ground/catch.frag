@@ -13,23 +13,13 @@
 layout(binding = 3) uniform sampler2DArray directVisibility;
 layout(binding = 4) uniform sampler2D ambientVisibility;
 layout(binding = 5) uniform sampler2D irradianceTexture;
+#include "lib/direct_visibility.glsl"
 
 uniform int lightCount;
 uniform vec3 ambientLight; // radiance that a white diffuse surface reflects from uniform surroundings
 uniform vec3 openLight;    // the same from the environment, with nothing in between
 
 layout(location = 0) out vec4 color;
-
-float visibility(ivec2 pixel, int channel)
-{
-#ifdef GI_DIRECT_VISIBILITY
-  if (channel >= 0)
-  {
-    return texelFetch(directVisibility, ivec3(pixel, channel / 4), 0)[channel & 3];
-  }
-#endif
-  return 1.0;
-}
 
 void main()
 {
@@ -53,7 +43,7 @@ void main()
     GiIncident incident = giIncident(lights[i], ground.P);
     vec3 light = lights[i].Color.rgb * incident.Attenuation * max(dot(plane.xyz, -incident.Travel), 0.0);
     whole += light;
-    arriving += light * visibility(pixel, lights[i].Kind.y);
+    arriving += light * giDirectVisibility(pixel, lights[i].Kind.y);
   }
   vec3 kept = giKept(ground, arriving, whole);
   color = vec4(kept, giShadowAlpha(kept));
