@@ -3,9 +3,16 @@
 // Samples points of the surfaces that emit light, by power and distance. Needs rays/surface.glsl, lib/sampling.glsl.
 uniform int emitterCount;  // triangles
 uniform int emitterLevels; // of the tree above them
+uniform vec4 emitterCube;  // around them; xyz: lowest corner, w: side
 
 const int EMITTER_CANDIDATES = 2; // points among which one is chosen for a ray
-const int EMITTER_LEVELS = 8;     // number of levels that a random number of 24 bits can choose well
+const int EMITTER_LEVELS = 4;     // number of levels that a random number of 24 bits can choose well
+
+RayEmitter emitterRecord(int index)
+{
+  return RayEmitter(uintBitsToFloat(texelFetch(rayEmitters, 3 * index)), uintBitsToFloat(texelFetch(rayEmitters, 3 * index + 1)),
+    uintBitsToFloat(texelFetch(rayEmitters, 3 * index + 2)));
+}
 
 // Converts a density per area to one per solid angle. from: where the solid angle is measured; to, normal: the point.
 float emitterDensity(float perArea, vec3 from, vec3 to, vec3 normal)
@@ -24,40 +31,47 @@ float emitterMisDensity(RaySurface surface, vec3 from, vec3 to, vec3 normal)
   return emitterDensity(surface.Emission.w > 0.0 ? max(surface.Emission.w, often) : 0.0, from, to, normal);
 }
 
-// Approximate light that a node sends to a surface. node: centre and power; normal: of the surface, zero for a point in
-// space.
-float emitterImportance(vec4 node, float radius, vec3 from, vec3 normal)
+// Approximate light that a node sends to a surface. normal: of the surface, zero for a point in space.
+float emitterImportance(vec3 center, float radius, float power, vec3 from, vec3 normal)
 {
-  vec3 path = node.xyz - from;
-  float square = max(dot(path, path), radius * radius);
-  square = max(square, 1e-30);
-  float facing = clamp((dot(normal, path) + radius) * inversesqrt(square), 0.0, 1.0);
-  return node.w * (dot(normal, normal) > 0.0 ? facing : 1.0) / square;
+  vec3 path = center - from;
+  float inverse = inversesqrt(max(dot(path, path), max(radius * radius, 1e-30)));
+  float facing = dot(normal, normal) > 0.0 ? clamp((dot(normal, path) + radius) * inverse, 0.0, 1.0) : 1.0;
+  return power * facing * inverse * inverse;
 }
 
 // Chooses an emitter with a probability, which is zero if none sends light. Leaves a random number in u.
 int pickEmitter(vec3 from, vec3 normal, inout float u, out float probability, inout uint state)
 {
-  int node = 1;
+  int node = 0;
   probability = 1.0;
   for (int level = 0; level < emitterLevels; ++level)
   {
-    RayEmitter pair = rayEmitters[emitterCount + node - 1];
-    float first = emitterImportance(pair.A, pair.C.x, from, normal);
-    float second = emitterImportance(pair.B, pair.C.y, from, normal);
-    float sum = first + second;
-    float share = sum > 0.0 ? first / sum : 0.0;
-    bool left = u < share;
-    float chosen = left ? share : 1.0 - share;
-    probability = sum > 0.0 ? probability * chosen : 0.0;
-    u = clamp((left ? u : u - share) / max(chosen, 1e-7), 0.0, 1.0);
+    RayEmitter four = emitterRecord(emitterCount + node);
+    vec4 importance;
+    for (int i = 0; i < 4; ++i)
+    {
+      vec2 xy = unpackUnorm2x16(floatBitsToUint(four.B[i]));
+      vec2 zr = unpackUnorm2x16(floatBitsToUint(four.C[i]));
+      vec3 center = emitterCube.xyz + emitterCube.w * vec3(xy, zr.x);
+      importance[i] = emitterImportance(center, emitterCube.w * zr.y, four.A[i], from, normal);
+    }
+    vec3 ends = vec3(importance.x, importance.x + importance.y, importance.x + importance.y + importance.z);
+    float sum = ends.z + importance.w;
+    float place = u * sum;
+    int child = int(dot(vec3(greaterThanEqual(vec3(place), ends)), vec3(1.0)));
+    float chosen = child < 2 ? (child == 0 ? importance.x : importance.y) : child == 2 ? importance.z : importance.w;
+    float start = child < 2 ? (child == 0 ? 0.0 : ends.x) : child == 2 ? ends.y : ends.z;
+    probability = sum > 0.0 ? probability * (chosen / sum) : 0.0;
+    u = chosen > 0.0 ? clamp((place - start) / chosen, 0.0, 1.0) : 0.0;
     if (level % EMITTER_LEVELS == EMITTER_LEVELS - 1)
     {
       u = giRandom(state);
     }
-    node = 2 * node + (left ? 0 : 1);
+    node = 4 * node + 1 + child;
   }
-  return min(node - (1 << emitterLevels), emitterCount - 1);
+  int leaves = ((1 << 2 * emitterLevels) - 1) / 3; // index of the first leaf
+  return min(node - leaves, emitterCount - 1);
 }
 
 // A sampled point of an emitter.
@@ -74,7 +88,7 @@ struct EmitterPoint
 EmitterPoint emitterPoint(vec2 u, vec3 from, vec3 normal, inout uint state)
 {
   float probability;
-  RayEmitter emitter = rayEmitters[pickEmitter(from, normal, u.x, probability, state)];
+  RayEmitter emitter = emitterRecord(pickEmitter(from, normal, u.x, probability, state));
   vec2 weights = giSampleTriangle(u);
   vec3 edge1 = emitter.B.xyz - emitter.A.xyz;
   vec3 edge2 = emitter.C.xyz - emitter.A.xyz;

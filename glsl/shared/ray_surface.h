@@ -15,8 +15,8 @@ using ivec4 = glm::ivec4;
 #endif
 
 #define GI_RAY_SURFACE_BINDING 6
-#define GI_RAY_EMITTER_BINDING 7
 // Texture units.
+#define GI_RAY_EMITTER_UNIT 8    // three texels per record of the tree of emitters
 #define GI_RAY_SKY_UNIT 10       // radiance of the environment
 #define GI_RAY_SKY_TABLE_UNIT 11 // cumulative probabilities to sample its directions
 #define GI_RAY_ATTRIBUTE_UNIT 12 // one texel per triangle, sphere or cylinder
@@ -70,13 +70,13 @@ struct RaySurface
   vec4 Edge; // edges of cells: rgb colour; a: width in pixels, 0 for none
 };
 
-// A triangle that emits light, in scene coordinates; or, behind the triangles, two nodes of the tree above them, see
-// penumbra::MakeEmitterTree().
+// A triangle that emits light, in scene coordinates; or, behind the triangles, four nodes of the tree above them, see
+// penumbra::EmitterTree. Nodes have two numbers from 0 to 1, packed into 16 bits each, in B and in C.
 struct RayEmitter
 {
-  vec4 A; // xyz: first corner; or centre of the first node, w: its share of the power of all emitters
-  vec4 B; // xyz: second corner, w: surface, as bits; or the second node like the first
-  vec4 C; // xyz: third corner, w: primitive within the surface, as bits; or x, y: radii of the two nodes
+  vec4 A; // xyz: first corner; or the nodes' shares of the power of all emitters
+  vec4 B; // xyz: second corner, w: surface, as bits; or x and y of the nodes' centres in the cube
+  vec4 C; // xyz: third corner, w: primitive in the surface, as bits; or z, and radii in cube sides
 };
 
 #ifdef __cplusplus
@@ -96,7 +96,7 @@ struct RayPoint
   float TextureV;
 };
 static_assert(sizeof(RaySurface) == 9 * 16, "std430 layout");
-static_assert(sizeof(RayEmitter) == 3 * 16, "std430 layout");
+static_assert(sizeof(RayEmitter) == 3 * 16, "texels");
 static_assert(sizeof(RayAttribute) == 16, "texel");
 static_assert(sizeof(RayPoint) == 16, "texel");
 }
@@ -106,10 +106,7 @@ layout(std430, binding = GI_RAY_SURFACE_BINDING) readonly buffer RaySurfaceBlock
 {
   RaySurface raySurfaces[];
 };
-layout(std430, binding = GI_RAY_EMITTER_BINDING) readonly buffer RayEmitterBlock
-{
-  RayEmitter rayEmitters[];
-};
+layout(binding = GI_RAY_EMITTER_UNIT) uniform usamplerBuffer rayEmitters;
 layout(binding = GI_RAY_ATTRIBUTE_UNIT) uniform usamplerBuffer rayAttributes;
 layout(binding = GI_RAY_POINT_UNIT) uniform usamplerBuffer rayPoints;
 #ifdef GI_RAY_PICTURES

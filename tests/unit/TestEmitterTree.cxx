@@ -28,7 +28,6 @@ std::vector<EmittingTriangle> Scattered(int count)
   return triangles;
 }
 
-// The children of a node are in the record behind the triangles, in A and B, with radii in C.
 struct Child
 {
   glm::vec3 Center;
@@ -36,26 +35,30 @@ struct Child
   double Share;
 };
 
-Child ChildOf(const std::vector<shared::RayEmitter>& records, std::size_t count, std::size_t node)
+// A node below the root. Behind the triangles is a record for the children of each node.
+Child ChildOf(const EmitterTree& tree, std::size_t count, std::size_t node)
 {
-  const shared::RayEmitter& pair = records[count + node / 2 - 1];
-  const glm::vec4 place = node % 2 == 0 ? pair.A : pair.B;
-  return { glm::vec3(place), node % 2 == 0 ? pair.C.x : pair.C.y, place.w };
+  const shared::RayEmitter& four = tree.Records[count + (node - 1) / 4];
+  const int i = static_cast<int>((node - 1) % 4);
+  const glm::vec2 xy = glm::unpackUnorm2x16(glm::floatBitsToUint(four.B[i]));
+  const glm::vec2 zr = glm::unpackUnorm2x16(glm::floatBitsToUint(four.C[i]));
+  return { glm::vec3(tree.Cube) + tree.Cube.w * glm::vec3(xy, zr.x), tree.Cube.w * zr.y,
+    four.A[i] };
 }
 }
 
 TEST(EmitterTree, HasNoRecordWithoutTriangles)
 {
-  EXPECT_TRUE(MakeEmitterTree({}).empty());
-  EXPECT_EQ(EmitterTreeLevels(0), 0);
+  EXPECT_TRUE(MakeEmitterTree({}).Records.empty());
+  EXPECT_EQ(MakeEmitterTree({}).Levels, 0);
 }
 
 TEST(EmitterTree, OfOneTriangleIsTheTriangle)
 {
-  const auto records = MakeEmitterTree(Scattered(1));
-  ASSERT_EQ(records.size(), 1u);
-  EXPECT_EQ(EmitterTreeLevels(1), 0);
-  EXPECT_EQ(glm::floatBitsToInt(records[0].C.w), 0);
+  const EmitterTree tree = MakeEmitterTree(Scattered(1));
+  ASSERT_EQ(tree.Records.size(), 1u);
+  EXPECT_EQ(tree.Levels, 0);
+  EXPECT_EQ(glm::floatBitsToInt(tree.Records[0].C.w), 0);
 }
 
 // Each triangle is there once, lies within every node above it, and has its share of the power.
@@ -69,15 +72,16 @@ TEST(EmitterTree, NodesContainTheirTriangles)
     {
       total += triangle.Power;
     }
-    const auto records = MakeEmitterTree(triangles);
-    const int levels = EmitterTreeLevels(count);
-    const std::size_t leaves = std::size_t(1) << levels;
-    ASSERT_EQ(records.size(), count + leaves - 1);
+    const EmitterTree tree = MakeEmitterTree(triangles);
+    const std::vector<shared::RayEmitter>& records = tree.Records;
+    const std::size_t leaves = std::size_t(1) << 2 * tree.Levels;
+    const std::size_t inner = (leaves - 1) / 3;
+    ASSERT_EQ(records.size(), count + inner);
     std::set<int> seen;
     double sum = 0.0;
     for (std::size_t leaf = 0; leaf < leaves; ++leaf)
     {
-      const Child child = ChildOf(records, count, leaves + leaf);
+      const Child child = ChildOf(tree, count, inner + leaf);
       sum += child.Share;
       if (leaf >= static_cast<std::size_t>(count))
       {
@@ -88,9 +92,9 @@ TEST(EmitterTree, NodesContainTheirTriangles)
       seen.insert(primitive);
       EXPECT_EQ(glm::floatBitsToInt(records[leaf].B.w), triangles[primitive].Surface);
       EXPECT_NEAR(child.Share, triangles[primitive].Power / total, 1e-6);
-      for (std::size_t node = leaves + leaf; node > 1; node /= 2)
+      for (std::size_t node = inner + leaf; node > 0; node = (node - 1) / 4)
       {
-        const Child above = ChildOf(records, count, node);
+        const Child above = ChildOf(tree, count, node);
         for (const glm::dvec3& corner : triangles[primitive].Corners)
         {
           EXPECT_LE(glm::length(glm::vec3(corner) - above.Center), above.Radius + 1e-5);
@@ -106,15 +110,15 @@ TEST(EmitterTree, NodesContainTheirTriangles)
 TEST(EmitterTree, NodesAreSmall)
 {
   constexpr int count = 4096;
-  const auto records = MakeEmitterTree(Scattered(count));
+  const EmitterTree tree = MakeEmitterTree(Scattered(count));
   double mean = 0.0;
-  for (std::size_t node = 512; node < 1024; ++node)
+  for (std::size_t node = 341; node < 341 + 1024; ++node)
   {
-    mean += ChildOf(records, count, node).Radius / 512.0;
+    mean += ChildOf(tree, count, node).Radius / 1024.0;
   }
-  // A cube with an eighth of the side of all, which has 512 of its kind, has a radius of 0.43.
-  std::printf("mean radius of the nodes with 8 triangles: %.3f\n", mean);
-  EXPECT_LT(mean, 0.6);
+  // 1024 cubes that fill that of all have a radius of 0.34.
+  std::printf("mean radius of the nodes with 4 triangles: %.3f\n", mean);
+  EXPECT_LT(mean, 0.47);
 }
 
 TEST(EmitterTree, TakesPointsThatCoincide)
@@ -124,8 +128,11 @@ TEST(EmitterTree, TakesPointsThatCoincide)
   {
     triangle = { { glm::dvec3(1e6), glm::dvec3(1e6), glm::dvec3(1e6) }, 1.0, 0, 0 };
   }
-  for (const shared::RayEmitter& record : MakeEmitterTree(triangles))
+  const EmitterTree tree = MakeEmitterTree(triangles);
+  for (std::size_t node = 1; node <= 4 * (tree.Records.size() - triangles.size()); ++node)
   {
-    EXPECT_TRUE(std::isfinite(record.A.x) && std::isfinite(record.C.x));
+    const Child child = ChildOf(tree, triangles.size(), node);
+    EXPECT_TRUE(
+      std::isfinite(child.Center.x) && std::isfinite(child.Radius) && std::isfinite(child.Share));
   }
 }

@@ -61,7 +61,8 @@ std::uint64_t Spread(std::uint64_t x)
   return (x | x << 2) & 0x1249249249249249ULL;
 }
 
-void SortAlongCurve(std::vector<EmittingTriangle>& triangles)
+// A cube around triangles. xyz: lowest corner, w: side.
+glm::dvec4 CubeAround(const std::vector<EmittingTriangle>& triangles)
 {
   Node all;
   for (const EmittingTriangle& triangle : triangles)
@@ -69,11 +70,15 @@ void SortAlongCurve(std::vector<EmittingTriangle>& triangles)
     all.Add(NodeOf(triangle));
   }
   const glm::dvec3 size = all.Upper - all.Lower;
-  const double side = std::max({ size.x, size.y, size.z, 1e-300 });
+  return glm::dvec4(all.Lower, std::max({ size.x, size.y, size.z, 1e-300 }));
+}
+
+void SortAlongCurve(std::vector<EmittingTriangle>& triangles, const glm::dvec4& cube)
+{
   std::vector<std::pair<std::uint64_t, std::size_t>> keys(triangles.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    const glm::dvec3 at = (NodeOf(triangles[i]).Center() - all.Lower) / side * 2097151.0;
+    const glm::dvec3 at = (NodeOf(triangles[i]).Center() - glm::dvec3(cube)) / cube.w * 2097151.0;
     keys[i] = { Spread(static_cast<std::uint64_t>(at.x)) |
         Spread(static_cast<std::uint64_t>(at.y)) << 1 |
         Spread(static_cast<std::uint64_t>(at.z)) << 2,
@@ -88,53 +93,64 @@ void SortAlongCurve(std::vector<EmittingTriangle>& triangles)
   }
   triangles = std::move(sorted);
 }
-}
 
-int EmitterTreeLevels(std::size_t triangles)
+// Four nodes as a shader reads them.
+shared::RayEmitter Pack(const Node* nodes, double power, const glm::dvec4& cube)
 {
-  int levels = 0;
-  while ((std::size_t(1) << levels) < triangles)
+  constexpr double steps = 65535.0;
+  constexpr double rounding = 0.866 / steps; // bound on a packed centre's distance from the centre
+  shared::RayEmitter record;
+  for (int i = 0; i < 4; ++i)
   {
-    ++levels;
+    const glm::vec3 center((nodes[i].Center() - glm::dvec3(cube)) / cube.w);
+    const double radius = std::ceil((nodes[i].Radius() / cube.w + rounding) * steps) / steps;
+    record.A[i] = static_cast<float>(nodes[i].Power / power);
+    record.B[i] = glm::uintBitsToFloat(glm::packUnorm2x16(glm::vec2(center)));
+    record.C[i] = glm::uintBitsToFloat(glm::packUnorm2x16(glm::vec2(center.z, radius)));
   }
-  return levels;
+  return record;
+}
 }
 
-std::vector<shared::RayEmitter> MakeEmitterTree(std::vector<EmittingTriangle> triangles)
+EmitterTree MakeEmitterTree(std::vector<EmittingTriangle> triangles)
 {
-  std::vector<shared::RayEmitter> records;
+  EmitterTree tree;
   if (triangles.empty())
   {
-    return records;
+    return tree;
   }
-  SortAlongCurve(triangles);
+  const glm::dvec4 cube = CubeAround(triangles);
+  tree.Cube = glm::vec4(cube);
+  SortAlongCurve(triangles, cube);
   for (const EmittingTriangle& triangle : triangles)
   {
-    records.push_back({ glm::vec4(triangle.Corners[0], 0.0f),
+    tree.Records.push_back({ glm::vec4(triangle.Corners[0], 0.0f),
       glm::vec4(triangle.Corners[1], glm::intBitsToFloat(triangle.Surface)),
       glm::vec4(triangle.Corners[2], glm::intBitsToFloat(triangle.Primitive)) });
   }
-  // The children of node i are 2 i and 2 i + 1; the root is node 1.
-  const std::size_t leaves = std::size_t(1) << EmitterTreeLevels(triangles.size());
-  std::vector<Node> nodes(2 * leaves);
+  std::size_t leaves = 1;
+  for (; leaves < triangles.size(); leaves *= 4)
+  {
+    ++tree.Levels;
+  }
+  // The children of node i are 4 i + 1 to 4 i + 4; the root is node 0.
+  const std::size_t inner = (leaves - 1) / 3;
+  std::vector<Node> nodes(inner + leaves);
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    nodes[leaves + i] = NodeOf(triangles[i]);
+    nodes[inner + i] = NodeOf(triangles[i]);
   }
-  for (std::size_t i = leaves - 1; i > 0; --i)
+  for (std::size_t i = inner; i-- > 0;)
   {
-    nodes[i] = nodes[2 * i];
-    nodes[i].Add(nodes[2 * i + 1]);
+    for (std::size_t child = 4 * i + 1; child <= 4 * i + 4; ++child)
+    {
+      nodes[i].Add(nodes[child]);
+    }
   }
-  const double total = nodes[1].Power;
-  for (std::size_t i = 1; i < leaves; ++i)
+  for (std::size_t i = 0; i < inner; ++i)
   {
-    const Node& first = nodes[2 * i];
-    const Node& second = nodes[2 * i + 1];
-    records.push_back({ glm::vec4(first.Center(), first.Power / total),
-      glm::vec4(second.Center(), second.Power / total),
-      glm::vec4(first.Radius(), second.Radius(), 0.0f, 0.0f) });
+    tree.Records.push_back(Pack(&nodes[4 * i + 1], nodes[0].Power, cube));
   }
-  return records;
+  return tree;
 }
 }

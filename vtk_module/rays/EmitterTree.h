@@ -22,12 +22,16 @@ struct EmittingTriangle
   int Primitive; ///< within the surface
 };
 
-/// The triangles, ordered along a curve through space, then the pairs of nodes of a complete binary tree above them, as
-/// rays/emitters.glsl reads them (Conty Estevez and Kulla 2018, Importance Sampling of Many Lights with Adaptive Tree
-/// Splitting; Morton 1966, A Computer Oriented Geodetic Data Base and a New Technique in File Sequencing). Empty without
-/// triangles.
-std::vector<shared::RayEmitter> MakeEmitterTree(std::vector<EmittingTriangle> triangles);
+/// A complete tree above triangles, as rays/emitters.glsl reads it (Conty Estevez and Kulla 2018, Importance Sampling of
+/// Many Lights with Adaptive Tree Splitting; Morton 1966, A Computer Oriented Geodetic Data Base and a New Technique in
+/// File Sequencing). A node has four children, which take fewer reads than two levels of two.
+struct EmitterTree
+{
+  /// The triangles, ordered along a curve through space, then the children of each node. Empty without triangles.
+  std::vector<shared::RayEmitter> Records;
+  int Levels = 0;
+  glm::vec4 Cube{ 0.0f }; ///< around the triangles; xyz: lowest corner, w: side
+};
 
-/// Number of levels of that tree.
-int EmitterTreeLevels(std::size_t triangles);
+EmitterTree MakeEmitterTree(std::vector<EmittingTriangle> triangles);
 }

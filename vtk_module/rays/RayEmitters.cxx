@@ -63,10 +63,11 @@ void RayEmitters::Update(const std::vector<RayPart>& parts,
       [](const EmittingPart& a, const EmittingPart& b) { return a.HasTrianglesOf(b); });
   if (!same)
   {
-    this->Built = true;
+    this->Built = false;
     this->Origin = origin;
     this->Parts = std::move(emitting);
     this->Build(parts, origin);
+    this->Built = true;
   }
   for (const EmittingPart& part : this->Parts)
   {
@@ -134,25 +135,29 @@ void RayEmitters::Build(const std::vector<RayPart>& parts, const glm::dvec3& ori
   }
   this->Triangles = triangles.size();
   this->WholeArea = squares > 0.0 ? total * total / squares : 0.0;
-  std::vector<shared::RayEmitter> records = MakeEmitterTree(std::move(triangles));
-  if (records.empty())
+  EmitterTree tree = MakeEmitterTree(std::move(triangles));
+  if (tree.Records.empty())
   {
-    records.emplace_back();
+    tree.Records.emplace_back();
   }
-  this->Storage.Upload(
-    GL_SHADER_STORAGE_BUFFER, records.data(), records.size() * sizeof(records[0]));
+  this->Levels = tree.Levels;
+  this->Cube = tree.Cube;
+  this->Records.Release();
+  this->Records.Write(
+    this->Records.Allocate(tree.Records.size()), tree.Records.data(), tree.Records.size());
 }
 
 void RayEmitters::AddTo(Arguments& arguments) const
 {
-  arguments.Block("RayEmitterBlock", this->Storage)
-    .Set("emitterCount", static_cast<int>(this->Triangles))
-    .Set("emitterLevels", EmitterTreeLevels(this->Triangles));
+  this->Records.AddSampler(arguments, "rayEmitters");
+  arguments.Set("emitterCount", static_cast<int>(this->Triangles))
+    .Set("emitterLevels", this->Levels)
+    .Set("emitterCube", this->Cube);
 }
 
 void RayEmitters::ReleaseGraphicsResources()
 {
-  this->Storage = Buffer();
+  this->Records.Release();
   this->Built = false;
 }
 }

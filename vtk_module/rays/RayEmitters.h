@@ -6,7 +6,7 @@
 #pragma once
 
 #include "gpu/Arguments.h"
-#include "gpu/GLObjects.h"
+#include "rays/RayBuffer.h"
 #include "rays/RayPart.h"
 
 #include "ray_surface.h"
@@ -53,8 +53,10 @@ private:
   void Build(const std::vector<RayPart>& parts, const glm::dvec3& origin);
 
   std::vector<EmittingPart> Parts;
-  Buffer Storage;
+  RayBuffer Records{ "emitters", 3 };
   std::size_t Triangles = 0;
+  int Levels = 0; ///< see EmitterTree
+  glm::vec4 Cube{ 0.0f };
   double WholeArea = 0.0;
   glm::dvec3 Origin{ 0.0 };
   bool Built = false;
