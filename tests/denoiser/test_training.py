@@ -71,7 +71,7 @@ class Training(unittest.TestCase):
         return pathlib.Path(path).read_text(encoding="ascii")
 
     def test_lowers_the_loss(self):
-        # Of all pictures: that of a step depends on which of them it sees.
+        # Each step sees only a few pictures, so its loss says little: compare the loss over all of them.
         batches = [train.batch_of([sample]) for sample, *_ in self.samples()]
         torch.manual_seed(0)
         untrained, trained = network.Denoiser(), network.Denoiser()
