@@ -47,6 +47,14 @@ vec3 previousPosition(ivec2 pixel, float depth)
   return vec3((ndc * w - m[2].xy * depth - m[3].xy) / vec2(m[0].x, m[1].y), depth);
 }
 
+// Area on the screen of a small piece of a surface, up to a factor that is the same in all frames.
+float areaOf(mat4 viewToClip, vec3 normal, vec3 position)
+{
+  float w = viewToClip[2].w * position.z + viewToClip[3].w;
+  vec3 along = viewToClip[2].w == 0.0 ? vec3(0.0, 0.0, 1.0) : position / w; // of a ray through the pixel
+  return abs(dot(normal, along) * viewToClip[0].x * viewToClip[1].y) / (w * w);
+}
+
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -111,6 +119,11 @@ void main()
       weights += share.x * share.y;
     }
   }
+#ifndef GI_STILL
+  // Histories of surfaces that were seen at a sharper angle or from further away are too coarse for what is seen now.
+  float area = areaOf(motion.ViewToClip, N, P);
+  frames *= min(areaOf(motion.PreviousViewToClip, previousN, previousP) / max(area, 1e-30), 1.0);
+#endif
   frames = weights > 0.0 ? min(frames / weights + 1.0, most) : 1.0;
   result = vec4(moved, frames, float(accepted));
   remembered = giPackSurface(GiSurfaceRecord(N, P.z, object, frames));

@@ -193,15 +193,21 @@ struct Areas
   Values Ranges;
 };
 
-// Expect that the last frame of an orbit has a share of the error of a frame without a history, and that the picture after the
-// still frames that follow differs from one without the orbit by a share of that error. Pixels with an edge of a surface do not
+using Move = std::function<void(vtkCamera*)>;
+
+// Expect that the last frame of a move has a share of the error of a frame without a history, and that the picture after the
+// still frames that follow differs from one without the move by a share of that error. Pixels with an edge of a surface do not
 // count.
-void ExpectSharpShadows(const char* technique, double share, double restShare)
+void ExpectSharpShadows(const char* technique, const char* name, const Move& start,
+  const Move& step, double share, double restShare)
 {
   constexpr int frames = 16;
-  constexpr double step = 1.3; // degrees
   ShadowStudio fine(technique, Fine * OrbitWidth);
-  fine.Scene.Renderer->GetActiveCamera()->Azimuth(frames * step);
+  start(fine.Scene.Renderer->GetActiveCamera());
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    step(fine.Scene.Renderer->GetActiveCamera());
+  }
   const Areas truth(fine.Frames(16));
   fine.Technique->EnabledOff();
   const Areas open(fine.Frame());
@@ -215,30 +221,49 @@ void ExpectSharpShadows(const char* technique, double share, double restShare)
     return Error(values, truth.Means);
   };
   Values moved;
+  start(studio.Scene.Renderer->GetActiveCamera());
   for (int frame = 0; frame < frames; ++frame)
   {
-    studio.Scene.Renderer->GetActiveCamera()->Azimuth(step);
+    step(studio.Scene.Renderer->GetActiveCamera());
     moved = studio.Frame();
   }
   const Values rested = studio.Frames(64);
   studio.Pass->Restart();
   const double single = error(studio.Frame());
   const Values still = studio.Frames(63);
-  std::printf(
-    "%s: rms error %.3f, of a single frame %.3f; at rest %.3f from the picture without motion\n",
-    technique, error(moved), single, Error(rested, still));
+  std::printf("%s, %s: rms error %.3f, of a single frame %.3f; at rest %.3f from the picture "
+              "without motion\n",
+    technique, name, error(moved), single, Error(rested, still));
   EXPECT_LT(error(moved), share * single);
   EXPECT_LT(Error(rested, still), restShare * single);
 }
+
+const Move Stays = [](vtkCamera*) {};
+const Move Turns = [](vtkCamera* camera) { camera->Azimuth(1.3); };
 }
 
 // Each frame of motion reads the history between pixels. That must not blur shadows.
 TEST(TemporalMotion, RayTracedShadowsStaySharpInAnOrbit)
 {
-  ExpectSharpShadows("ray-traced-shadows", 0.8, 0.35);
+  ExpectSharpShadows("ray-traced-shadows", "orbit", Stays, Turns, 0.8, 0.35);
 }
 
 TEST(TemporalMotion, ShadowMapsStaySharpInAnOrbit)
 {
-  ExpectSharpShadows("shadow-maps", 0.74, 0.2);
+  ExpectSharpShadows("shadow-maps", "orbit", Stays, Turns, 0.74, 0.2);
+}
+
+// What was seen from afar or at a sharp angle is too coarse for a closer look.
+TEST(TemporalMotion, ShadowsSharpenAsTheCameraApproaches)
+{
+  const Move far = [](vtkCamera* camera) { camera->Dolly(0.2); };
+  const Move nearer = [](vtkCamera* camera) { camera->Dolly(std::pow(5.0, 1.0 / 16.0)); };
+  ExpectSharpShadows("ray-traced-shadows", "approach", far, nearer, 0.63, 0.11);
+}
+
+TEST(TemporalMotion, ShadowsSharpenAsTheCameraRises)
+{
+  const Move low = [](vtkCamera* camera) { camera->Elevation(-24.0); };
+  const Move higher = [](vtkCamera* camera) { camera->Elevation(1.5); };
+  ExpectSharpShadows("ray-traced-shadows", "rise", low, higher, 0.65, 0.19);
 }
