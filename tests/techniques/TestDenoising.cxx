@@ -284,6 +284,45 @@ TEST_F(Denoising, KeepsHistoryWhileTheCameraMoves)
   EXPECT_LT(SquaredError(kept, truth), 0.5 * SquaredError(lost, truth));
 }
 
+// Of the rays from valleys few find a slope that the camera's light reaches. Clamping would take their light away.
+TEST_F(Denoising, LightOfALampAtTheEyeStaysInMotion)
+{
+  this->Scene.Renderer->RemoveAllViewProps();
+  const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, 100, 0.0);
+  for (vtkIdType i = 0; i < hills->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    hills->GetPoint(i, p.data());
+    p[2] += 0.15 * std::sin(12.0 * p[0]) * std::sin(12.0 * p[1]);
+    hills->GetPoints()->SetPoint(i, p.data());
+  }
+  Paint(this->Scene.Add(hills.Get()), 0.7);
+  this->LookFrom(0.6, 0.5, 1.0, 0.0, 0.0, 0.0);
+  this->Scene.Renderer->GetActiveCamera()->SetViewAngle(35.0);
+  this->Lamp->SetLightTypeToHeadlight();
+  this->Lamp->PositionalOff();
+  this->Lamp->SetIntensity(1.0);
+  vtkGITechnique* rays = this->Pass->GetTechnique("ray-traced-light");
+  rays->EnabledOff();
+  const double direct = Mean(this->After(1));
+  rays->EnabledOn();
+  for (const bool filtered : { false, true })
+  {
+    this->First(filtered);
+    for (int i = 0; i < 16; ++i)
+    {
+      this->Scene.Renderer->GetActiveCamera()->Azimuth(i % 2 == 0 ? 2.0 : -2.0);
+      this->After(1);
+    }
+    const Values moving = this->After(0);
+    const double still = Mean(this->After(200)) - direct;
+    const double share = (Mean(moving) - direct) / still;
+    std::printf(
+      "indirect light in motion%s: %.3f of %.4f\n", filtered ? ", filtered" : "", share, still);
+    EXPECT_NEAR(share, 1.0, 0.08);
+  }
+}
+
 namespace
 {
 /// A floor and a block under a lamp whose shadows have soft edges.

@@ -50,7 +50,6 @@ struct Ages
   int Lit = 0;             ///< in the means of light on surfaces; few when it changes
   int Lighting =
     0; ///< since looks or lights changed, but for lights that the camera carries; 0 in that frame
-  bool Carried = false; ///< the camera moved, and lights with it
   /// In the mean of each channel of the direct visibility: since its light changed, or a prop appeared or disappeared; few
   /// after props moved.
   std::vector<int> Lights;
@@ -69,11 +68,11 @@ struct Ages
     this->Means = this->IsSettling() ? std::min(this->Means, changeFrames) : this->Means;
     // Where penumbrae overlap, noise is so wide that clamping would keep the shadow of a prop that has gone.
     this->Restarted = view.Changes.Presence || (this->Restarted && !view.Changes.Props);
-    this->Carried = view.Changes.CarriedLights;
     const bool changes = view.Changes.Appearance || view.Changes.Lights;
     this->Lighting = changes ? 0 : this->Lighting + 1;
     this->Lit = continued && !view.Changes.Techniques ? this->Lit + 1 : 1;
-    this->Lit = changes || this->Carried ? std::min(this->Lit, changeFrames) : this->Lit;
+    this->Lit =
+      changes || view.Changes.CarriedLights ? std::min(this->Lit, changeFrames) : this->Lit;
     std::vector<LightGeometry> geometries;
     for (const Light& light : lights.Lights())
     {
@@ -116,11 +115,12 @@ struct Ages
   /// The same for the visibility of lights.
   bool AreLightsSettling() const { return this->IsSettling() && !this->Restarted; }
 
-  /// The same for light on surfaces, and changes of what lights them.
+  /// The same for light on surfaces, and changes of what lights them. Not for lights that the camera carries: they change light by
+  /// less than clamping would, which removes what few rays find.
   bool IsLightSettling() const
   {
     const bool changed = this->Lighting < SettlingFrames && this->Lighting + 1 < this->Lit;
-    return changed || this->Carried || this->IsSettling();
+    return changed || this->IsSettling();
   }
 
   int Of(const NoisyResource& noisy, std::size_t channel) const
