@@ -64,18 +64,24 @@ protected:
     return share;
   }
 
-  /// A floor of hills, whose slopes are a few pixels long.
-  void AddHills()
+  /// A square of hills around the z axis.
+  void AddHills(int points, double z, double height, double frequency)
   {
-    const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, 200, -0.95);
+    const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, points, z);
     for (vtkIdType i = 0; i < hills->GetNumberOfPoints(); ++i)
     {
       std::array<double, 3> p;
       hills->GetPoint(i, p.data());
-      p[2] += 0.02 * std::sin(40.0 * p[0]) * std::sin(40.0 * p[1]);
+      p[2] += height * std::sin(frequency * p[0]) * std::sin(frequency * p[1]);
       hills->GetPoints()->SetPoint(i, p.data());
     }
     Paint(this->Scene.Add(hills.Get()), 0.7);
+  }
+
+  /// A floor of hills, whose slopes are a few pixels long.
+  void AddFineHills()
+  {
+    this->AddHills(200, -0.95, 0.02, 40.0);
     this->Scene.Window->SetSize(Width / 2, Height / 2);
     this->LookFrom(0.4, 0.4, 0.3, 0.0, 0.0, -0.95);
   }
@@ -101,7 +107,7 @@ TEST_F(Denoising, SparesWhatStandsOutOfTheNoise)
 // The more frames a mean has, the finer the shading that the filter spares: here that of slopes a few pixels long.
 TEST_F(Denoising, SparesFineSlopesInTheEnd)
 {
-  this->AddHills();
+  this->AddFineHills();
   // 1.4 if the normals of neighbours could differ as much as in the first frame
   EXPECT_LT(this->ErrorLeft(64, 500), 0.8);
 }
@@ -109,7 +115,7 @@ TEST_F(Denoising, SparesFineSlopesInTheEnd)
 // The filter preserves variation of light with the normal.
 TEST_F(Denoising, SparesWhatNormalsExplain)
 {
-  this->AddHills();
+  this->AddFineHills();
   EXPECT_LT(this->ErrorLeft(6, 300), 0.205); // 0.227 without the regression
   this->Filter->SetParameterFromText("method", "neural");
   EXPECT_LT(this->ErrorLeft(6, 300), 0.18); // 0.200 without the regression
@@ -288,15 +294,7 @@ TEST_F(Denoising, KeepsHistoryWhileTheCameraMoves)
 TEST_F(Denoising, LightOfALampAtTheEyeStaysInMotion)
 {
   this->Scene.Renderer->RemoveAllViewProps();
-  const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, 100, 0.0);
-  for (vtkIdType i = 0; i < hills->GetNumberOfPoints(); ++i)
-  {
-    std::array<double, 3> p;
-    hills->GetPoint(i, p.data());
-    p[2] += 0.15 * std::sin(12.0 * p[0]) * std::sin(12.0 * p[1]);
-    hills->GetPoints()->SetPoint(i, p.data());
-  }
-  Paint(this->Scene.Add(hills.Get()), 0.7);
+  this->AddHills(100, 0.0, 0.15, 12.0);
   this->LookFrom(0.6, 0.5, 1.0, 0.0, 0.0, 0.0);
   this->Scene.Renderer->GetActiveCamera()->SetViewAngle(35.0);
   this->Lamp->SetLightTypeToHeadlight();
