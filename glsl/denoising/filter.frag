@@ -108,7 +108,9 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
+#ifndef GI_GUIDED // the network knows the normals
   here.bend *= giBend(signal.frames);
+#endif
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
   bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
@@ -117,10 +119,7 @@ void main()
 #endif
 #ifdef GI_GUIDED
   vec4 features = texelFetch(featureTexture, pixel, 0);
-  vec2 counts = unpackHalf2x16(texelFetch(countTexture, pixel, 0)[level]);
-  float sharpness = counts.y;
-#else
-  const float sharpness = 1.0 / TOLERANCE;
+  vec2 ownCounts = unpackHalf2x16(texelFetch(countTexture, pixel, 0)[level]);
 #endif
 #ifdef GI_SLOPES
   mat3 slope = slopeAt(gl_FragCoord.xy);
@@ -137,9 +136,13 @@ void main()
     GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
     vec2 kernel = mix(vec2(0.5), vec2(0.25), notEqual(offset, ivec2(0)));
     float weight = kernel.x * kernel.y * other.frames * giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+    float sharpness = 1.0 / TOLERANCE;
 #ifdef GI_GUIDED
+    // Symmetric: if a bright pixel took from neighbours that refused its own sample, the picture would lose light.
+    vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
+    sharpness = counts.y;
 #endif
     if (weight == 0.0)
     {

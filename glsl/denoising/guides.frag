@@ -1,6 +1,7 @@
 #version 430 core
 // What the network says of each pixel: features, and how much their differences and those of light count at each level.
-// Light changes less from pixel to pixel in larger pictures than in those of the training, so differences count less there.
+// Light changes less from pixel to pixel in larger pictures than in those of the training, so differences count less there; in
+// smaller ones they count more.
 #include "shared/view.h"
 #include "denoising/network/facts.glsl"
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
@@ -8,6 +9,9 @@ layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
 
 // Half of the sharpness of the filter without a network, so that what stands out of the noise is not blurred away.
 const float LEAST_SHARPNESS = 0.15;
+
+// In tiny pictures differences of features would hide all neighbours.
+const float MOST_CHANGE = 2.0;
 
 layout(location = 0) out vec4 features;
 layout(location = 1) out uvec4 counts; // bandwidth and sharpness by level, as half floats
@@ -33,7 +37,7 @@ void main()
     }
   }
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
-  float change = min(TRAINED_SIZE / min(view.Viewport.z, view.Viewport.w), 1.0);
+  float change = min(TRAINED_SIZE / min(view.Viewport.z, view.Viewport.w), MOST_CHANGE);
   vec4 bandwidths = change * softplus(sums[1]);
   vec4 sharpnesses = max(change * softplus(sums[2]), LEAST_SHARPNESS);
   for (int level = 0; level < 4; ++level)

@@ -18,6 +18,7 @@ layout(rgba16f, binding = 0) writeonly uniform image2DArray inputs;
 layout(rgba16f, binding = 1) writeonly uniform image2D fine;
 
 const float DEPTH_CHANGE = 16.0; // scale of the relative change of depth from pixel to pixel
+const float MOST_LIGHT = 5.0;    // times the mean: a path that finds a thousand times that looks like one that the training knows
 
 GiSignal signalAt(ivec2 at)
 {
@@ -50,7 +51,6 @@ void fetchInputs(ivec2 at, GiSignal here, float scale, out vec4 v[4])
 {
   vec2 place = vec2(at) + 0.5 + view.Viewport.xy;
   GiSurfel surfel = giSurfel(place, here.depth, here.normal, 1.0);
-  surfel.bend *= giBend(here.frames);
   vec3 N = giDecodeOctahedral(here.normal);
   float z = giViewDepth(here.depth);
   vec3 light = vec3(0.0);
@@ -75,9 +75,9 @@ void fetchInputs(ivec2 at, GiSignal here, float scale, out vec4 v[4])
       change = mix(change, vec2(relative), equal(offset, ivec2(1)));
     }
   }
-  vec3 value = log(1.0 + here.value.rgb / scale);
-  vec3 mean = log(1.0 + light / (max(weights, 1e-6) * scale));
-  float noise = log(1.0 + here.error * giLuminance(here.value.rgb) / scale);
+  vec3 value = log(1.0 + min(here.value.rgb / scale, MOST_LIGHT));
+  vec3 mean = log(1.0 + min(light / (max(weights, 1e-6) * scale), MOST_LIGHT));
+  float noise = log(1.0 + min(here.error * giLuminance(here.value.rgb) / scale, MOST_LIGHT));
   float toEye = dot(N, giToEye(giViewPosition(place, here.depth)));
   v[0] = vec4(value, mean.r);
   v[1] = vec4(mean.gb, noise, here.frames / (here.frames + 8.0));

@@ -146,7 +146,7 @@ class Agreement(unittest.TestCase):
         net = network.Denoiser()
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "network.txt")
-            net.save(path, {"seed": 1, "size": 128})
+            net.save(path, {"seed": 1, "size": 64})
             net.restore(path)
             for frames in (1, 8, 200):
                 signal = self.signal(frames)

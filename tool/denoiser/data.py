@@ -23,6 +23,7 @@ RECENT = 4 / 3          # variance of a still mean, in which recent frames count
 LEAST, MOST = 4, 255    # frames from which a mean's error is known, and up to which they are counted
 NORMAL = 4096           # steps of a packed normal
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722), np.float32)
+TARGET = "target", "target_error", "known", "count"  # what is stored of a target: see target(); count: still frames, 0 for an orbit
 
 
 @dataclass
@@ -104,14 +105,14 @@ class Film:
 
 
 def target(film):
-    """Light after many rays, and whether each pixel has it."""
+    """Light after many rays, its relative standard error, and whether each pixel has it."""
     light = film.gi.GetTechnique("ray-traced-light")
     light.SetParameter("rays", TARGET_RAYS)
     film.cut()
     film.frame(TARGET_FRAMES)
     drawn = film.signal(True)
     light.SetParameter("rays", 1)
-    return drawn.light, (drawn.frames > 0) & np.isfinite(drawn.light).all(-1)
+    return drawn.light, drawn.error, (drawn.frames > 0) & np.isfinite(drawn.light).all(-1)
 
 
 def camera_samples(film, random, longest):
@@ -127,8 +128,7 @@ def camera_samples(film, random, longest):
         film.frame(count - drawn)
         drawn = count
         signals.append(film.signal(True))
-    light, known = target(film)
-    return signals, light, known
+    return signals, target(film)
 
 
 def render(family, seed, size, cameras):
@@ -137,15 +137,16 @@ def render(family, seed, size, cameras):
     probes = random.random() < 0.6
     film = Film(renderer, (size, size), ["ddgi"] if probes else [])
     film.frame(SETTLE if probes else 0)
-    stored = {name: [] for name in Signal.FIELDS + ("target", "known", "count")}
+    stored = {name: [] for name in Signal.FIELDS + TARGET}
     for camera in range(cameras):
         film.camera.Azimuth(random.uniform(-6, 6) if family == "room" else random.uniform(30, 100))
         renderer.ResetCameraClippingRange()
-        signals, light, known = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
+        signals, (light, error, known) = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
         for number, signal in enumerate(signals):
             for name in Signal.FIELDS:
                 stored[name].append(getattr(signal, name).astype(np.float32))
             stored["target"].append(light)
+            stored["target_error"].append(error.astype(np.float32))
             stored["known"].append(known & np.isfinite(signal.light).all(-1))
             stored["count"].append(0 if number == 0 else STILL[number - 1])
     return {name: np.stack(values) for name, values in stored.items()}
@@ -171,8 +172,8 @@ def ensure(folder, wanted, size, cameras, progress):
 
 
 def load(path):
-    """Samples of a scene: pairs of a signal and a dictionary of its target, known and count."""
+    """Samples of a scene: pairs of a signal and a dictionary of TARGET."""
     with np.load(path) as file:
         stored = {name: file[name] for name in file.files}
-    return [(Signal(*(stored[name][i] for name in Signal.FIELDS)), {name: stored[name][i] for name in ("target", "known", "count")})
+    return [(Signal(*(stored[name][i] for name in Signal.FIELDS)), {name: stored[name][i] for name in TARGET})
             for i in range(len(stored["count"]))]

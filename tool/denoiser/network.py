@@ -20,6 +20,7 @@ RADIUS = 8                # reach of the filter in pixels
 LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
+MOST_LIGHT = 5            # times the mean, that the network sees
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
@@ -70,11 +71,12 @@ def surfaces(batch):
     direction = decode(batch["normal"])
     toward = -(direction * position).sum(1, keepdim=True) / position.norm(dim=1, keepdim=True).clamp(min=1e-12)
     return {**batch, "exists": (frames > 0).float(), "direction": direction, "position": position, "toward": toward,
-            "pixel": depth.abs() * batch["angle"], "bend": BEND * (1 + (frames - 1).clamp(min=0) / BEND_HALVED)}
+            "pixel": depth.abs() * batch["angle"]}
 
 
-def similarities(batch, step):
-    """Whether the nine pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl."""
+def similarities(batch, step, bend=BEND):
+    """Whether the nine pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl. bend: how much the squared
+    difference of normals counts."""
     facing = batch["toward"].abs().clamp(0.2, 1)
     depth = torch.where(batch["exists"] > 0, batch["depth"], torch.full_like(facing, -1))
     found = []
@@ -86,7 +88,7 @@ def similarities(batch, step):
         distance = (batch["direction"] * apart).sum(1, keepdim=True).abs() * facing * closer
         distance = distance / (step * batch["pixel"]).clamp(min=1e-12)
         turned = ((moved(batch["normal"], x, y) - batch["normal"]) ** 2).sum(1, keepdim=True)
-        alike = (2 - distance).clamp(0, 1) * (1 - batch["bend"] * turned).clamp(0, 1)
+        alike = (2 - distance).clamp(0, 1) * (1 - bend * turned).clamp(0, 1)
         found.append(alike * moved(batch["exists"], x, y) * batch["exists"])
     return found
 
@@ -128,8 +130,9 @@ def inputs(batch):
     changes = [DEPTH_CHANGE * (moved(batch["depth"], x, y) / depth - 1).clamp(-1, 1) * moved(exists, x, y)
                for x, y in ((1, 0), (0, 1))]
     noise = batch["error"] * luminance(light)
-    values = [torch.log1p(light / scale), torch.log1p(near / weights_near.clamp(min=1e-6) / scale), torch.log1p(noise / scale),
-              frames / (frames + 8), batch["direction"], batch["toward"], edge, exists, *changes]
+    lights = light, near / weights_near.clamp(min=1e-6), noise
+    values = [*(torch.log1p((value / scale).clamp(max=MOST_LIGHT)) for value in lights), frames / (frames + 8),
+              batch["direction"], batch["toward"], edge, exists, *changes]
     single = torch.cat(values, 1) * exists
     blocks = functional.avg_pool2d(single, 2) / functional.avg_pool2d(exists, 2).clamp(min=0.25)
     return single, blocks
@@ -164,16 +167,16 @@ def variance(known, squares, weighted, moments, total):
     return torch.where(known, weighted, squares * spread)
 
 
-def filtered(batch, reach, weigh):
-    """The signal after all levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
+def filtered(batch, reach, weigh, bend=BEND, levels=LEVELS):
+    """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
     frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
     light, frames = batch["light"], batch["frames"]
     noise = batch["error"] * luminance(light)
-    for level in range(LEVELS):
+    for level in range(levels):
         step = 2 ** level
         bright, known = luminance(light), noise > 0
         total = change = first = second = squares = weighted = 0
-        for (x, y), alike in zip(OFFSETS, similarities(batch, step)):
+        for (x, y), alike in zip(OFFSETS, similarities(batch, step, bend)):
             x, y = x * step, y * step
             other, other_noise = moved(bright, x, y), moved(noise, x, y)
             apart = (other - bright).abs() * torch.rsqrt((noise ** 2 + other_noise ** 2).clamp(min=1e-30))
@@ -195,11 +198,12 @@ def fade(frames, halved):
     return RADIUS * (2 - 2 * frames / LAST).clamp(0, 1) / (1 + frames / halved)
 
 
-def plain_filter(batch):
+def plain_filter(batch, levels=LEVELS):
     """The filter without a network."""
     def weigh(_level, _x, _y, guided):
         return torch.exp(-guided / TOLERANCE)
-    return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh)
+    bend = BEND * (1 + (batch["frames"] - 1).clamp(min=0) / BEND_HALVED)
+    return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh, bend, levels)
 
 
 class Denoiser(nn.Module):
@@ -227,7 +231,9 @@ class Denoiser(nn.Module):
 
         def weigh(level, x, y, guided):
             apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
-            return torch.exp(-bandwidths[:, level:level + 1] * apart - sharpnesses[:, level:level + 1] * guided)
+            bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
+                                    (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
+            return torch.exp(-bandwidth * apart - sharpness * guided)
         return filtered(batch, fade(batch["frames"], 1e9), weigh)
 
     def layers(self):
@@ -265,13 +271,13 @@ def relative_error(picture, batch):
     return (square * known).sum((1, 2, 3)) / (3 * pixels)
 
 
-def loss_of(picture, batch):
-    """Squared difference from the target, relative to the picture of the filter without a network, in units of the error that it
+def loss_of(picture, batch, target="target"):
+    """Squared difference from the target of this name, relative to the picture of the filter without a network, in units of the error that it
     leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make pictures that are too
     dark seem better; were it relative to the picture, bright spots would cost nothing."""
     known = batch["known"]
     pixels = known.sum((1, 2, 3)).clamp(min=1)
     mean = (luminance(batch["plain"]) * known).sum((1, 2, 3)) / pixels
-    square = (picture - batch["target"]) ** 2 / (batch["plain"] ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    square = (picture - batch[target]) ** 2 / (batch["plain"] ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
     error = (square.clamp(max=MOST_SQUARE) * known).sum((1, 2, 3)) / (3 * pixels)
     return (error / batch["filtered"].flatten()).mean()

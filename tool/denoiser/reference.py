@@ -5,7 +5,8 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-LEAST_SHARPNESS = 0.15
+LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 5
+BEND = 10
 KERNEL = 0.5, 0.25
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
@@ -55,7 +56,6 @@ class Surfaces:
         self.direction = direction / np.maximum(np.linalg.norm(direction, axis=-1, keepdims=True), 1e-12)
         distance = np.maximum(np.linalg.norm(self.position, axis=-1), 1e-12)
         self.toward = -(self.direction * self.position).sum(-1) / distance
-        self.bend = 10 * (1 + np.maximum(self.frames - 1, 0) / 4)
 
     def similarity(self, x, y, step):
         """How much the pixels x and y away, `step` pixels per unit, show the same surface."""
@@ -64,7 +64,7 @@ class Surfaces:
         closer = self.depth / np.where(moved(self.exists, x, y), moved(self.depth, x, y), -1)  # as window depths are compared
         plane = np.abs((self.direction * apart).sum(-1)) * np.clip(np.abs(self.toward), 0.2, 1) * closer
         turned = ((moved(self.normal, x, y) - self.normal) ** 2).sum(-1)
-        alike = np.clip(2 - plane / np.maximum(step * self.pixel, 1e-12), 0, 1) * np.clip(1 - self.bend * turned, 0, 1)
+        alike = np.clip(2 - plane / np.maximum(step * self.pixel, 1e-12), 0, 1) * np.clip(1 - BEND * turned, 0, 1)
         return np.where(moved(self.exists, x, y) & self.exists, alike if x or y else 1, 0)
 
 
@@ -115,8 +115,9 @@ def inputs(signal, surfaces):
                for x, y in sides)
     depth = np.where(exists, surfaces.depth, -1)
     changes = [16 * np.clip(moved(surfaces.depth, x, y) / depth - 1, -1, 1) * moved(exists, x, y) for x, y in ((1, 0), (0, 1))]
-    single = np.concatenate((np.log1p(light / scale), np.log1p(near / (np.maximum(total, 1e-6) * scale)),
-                             np.log1p((signal.error * luminance)[..., None] / scale),
+    near = near / np.maximum(total, 1e-6)
+    lights = [np.log1p(np.minimum(value / scale, MOST_LIGHT)) for value in (light, near, (signal.error * luminance)[..., None])]
+    single = np.concatenate((*lights,
                              (surfaces.frames / (surfaces.frames + 8))[..., None], surfaces.direction,
                              np.stack((surfaces.toward, edge, np.ones_like(edge), *changes), -1)), -1) * exists[..., None]
     return single, half(in_blocks(single) / np.maximum(in_blocks(exists[..., None].astype(float)), 1))
@@ -169,7 +170,7 @@ def guides(signal, surfaces, layers, trained_size):
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
-    change = min(trained_size / min(single.shape[:2]), 1)
+    change = min(trained_size / min(single.shape[:2]), MOST_CHANGE)
     return features, half(change * bandwidths), half(np.maximum(change * sharpnesses, LEAST_SHARPNESS))
 
 
@@ -203,13 +204,15 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error)):
         step = 2 ** level
         bright = light @ LUMINANCE
         noise = error * bright
+        counts = np.stack((bandwidths[..., level], sharpnesses[..., level]), -1)
 
-        def weigh(x, y, step=step, level=level, bright=bright, noise=noise):
+        def weigh(x, y, step=step, counts=counts, bright=bright, noise=noise):
             far = x * step, y * step
+            bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             apart = ((moved(features, *far) - features) ** 2).sum(-1)
             both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))
             deviations = np.where(noise > 0, np.abs(moved(bright, *far) - bright) / both, 0)
-            weight = np.exp(-bandwidths[..., level] * apart - sharpnesses[..., level] * deviations)
+            weight = np.exp(-bandwidth * apart - sharpness * deviations)
             return KERNEL[abs(x)] * KERNEL[abs(y)] * surfaces.similarity(x, y, step) * moved(surfaces.frames, *far) * weight, far
         means = Means(light, noise, weigh)
         share = np.clip(2 * reach / step - 1, 0, 1)

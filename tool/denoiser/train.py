@@ -28,6 +28,7 @@ import training_scenes as scenes
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
 RATE, LAST_RATE = 1e-3, 1e-5
+FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
 SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 100}
@@ -80,7 +81,7 @@ def options():
                         help="scenes of each family that are only for the report (default %(default)s)")
     parser.add_argument("--cameras", type=whole, default=4, help="in each scene (default %(default)s)")
     parser.add_argument("--size", type=whole, default=128,
-                        help="width and height of pictures, a multiple of 16 (default %(default)s)")
+                        help="width and height of pictures, a multiple of 32 (default %(default)s)")
     parser.add_argument("--steps", type=whole, default=20000, help="of the training (default %(default)s)")
     parser.add_argument("--short", action="store_true", help="a few small scenes and steps, to see whether all works")
     parser.add_argument("--data-only", action="store_true", help="render the pictures, and stop")
@@ -88,8 +89,8 @@ def options():
     if args.short:
         for name, value in SHORT.items():
             setattr(args, name, value)
-    if args.size % 16 or args.size < CROP:
-        parser.error(f"--size {args.size}: must be a multiple of 16 from {CROP}")
+    if args.size % 32 or args.size < CROP:
+        parser.error(f"--size {args.size}: must be a multiple of 32 from {CROP}")
     return args
 
 
@@ -112,22 +113,44 @@ def scene_lists(args):
     return trained, held
 
 
-def samples_of(folder, pairs):
-    """Samples of scenes as dictionaries of tensors, with the family and the count of frames. plain: the picture of the filter without
-    a network; filtered: its relMSE."""
+def sample_of(signal, truth):
+    """A signal and its target as tensors."""
+    sample = network.tensors(signal)
+    sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
+    sample["target_error"] = torch.from_numpy(np.ascontiguousarray(truth["target_error"][None]))
+    sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
+    return sample
+
+
+def finer(sample):
+    """Every second pixel of each second row: what changes less from pixel to pixel in the whole picture."""
+    part = {name: value if value.shape[-1] == 1 else value[:, ::2, ::2] for name, value in sample.items()}
+    part["angle"] = 2 * part["angle"]
+    return part
+
+
+def with_filtered(sample):
+    """The sample with what the filter without a network makes of it. plain: the picture; filtered: its relMSE; smooth: the target
+    after the first level of the filter."""
+    exists, target = sample["known"], sample["target"]
+    many = {**sample, "light": target, "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES}
+    with torch.no_grad():
+        batch = batch_of([sample])
+        plain = network.plain_filter(batch)
+        error = network.relative_error(plain, batch)
+        smooth = network.plain_filter(batch_of([many]), 1)
+    return {**sample, "plain": plain[0], "filtered": error.clamp(min=1e-5).reshape(1, 1, 1), "smooth": smooth[0]}
+
+
+def samples_of(folder, pairs, halved=False):
+    """Samples of scenes, see with_filtered(), with the family and the count of frames. halved: also every second pixel of each."""
     found, progress = [], Progress("reading")
     for done, (family, seed) in enumerate(pairs):
         progress(done / len(pairs))
         for signal, truth in data.load(data.path_of(folder, family, seed)):
-            sample = network.tensors(signal)
-            sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
-            sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
-            with torch.no_grad():
-                batch = batch_of([sample])
-                plain = network.plain_filter(batch)
-                error = network.relative_error(plain, batch)
-            sample.update(plain=plain[0], filtered=error.clamp(min=1e-5).reshape(1, 1, 1))
-            found.append((sample, family, int(truth["count"])))
+            sample = sample_of(signal, truth)
+            small = halved and min(signal.frames.shape) >= 2 * CROP
+            found += [(with_filtered(each), family, int(truth["count"])) for each in (sample, *([finer(sample)] if small else []))]
     progress(1.0)
     return found
 
@@ -140,12 +163,13 @@ def crop(sample, random):
         part = {name: value if value.shape[-1] == 1 else value[:, y:y + CROP, x:x + CROP] for name, value in sample.items()}
         if part["known"].mean() > COVERED:
             break
-    mirror, turn = random.random(2) < 0.5
-    if mirror:
-        part = {name: value.flip(2) for name, value in part.items()}
-        part["ray"] = part["ray"] * part["ray"].new_tensor((-1, 1))[:, None, None]
-        x, y = part["normal"]
-        part["normal"] = torch.stack((1 - x, y))
+    *mirrors, turn = random.random(3) < 0.5
+    for axis, mirror in enumerate(mirrors):  # x, y
+        if mirror:
+            part = {name: value.flip(2 - axis) for name, value in part.items()}
+            ray, normal = part["ray"].clone(), part["normal"].clone()
+            ray[axis], normal[axis] = -ray[axis], 1 - normal[axis]
+            part.update(ray=ray, normal=normal)
     if turn:
         part = {name: value.transpose(1, 2) for name, value in part.items()}
         part["ray"], part["normal"] = part["ray"].flip(0), part["normal"].flip(0)
@@ -190,7 +214,7 @@ class Training:
         for group in self.optimizer.param_groups:
             group["lr"] = float(rate)
         batch = batch_of([crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)])
-        loss = network.loss_of(self.net(batch), batch)
+        loss = network.loss_of(self.net(batch), batch, "smooth" if self.step < FILTERED * self.args.steps else "target")
         self.optimizer.zero_grad()
         loss.backward()
         torch.nn.utils.clip_grad_norm_(self.net.parameters(), 1.0)
@@ -253,7 +277,7 @@ def main():
         return
     training = Training(args)
     training.resume()
-    training.run(samples_of(pictures, trained))
+    training.run(samples_of(pictures, trained, halved=True))
     facts = {"generator": revision(), "seed": args.seed, "scenes": len(trained), "cameras": args.cameras, "size": args.size,
              "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
