@@ -136,18 +136,18 @@ void main()
     GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
     vec2 kernel = mix(vec2(0.5), vec2(0.25), notEqual(offset, ivec2(0)));
     float weight = kernel.x * kernel.y * other.frames * giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+    if (weight == 0.0)
+    {
+      continue;
+    }
     float sharpness = 1.0 / TOLERANCE;
 #ifdef GI_GUIDED
-    // Symmetric: if a bright pixel took from neighbours that refused its own sample, the picture would lose light.
+    // Symmetric: if a bright pixel took from neighbours that refuse its own sample, the picture would lose light.
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
     sharpness = counts.y;
 #endif
-    if (weight == 0.0)
-    {
-      continue;
-    }
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);
     vec3 turned = vec3(0.0);

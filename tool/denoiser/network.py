@@ -272,9 +272,9 @@ def relative_error(picture, batch):
 
 
 def loss_of(picture, batch, target="target"):
-    """Squared difference from the target of this name, relative to the picture of the filter without a network, in units of the error that it
-    leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make pictures that are too
-    dark seem better; were it relative to the picture, bright spots would cost nothing."""
+    """Squared difference from the target of this name, relative to the picture of the filter without a network, in units of the
+    error that it leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make
+    pictures that are too dark seem better; were it relative to the picture, bright spots would cost nothing."""
     known = batch["known"]
     pixels = known.sum((1, 2, 3)).clamp(min=1)
     mean = (luminance(batch["plain"]) * known).sum((1, 2, 3)) / pixels

@@ -29,7 +29,7 @@ import training_scenes as scenes
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
 RATE, LAST_RATE = 1e-3, 1e-5
-MEAN = 0.999                  # share of the last step's mean weights in those of the next
+MEAN = 0.999                  # share of the mean weights that remains in each step
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
@@ -191,7 +191,7 @@ class Training:
         torch.manual_seed(args.seed)
         self.args, self.net, self.step, self.losses = args, network.Denoiser(), 0, []
         self.optimizer = torch.optim.Adam(self.net.parameters(), RATE)
-        self.mean = copy.deepcopy(self.net)  # of the weights over steps: it depends less on which pictures came last
+        self.mean = copy.deepcopy(self.net)  # over steps, which depends less on the last pictures
         self.path = os.path.join(args.folder, "checkpoint.pt")
         self.key = [args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
 
@@ -207,8 +207,8 @@ class Training:
 
     def save(self):
         """Write the checkpoint."""
-        torch.save({"key": self.key, "net": self.net.state_dict(), "mean": self.mean.state_dict(), "optimizer": self.optimizer.state_dict(), "step": self.step,
-                    "losses": self.losses}, self.path + ".part")
+        torch.save({"key": self.key, "net": self.net.state_dict(), "mean": self.mean.state_dict(),
+                    "optimizer": self.optimizer.state_dict(), "step": self.step, "losses": self.losses}, self.path + ".part")
         os.replace(self.path + ".part", self.path)
 
     def learn(self, samples):
@@ -225,8 +225,7 @@ class Training:
         self.optimizer.step()
         self.step += 1
         with torch.no_grad():
-            # The first steps' weights would count for too long.
-            share = max(1 - MEAN, 1 / self.step)
+            share = max(1 - MEAN, 1 / self.step)  # else the weights of the first steps would count for too long
             for mean, weight in zip(self.mean.parameters(), self.net.parameters()):
                 mean.lerp_(weight, share)
         self.losses.append(loss.item())
