@@ -67,7 +67,7 @@ class Training(unittest.TestCase):
     def network_of(self, training):
         """The text of the network's file."""
         path = os.path.join(training.args.folder, "network.txt")
-        training.mean.save(path, {"seed": 3})
+        training.net.save(path, {"seed": 3})
         return pathlib.Path(path).read_text(encoding="ascii")
 
     def test_lowers_the_loss(self):

@@ -7,7 +7,6 @@ Writes to a folder: data/ with the rendered pictures, network.txt (copy it to gl
 Goes on where it was interrupted; the same seed, scenes and steps give the same network to the last digit.
 """
 import argparse
-import copy
 import json
 import os
 import subprocess
@@ -29,11 +28,10 @@ import training_scenes as scenes
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
 RATE, LAST_RATE = 1e-3, 1e-5
-MEAN = 0.999                  # share of the mean weights that remains in each step
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
-SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 100}
+SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 200}
 
 
 class Progress:
@@ -191,7 +189,6 @@ class Training:
         torch.manual_seed(args.seed)
         self.args, self.net, self.step, self.losses = args, network.Denoiser(), 0, []
         self.optimizer = torch.optim.Adam(self.net.parameters(), RATE)
-        self.mean = copy.deepcopy(self.net)  # over steps, which depends less on the last pictures
         self.path = os.path.join(args.folder, "checkpoint.pt")
         self.key = [args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
 
@@ -201,14 +198,13 @@ class Training:
             kept = torch.load(self.path)
             if kept["key"] == self.key:
                 self.net.load_state_dict(kept["net"])
-                self.mean.load_state_dict(kept["mean"])
                 self.optimizer.load_state_dict(kept["optimizer"])
                 self.step, self.losses = kept["step"], kept["losses"]
 
     def save(self):
         """Write the checkpoint."""
-        torch.save({"key": self.key, "net": self.net.state_dict(), "mean": self.mean.state_dict(),
-                    "optimizer": self.optimizer.state_dict(), "step": self.step, "losses": self.losses}, self.path + ".part")
+        torch.save({"key": self.key, "net": self.net.state_dict(), "optimizer": self.optimizer.state_dict(),
+                    "step": self.step, "losses": self.losses}, self.path + ".part")
         os.replace(self.path + ".part", self.path)
 
     def learn(self, samples):
@@ -224,10 +220,6 @@ class Training:
         torch.nn.utils.clip_grad_norm_(self.net.parameters(), 1.0)
         self.optimizer.step()
         self.step += 1
-        with torch.no_grad():
-            share = max(1 - MEAN, 1 / self.step)  # else the weights of the first steps would count for too long
-            for mean, weight in zip(self.mean.parameters(), self.net.parameters()):
-                mean.lerp_(weight, share)
         self.losses.append(loss.item())
 
     def run(self, samples):
@@ -289,9 +281,9 @@ def main():
     facts = {"generator": revision(), "seed": args.seed, "scenes": len(trained), "cameras": args.cameras, "size": args.size,
              "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
-    training.mean.save(path, facts)
-    training.mean.restore(path)  # the report is about the rounded weights
-    found = errors(training.mean, samples_of(pictures, held or trained))
+    training.net.save(path, facts)
+    training.net.restore(path)  # the report is about the rounded weights
+    found = errors(training.net, samples_of(pictures, held or trained))
     tables = {"frames": report(found, lambda family, count: count), "family": report(found, lambda family, count: family),
               "all": report(found, lambda family, count: "all")}
     plot(training.losses, os.path.join(args.folder, "loss.svg"))
