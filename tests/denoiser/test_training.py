@@ -141,6 +141,10 @@ class Agreement(unittest.TestCase):
         signal.depth *= signal.frames > 0
         return signal
 
+    def truth(self, signal):
+        """What a sample stores besides the signal; here its light is the target, too."""
+        return {"target": signal.light, "target_error": signal.error, "known": signal.frames > 0, "count": np.array(8)}
+
     def test_torch_computes_what_the_reference_does(self):
         torch.manual_seed(1)
         net = network.Denoiser()
@@ -149,13 +153,31 @@ class Agreement(unittest.TestCase):
             net.save(path, {"seed": 1, "size": 64})
             net.restore(path)
             for frames in (1, 8, 200):
-                signal = self.signal(frames)
+                signal, still = self.signal(frames), frames > 1
+                slopes = reference.slopes(signal, reference.Surfaces(signal)) if still else None
                 with torch.no_grad():
-                    found = net(train.batch_of([network.tensors(signal)]))[0].permute(1, 2, 0).numpy()
-                expected = reference.denoise(signal, path)
+                    found = net(train.batch_of([network.tensors(signal, slopes)]))[0].permute(1, 2, 0).numpy()
+                expected = reference.denoise(signal, path, still=still)
                 difference = np.abs(found - expected).max() / expected.mean()
                 print(f"{frames} frames: PyTorch and NumPy differ by {difference:.1e}")
                 self.assertLess(difference, 1e-3)
+
+    def test_parts_may_be_mirrored_and_turned(self):
+        signal, random = self.signal(8), np.random.default_rng(2)
+        sample = train.with_filtered(train.sample_of(signal, self.truth(signal)))
+        self.assertGreater(sample["slope"].abs().mean(), 0.1)
+        for _ in range(16):
+            part = train.crop(sample, random)
+            middle = (network.plain_filter(train.batch_of([part]))[0] - part["plain"])[:, 24:40, 24:40]
+            self.assertLess(middle.abs().max(), 1e-4)
+
+    def test_bright_paths_are_added(self):
+        signal = self.signal(8)
+        sample = train.sample_of(signal, self.truth(signal))
+        spotted = train.spotted(sample, np.random.default_rng(2))
+        changed = (spotted["light"] != sample["light"]).any(0)
+        self.assertEqual(changed.sum(), 1)
+        self.assertGreater(spotted["light"][:, changed].min(), train.SPOT[0] * 0.9 * sample["light"].mean())
 
     def test_light_may_have_any_unit(self):
         torch.manual_seed(1)

@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 ORBIT = 8               # frames while the camera turns
 STILL = (1, 4, 16, 64)  # numbers of still frames of the other inputs
-LONGEST = 4             # one camera in so many has the last of these
+LONGEST = 2             # one camera in so many has the last of these
 TARGET_FRAMES, TARGET_RAYS = 24, 4
 SETTLE = 30             # frames after which probes know the scene
 RECENT = 4 / 3          # variance of a still mean, in which recent frames count more, by that of a plain one

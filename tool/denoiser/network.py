@@ -50,13 +50,16 @@ def decode(normal):
     return functional.normalize(torch.cat((xy, z), 1), dim=1)
 
 
-def tensors(signal):
-    """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there."""
+def tensors(signal, slopes=None):
+    """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there; slope: change
+    of light with the normal, by component and channel, see reference.slopes()."""
     height, width = signal.frames.shape
+    slopes = np.zeros((height, width, 3, 3)) if slopes is None else slopes
     x = (torch.arange(width) + 0.5) / width * 2 - 1
     y = (torch.arange(height) + 0.5) / height * 2 - 1
     scale = torch.from_numpy(np.asarray(signal.projection, np.float32))
-    values = {"light": signal.light.transpose(2, 0, 1), "normal": signal.normal.transpose(2, 0, 1)}
+    values = {"light": signal.light.transpose(2, 0, 1), "normal": signal.normal.transpose(2, 0, 1),
+              "slope": slopes.reshape(height, width, 9).transpose(2, 0, 1)}
     values.update({name: getattr(signal, name)[None] for name in ("error", "frames", "depth")})
     made = {name: torch.from_numpy(np.ascontiguousarray(value, np.float32)) for name, value in values.items()}
     made["ray"] = torch.stack((x[None, :].expand(height, width) / scale[0], y[:, None].expand(height, width) / scale[1]))
@@ -167,6 +170,12 @@ def variance(known, squares, weighted, moments, total):
     return torch.where(known, weighted, squares * spread)
 
 
+def turned(batch, x, y):
+    """Change of light that the regression on normals expects from the pixels x to the right and y up."""
+    slope, here = batch["slope"].unflatten(1, (3, 3)), batch["direction"]
+    return ((here - moved(here, x, y))[:, :, None] * slope).sum(1)
+
+
 def filtered(batch, reach, weigh, bend=BEND, levels=LEVELS):
     """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
     frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
@@ -178,16 +187,17 @@ def filtered(batch, reach, weigh, bend=BEND, levels=LEVELS):
         total = change = first = second = squares = weighted = 0
         for (x, y), alike in zip(OFFSETS, similarities(batch, step, bend)):
             x, y = x * step, y * step
-            other, other_noise = moved(bright, x, y), moved(noise, x, y)
+            there, other_noise = moved(light, x, y) + turned(batch, x, y), moved(noise, x, y)
+            other = luminance(there)
             apart = (other - bright).abs() * torch.rsqrt((noise ** 2 + other_noise ** 2).clamp(min=1e-30))
             guided = torch.where(known, apart, torch.zeros_like(apart))
             weight = KERNEL[abs(x) // step] * KERNEL[abs(y) // step] * alike * moved(frames, x, y) * weigh(level, x, y, guided)
-            total, change = total + weight, change + weight * (moved(light, x, y) - light)
+            total, change = total + weight, change + weight * (there - light)
             first, second = first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
         total = total.clamp(min=1e-6)
         share = (2 * reach / step - 1).clamp(0, 1)
-        light = light + share * change / total
+        light = (light + share * change / total).clamp(min=0)
         left = variance(known, squares, weighted, (first, second), total).detach().sqrt() / total.detach()
         noise = torch.minimum(noise + share * (left - noise), luminance(light).detach()) * batch["exists"]
     return light

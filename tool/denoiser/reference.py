@@ -7,6 +7,7 @@ import weights
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 5
 BEND = 10
+RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
 KERNEL = 0.5, 0.25
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
@@ -68,12 +69,15 @@ class Surfaces:
         return np.where(moved(self.exists, x, y) & self.exists, alike if x or y else 1, 0)
 
 
+def in_tiles(values):
+    """Sums of tiles."""
+    rows = np.add.reduceat(values, np.arange(0, values.shape[0], TILE), axis=0)
+    return np.add.reduceat(rows, np.arange(0, values.shape[1], TILE), axis=1)
+
+
 def block_scales(luminance, exists):
     """Mean luminance around each block of 2x2 pixels."""
-    sums = []
-    for values in (luminance * exists, exists.astype(float)):
-        rows = np.add.reduceat(values, np.arange(0, values.shape[0], TILE), axis=0)
-        sums.append(np.add.reduceat(rows, np.arange(0, values.shape[1], TILE), axis=1))
+    sums = [in_tiles(values) for values in (luminance * exists, exists.astype(float))]
     shares = []
     for pixels, tiles in zip(luminance.shape, sums[0].shape):
         table = np.zeros(((pixels + 1) // 2, tiles))
@@ -123,6 +127,32 @@ def inputs(signal, surfaces):
     return single, half(in_blocks(single) / np.maximum(in_blocks(exists[..., None].astype(float)), 1))
 
 
+def slopes(signal, surfaces):
+    """Derivative of light with respect to the normal around each pixel, (h, w, normal's component, channel): a ridge regression
+    over tiles and their neighbours, glsl/denoising/slopes.comp."""
+    height, width = surfaces.exists.shape
+    light, weight, normal = signal.light.astype(float), surfaces.frames[..., None], surfaces.direction
+    luminance = light @ LUMINANCE
+    mean = (in_tiles(np.sqrt(luminance) * surfaces.exists) / np.maximum(in_tiles(surfaces.exists.astype(float)), 1)) ** 2
+    most = MOST_IN_TILE * mean.repeat(TILE, 0).repeat(TILE, 1)[:height, :width]
+    light = light * np.minimum(most / np.maximum(luminance, 1e-20), 1)[..., None]
+
+    def products(other):
+        return (normal[..., :, None] * other[..., None, :]).reshape(height, width, 9)
+    sums = np.pad(in_tiles(np.concatenate((weight * np.concatenate((normal, light, products(normal), products(light)), -1),
+                                           weight, surfaces.exists[..., None]), -1)), ((1, 1), (1, 1), (0, 0)))
+    rows, columns = mean.shape
+    sums = sum((1 - 0.5 * abs(x)) * (1 - 0.5 * abs(y)) * sums[1 + y:1 + y + rows, 1 + x:1 + x + columns] for x, y in OFFSETS)
+    total, count = np.maximum(sums[..., 24, None], 1e-6), sums[..., 25]
+    means = sums[..., :24] / total
+    first, bright = means[..., :3, None], means[..., None, 3:6]
+    spread = means[..., 6:15].reshape(rows, columns, 3, 3) - first * first.swapaxes(-1, -2)
+    ridge = RIDGE * np.maximum(count, 1) / np.maximum(sums[..., 24], 1)
+    covariance = means[..., 15:].reshape(rows, columns, 3, 3) - first * bright
+    found = np.linalg.solve(spread + ridge[..., None, None] * np.eye(3), covariance)
+    return interpolated(found.reshape(rows, columns, 9), height, width, TILE).reshape(height, width, 3, 3)
+
+
 def convolved(values, layer):
     """A 3x3 convolution; outside all is 0."""
     kernel, biases = layer
@@ -150,13 +180,13 @@ def network(blocks, layers):
     return half(convolved(values, layers["out"]))
 
 
-def interpolated(values, height, width):
-    """Blocks as pixels, linearly."""
+def interpolated(values, height, width, size=2):
+    """Blocks of so many pixels as pixels, linearly."""
     tables = []
     for pixels, blocks in zip((height, width), values.shape[:2]):
         table = np.zeros((pixels, blocks))
         for pixel, row in enumerate(table):
-            place = (pixel + 0.5) / 2 - 0.5
+            place = (pixel + 0.5) / size - 0.5
             corner, fraction = int(np.floor(place)), place - np.floor(place)
             row[min(max(corner, 0), blocks - 1)] += 1 - fraction
             row[min(max(corner + 1, 0), blocks - 1)] += fraction
@@ -177,46 +207,52 @@ def guides(signal, surfaces, layers, trained_size):
 class Means:
     """Weighted means around each pixel: of light, and of the noise that is left."""
 
-    def __init__(self, light, noise, weigh):
-        bright = light @ LUMINANCE
+    def __init__(self, light, noise, weigh, turned):
         total = first = second = squares = weighted = np.zeros_like(noise)
         self.change = np.zeros_like(light)
         for x, y in OFFSETS:
             weight, moved_by = weigh(x, y)
-            other, other_noise = moved(bright, *moved_by), moved(noise, *moved_by)
+            there, other_noise = moved(light, *moved_by) + turned(moved_by), moved(noise, *moved_by)
+            other = there @ LUMINANCE
             total, first, second = total + weight, first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
-            self.change = self.change + weight[..., None] * (moved(light, *moved_by) - light)
+            self.change = self.change + weight[..., None] * (there - light)
         total = np.maximum(total, 1e-6)
         self.change = self.change / total[..., None]
         spread = squares * np.maximum(second / total - (first / total) ** 2, 0)
         self.noise = np.sqrt(np.where(noise > 0, weighted, spread)) / total
 
 
-def denoise(signal, network_file, stored=lambda light, error: (light, error)):
-    """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
+def denoise(signal, network_file, stored=lambda light, error: (light, error), still=False):
+    """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels. still: whether light is first fitted
+    to normals, as in still frames."""
     facts, layers = read_network(network_file)
     surfaces = Surfaces(signal)
     features, bandwidths, sharpnesses = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
+    slope = slopes(signal, surfaces) if still else np.zeros((*reach.shape, 3, 3))
+
+    def turned(far):
+        return ((surfaces.direction - moved(surfaces.direction, *far))[..., None] * slope).sum(-2)
     for level in range(LEVELS):
         step = 2 ** level
         bright = light @ LUMINANCE
         noise = error * bright
         counts = np.stack((bandwidths[..., level], sharpnesses[..., level]), -1)
 
-        def weigh(x, y, step=step, counts=counts, bright=bright, noise=noise):
+        def weigh(x, y, step=step, counts=counts, light=light, bright=bright, noise=noise):
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             apart = ((moved(features, *far) - features) ** 2).sum(-1)
             both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))
-            deviations = np.where(noise > 0, np.abs(moved(bright, *far) - bright) / both, 0)
+            other = (moved(light, *far) + turned(far)) @ LUMINANCE
+            deviations = np.where(noise > 0, np.abs(other - bright) / both, 0)
             weight = np.exp(-bandwidth * apart - sharpness * deviations)
             return KERNEL[abs(x)] * KERNEL[abs(y)] * surfaces.similarity(x, y, step) * moved(surfaces.frames, *far) * weight, far
-        means = Means(light, noise, weigh)
+        means = Means(light, noise, weigh, turned)
         share = np.clip(2 * reach / step - 1, 0, 1)
-        light = light + share[..., None] * means.change
+        light = np.maximum(light + share[..., None] * means.change, 0)
         noise = noise + share * (means.noise - noise)
         light, error = stored(light, np.minimum(noise / np.maximum(light @ LUMINANCE, 1e-20), 1))
         light, error = light * surfaces.exists[..., None], error * surfaces.exists

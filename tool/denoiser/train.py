@@ -23,10 +23,12 @@ except ImportError:
 
 import data
 import network
+import reference
 import training_scenes as scenes
 
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
+SPOTS, SPOT = 0.3, (4, 30)    # share of the crops with one bright path, and how bright it makes its pixel, in means
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 SAVED = 200                   # steps between checkpoints
@@ -115,25 +117,27 @@ def scene_lists(args):
 
 def sample_of(signal, truth):
     """A signal and its target as tensors."""
-    sample = network.tensors(signal)
+    fits = truth["count"] > 1  # as the pass does from the second still frame
+    sample = network.tensors(signal, reference.slopes(signal, reference.Surfaces(signal)) if fits else None)
     sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
     sample["target_error"] = torch.from_numpy(np.ascontiguousarray(truth["target_error"][None]))
     sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
     return sample
 
 
-def finer(sample):
+def finer(signal, truth):
     """Every second pixel of each second row: what changes less from pixel to pixel in the whole picture."""
-    part = {name: value if value.shape[-1] == 1 else value[:, ::2, ::2] for name, value in sample.items()}
-    part["angle"] = 2 * part["angle"]
-    return part
+    fields = {name: getattr(signal, name) for name in data.Signal.FIELDS}
+    signal = data.Signal(**{name: value[::2, ::2] if value.ndim > 1 else value for name, value in fields.items()})
+    return signal, {name: value[::2, ::2] if value.ndim > 1 else value for name, value in truth.items()}
 
 
 def with_filtered(sample):
     """The sample with what the filter without a network makes of it. plain: the picture; filtered: its relMSE; smooth: the target
     after the first level of the filter."""
     exists, target = sample["known"], sample["target"]
-    many = {**sample, "light": target, "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES}
+    many = {**sample, "light": target, "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES,
+            "slope": torch.zeros_like(sample["slope"])}
     with torch.no_grad():
         batch = batch_of([sample])
         plain = network.plain_filter(batch)
@@ -148,9 +152,9 @@ def samples_of(folder, pairs, halved=False):
     for done, (family, seed) in enumerate(pairs):
         progress(done / len(pairs))
         for signal, truth in data.load(data.path_of(folder, family, seed)):
-            sample = sample_of(signal, truth)
             small = halved and min(signal.frames.shape) >= 2 * CROP
-            found += [(with_filtered(each), family, int(truth["count"])) for each in (sample, *([finer(sample)] if small else []))]
+            for pair in ((signal, truth), *([finer(signal, truth)] if small else [])):
+                found.append((with_filtered(sample_of(*pair)), family, int(truth["count"])))
     progress(1.0)
     return found
 
@@ -167,13 +171,29 @@ def crop(sample, random):
     for axis, mirror in enumerate(mirrors):  # x, y
         if mirror:
             part = {name: value.flip(2 - axis) for name, value in part.items()}
-            ray, normal = part["ray"].clone(), part["normal"].clone()
+            ray, normal, slope = (part[name].clone() for name in ("ray", "normal", "slope"))
             ray[axis], normal[axis] = -ray[axis], 1 - normal[axis]
-            part.update(ray=ray, normal=normal)
+            slope[3 * axis:3 * axis + 3] *= -1
+            part.update(ray=ray, normal=normal, slope=slope)
     if turn:
         part = {name: value.transpose(1, 2) for name, value in part.items()}
         part["ray"], part["normal"] = part["ray"].flip(0), part["normal"].flip(0)
+        part["slope"] = torch.cat((part["slope"][3:6], part["slope"][:3], part["slope"][6:]))
     return part
+
+
+def spotted(part, random):
+    """The part with a pixel whose path found much light: those are too rare in the pictures to learn from."""
+    pixels = torch.nonzero(part["known"][0])
+    if len(pixels) == 0:
+        return part
+    y, x = pixels[random.integers(len(pixels))]
+    light, error, frames = part["light"].clone(), part["error"].clone(), part["frames"][0, y, x]
+    mean = light[:, part["frames"][0] > 0].mean()
+    light[:, y, x] = mean * float(np.exp(random.uniform(*np.log(SPOT))))
+    if frames >= data.LEAST:  # of a mean in which one frame has all the light
+        error[0, y, x] = (1 - 1 / frames).sqrt().clamp(max=0.99)
+    return {**part, "light": light, "error": error}
 
 
 def batch_of(parts):
@@ -213,7 +233,8 @@ class Training:
         rate = LAST_RATE + (RATE - LAST_RATE) * 0.5 * (1 + np.cos(np.pi * self.step / self.args.steps))
         for group in self.optimizer.param_groups:
             group["lr"] = float(rate)
-        batch = batch_of([crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)])
+        parts = [crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)]
+        batch = batch_of([spotted(part, random) if random.random() < SPOTS else part for part in parts])
         loss = network.loss_of(self.net(batch), batch, "smooth" if self.step < FILTERED * self.args.steps else "target")
         self.optimizer.zero_grad()
         loss.backward()
