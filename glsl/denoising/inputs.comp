@@ -18,7 +18,7 @@ layout(rgba16f, binding = 0) writeonly uniform image2DArray inputs;
 layout(rgba16f, binding = 1) writeonly uniform image2D fine;
 
 const float DEPTH_CHANGE = 16.0; // scale of the relative change of depth from pixel to pixel
-const float MOST_LIGHT = 5.0;    // times the mean: what is brighter looks like what the training knows
+const float MOST_LIGHT = 3.0;    // times the mean: what is brighter looks like what the training knows
 
 GiSignal signalAt(ivec2 at)
 {

@@ -171,14 +171,6 @@ class Agreement(unittest.TestCase):
             middle = (network.plain_filter(train.batch_of([part]))[0] - part["plain"])[:, 24:40, 24:40]
             self.assertLess(middle.abs().max(), 1e-4)
 
-    def test_bright_paths_are_added(self):
-        signal = self.signal(8)
-        sample = train.sample_of(signal, self.truth(signal))
-        spotted = train.spotted(sample, np.random.default_rng(2))
-        changed = (spotted["light"] != sample["light"]).any(0)
-        self.assertEqual(changed.sum(), 1)
-        self.assertGreater(spotted["light"][:, changed].min(), train.SPOT[0] * 0.9 * sample["light"].mean())
-
     def test_light_may_have_any_unit(self):
         torch.manual_seed(1)
         net = network.Denoiser()

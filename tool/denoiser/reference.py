@@ -5,7 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 5
+LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
 BEND = 10
 RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
 KERNEL = 0.5, 0.25

@@ -28,7 +28,6 @@ import training_scenes as scenes
 
 CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
-SPOTS, SPOT = 0.3, (4, 30)    # share of the crops with one bright path, and how bright it makes its pixel, in means
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 SAVED = 200                   # steps between checkpoints
@@ -182,20 +181,6 @@ def crop(sample, random):
     return part
 
 
-def spotted(part, random):
-    """The part with a pixel whose path found much light: those are too rare in the pictures to learn from."""
-    pixels = torch.nonzero(part["known"][0])
-    if len(pixels) == 0:
-        return part
-    y, x = pixels[random.integers(len(pixels))]
-    light, error, frames = part["light"].clone(), part["error"].clone(), part["frames"][0, y, x]
-    mean = light[:, part["frames"][0] > 0].mean()
-    light[:, y, x] = mean * float(np.exp(random.uniform(*np.log(SPOT))))
-    if frames >= data.LEAST:  # of a mean in which one frame has all the light
-        error[0, y, x] = (1 - 1 / frames).sqrt().clamp(max=0.99)
-    return {**part, "light": light, "error": error}
-
-
 def batch_of(parts):
     """A batch with its surfaces."""
     return network.surfaces({name: torch.stack([part[name] for part in parts]) for name in parts[0]})
@@ -233,8 +218,7 @@ class Training:
         rate = LAST_RATE + (RATE - LAST_RATE) * 0.5 * (1 + np.cos(np.pi * self.step / self.args.steps))
         for group in self.optimizer.param_groups:
             group["lr"] = float(rate)
-        parts = [crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)]
-        batch = batch_of([spotted(part, random) if random.random() < SPOTS else part for part in parts])
+        batch = batch_of([crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)])
         loss = network.loss_of(self.net(batch), batch, "smooth" if self.step < FILTERED * self.args.steps else "target")
         self.optimizer.zero_grad()
         loss.backward()
