@@ -1,7 +1,7 @@
 #version 430 core
 // What the network says of each pixel: features, and how much their differences and those of light count at each level.
-// Light changes less from pixel to pixel in larger pictures than in those of the training, so differences count less there; in
-// smaller ones they count more.
+// Light changes less from pixel to pixel in larger pictures than in those of the training, so differences of features count less
+// there; in smaller ones they count more. Those of light are in standard deviations, whatever the size.
 #include "shared/view.h"
 #include "denoising/network/facts.glsl"
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
@@ -39,7 +39,7 @@ void main()
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
   float change = min(TRAINED_SIZE / min(view.Viewport.z, view.Viewport.w), MOST_CHANGE);
   vec4 bandwidths = change * softplus(sums[1]);
-  vec4 sharpnesses = max(change * softplus(sums[2]), LEAST_SHARPNESS);
+  vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   for (int level = 0; level < 4; ++level)
   {
     counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));

@@ -201,7 +201,7 @@ def guides(signal, surfaces, layers, trained_size):
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
     change = min(trained_size / min(single.shape[:2]), MOST_CHANGE)
-    return features, half(change * bandwidths), half(np.maximum(change * sharpnesses, LEAST_SHARPNESS))
+    return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS))
 
 
 class Means:
