@@ -34,6 +34,11 @@ uniform int sharing; // number of pixels that share a sample in one frame
 // Standard deviations of a difference after which a sample's weight falls to 1 / e.
 const float TOLERANCE = 3.25;
 
+// Number of frames up to which standard deviations count as the network says, and their share after many. Otherwise what stands out
+// of a mean by chance stays for long, and still pictures flicker more than without the network.
+const float SHARP_FRAMES = 12.0;
+const float LEAST_SHARE = 0.67;
+
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
 #else
@@ -146,7 +151,7 @@ void main()
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
-    sharpness = counts.y;
+    sharpness = counts.y * clamp(SHARP_FRAMES / min(signal.frames, other.frames), LEAST_SHARE, 1.0);
 #endif
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);

@@ -140,7 +140,7 @@ class Shaders(unittest.TestCase):
         return differences
 
     def test_agree_with_the_reference(self):
-        for frames, size in ((1, SIZE), (6, SIZE), (1, LARGE)):
+        for frames, size in ((1, SIZE), (6, SIZE), (30, SIZE), (1, LARGE)):
             differences = self.compare(frames, size)
             self.assertLess(differences.mean(), 1e-3)
             self.assertLess(np.quantile(differences, 0.99), 4e-3)

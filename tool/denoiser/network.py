@@ -21,6 +21,7 @@ LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 MOST_LIGHT = 3            # times the mean, that the network sees
+SHARP_FRAMES, LEAST_SHARE = 12, 0.67  # see glsl/denoising/filter.frag
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
@@ -238,13 +239,16 @@ class Denoiser(nn.Module):
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
         features, bandwidths, sharpnesses = self.guides(batch)
+        frames = batch["frames"]
 
         def weigh(level, x, y, guided):
             apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
             bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
                                     (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
+            least = torch.minimum(frames, moved(frames, x, y)).clamp(min=1)
+            sharpness = sharpness * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
-        return filtered(batch, fade(batch["frames"], 1e9), weigh)
+        return filtered(batch, fade(frames, 1e9), weigh)
 
     def layers(self):
         """Convolutions by their names in the file."""

@@ -5,6 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
+SHARP_FRAMES, LEAST_SHARE = 12, 0.67
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
 BEND = 10
 RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
@@ -244,6 +245,8 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
         def weigh(x, y, step=step, counts=counts, light=light, bright=bright, noise=noise):
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
+            least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
+            sharpness = sharpness * np.clip(SHARP_FRAMES / least, LEAST_SHARE, 1)
             apart = ((moved(features, *far) - features) ** 2).sum(-1)
             both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))
             other = (moved(light, *far) + turned(far)) @ LUMINANCE
