@@ -113,7 +113,7 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
-#ifndef GI_GUIDED // the network knows the normals
+#if !defined(GI_GUIDED) || defined(GI_OWN_SURFACE) // else the network knows the normals
   here.bend *= giBend(signal.frames);
 #endif
   float light = giLuminance(signal.value.rgb);
@@ -151,7 +151,9 @@ void main()
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
+#ifndef GI_OWN_SURFACE // else pixels are means over surfaces that the network does not know: it only makes the filter narrower
     sharpness = counts.y * clamp(SHARP_FRAMES / min(signal.frames, other.frames), LEAST_SHARE, 1.0);
+#endif
 #endif
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);
