@@ -4,7 +4,7 @@
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
 // Denoising using Affinity of Neural Features). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
-// Variants: those of denoising/signal.glsl.
+// Variants: those of denoising/signal.glsl; GI_OWN_SURFACE as in pack.frag.
 #include "shared/view.h"
 #include "shared/denoising.h"
 #include "lib/octahedral.glsl"
@@ -113,7 +113,7 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
-#if !defined(GI_GUIDED) || defined(GI_OWN_SURFACE) // else the network knows the normals
+#if !defined(GI_GUIDED) || defined(GI_OWN_SURFACE) // the network knows normals of a surface, not their means over a pixel
   here.bend *= giBend(signal.frames);
 #endif
   float light = giLuminance(signal.value.rgb);
@@ -151,9 +151,7 @@ void main()
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
-#ifndef GI_OWN_SURFACE // else pixels are means over surfaces that the network does not know: it only makes the filter narrower
     sharpness = counts.y * clamp(SHARP_FRAMES / min(signal.frames, other.frames), LEAST_SHARE, 1.0);
-#endif
 #endif
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);
