@@ -4,7 +4,7 @@
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
 // Denoising using Affinity of Neural Features). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
-// Variants: those of denoising/signal.glsl; GI_OWN_SURFACE as in pack.frag.
+// Variants: those of denoising/signal.glsl.
 #include "shared/view.h"
 #include "shared/denoising.h"
 #include "lib/octahedral.glsl"
@@ -113,9 +113,7 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
-#if !defined(GI_GUIDED) || defined(GI_OWN_SURFACE) // the network knows normals of a surface, not their means over a pixel
   here.bend *= giBend(signal.frames);
-#endif
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
   bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ

@@ -116,10 +116,9 @@ TEST_F(Denoising, SparesFineSlopesInTheEnd)
 TEST_F(Denoising, SparesWhatNormalsExplain)
 {
   this->AddFineHills();
-  const double left = this->ErrorLeft(6, 300);
-  EXPECT_LT(left, 0.205); // 0.227 without the regression
+  EXPECT_LT(this->ErrorLeft(6, 300), 0.205); // 0.227 without the regression
   this->Filter->SetParameterFromText("method", "neural");
-  EXPECT_LT(this->ErrorLeft(6, 300), left); // 0.278 without the regression
+  EXPECT_LT(this->ErrorLeft(6, 300), 0.18); // 0.278 without the regression and with looser normals
 }
 
 // Where anti-aliasing averages frames, each is filtered by the edges of their mean, which has less noise than a frame.

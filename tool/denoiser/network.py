@@ -177,10 +177,11 @@ def turned(batch, x, y):
     return ((here - moved(here, x, y))[:, :, None] * slope).sum(1)
 
 
-def filtered(batch, reach, weigh, bend=BEND, levels=LEVELS):
+def filtered(batch, reach, weigh, levels=LEVELS):
     """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
     frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
     light, frames = batch["light"], batch["frames"]
+    bend = BEND * (1 + (frames - 1).clamp(min=0) / BEND_HALVED)
     noise = batch["error"] * luminance(light)
     for level in range(levels):
         step = 2 ** level
@@ -213,8 +214,7 @@ def plain_filter(batch, levels=LEVELS):
     """The filter without a network."""
     def weigh(_level, _x, _y, guided):
         return torch.exp(-guided / TOLERANCE)
-    bend = BEND * (1 + (batch["frames"] - 1).clamp(min=0) / BEND_HALVED)
-    return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh, bend, levels)
+    return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh, levels)
 
 
 class Denoiser(nn.Module):

@@ -7,7 +7,7 @@ import weights
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 SHARP_FRAMES, LEAST_SHARE = 12, 0.67
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
-BEND = 10
+BEND, BEND_HALVED = 10, 4
 RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
 KERNEL = 0.5, 0.25
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
@@ -59,14 +59,15 @@ class Surfaces:
         distance = np.maximum(np.linalg.norm(self.position, axis=-1), 1e-12)
         self.toward = -(self.direction * self.position).sum(-1) / distance
 
-    def similarity(self, x, y, step):
-        """How much the pixels x and y away, `step` pixels per unit, show the same surface."""
+    def similarity(self, x, y, step, bend=BEND):
+        """How much the pixels x and y away, `step` pixels per unit, show the same surface. bend: how much the squared difference of
+        normals counts."""
         x, y = x * step, y * step
         apart = moved(self.position, x, y) - self.position
         closer = self.depth / np.where(moved(self.exists, x, y), moved(self.depth, x, y), -1)  # as window depths are compared
         plane = np.abs((self.direction * apart).sum(-1)) * np.clip(np.abs(self.toward), 0.2, 1) * closer
         turned = ((moved(self.normal, x, y) - self.normal) ** 2).sum(-1)
-        alike = np.clip(2 - plane / np.maximum(step * self.pixel, 1e-12), 0, 1) * np.clip(1 - BEND * turned, 0, 1)
+        alike = np.clip(2 - plane / np.maximum(step * self.pixel, 1e-12), 0, 1) * np.clip(1 - bend * turned, 0, 1)
         return np.where(moved(self.exists, x, y) & self.exists, alike if x or y else 1, 0)
 
 
@@ -232,6 +233,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
     features, bandwidths, sharpnesses = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
+    bend = BEND * (1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED)
     slope = slopes(signal, surfaces) if still else np.zeros((*reach.shape, 3, 3))
 
     def turned(far):
@@ -252,7 +254,8 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
             other = (moved(light, *far) + turned(far)) @ LUMINANCE
             deviations = np.where(noise > 0, np.abs(other - bright) / both, 0)
             weight = np.exp(-bandwidth * apart - sharpness * deviations)
-            return KERNEL[abs(x)] * KERNEL[abs(y)] * surfaces.similarity(x, y, step) * moved(surfaces.frames, *far) * weight, far
+            alike = surfaces.similarity(x, y, step, bend)
+            return KERNEL[abs(x)] * KERNEL[abs(y)] * alike * moved(surfaces.frames, *far) * weight, far
         means = Means(light, noise, weigh, turned)
         share = np.clip(2 * reach / step - 1, 0, 1)
         light = np.maximum(light + share[..., None] * means.change, 0)

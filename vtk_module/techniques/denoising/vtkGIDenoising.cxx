@@ -151,12 +151,13 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   {
     variant["GI_JOINT"] = "1";
   }
+  Defines packing = variant;
   if (manner.OwnSurface)
   {
-    variant["GI_OWN_SURFACE"] = "1";
+    packing["GI_OWN_SURFACE"] = "1";
   }
   current.Bind(context);
-  context.DrawBound("denoising/pack.frag", variant,
+  context.DrawBound("denoising/pack.frag", packing,
     Arguments()
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
