@@ -4,7 +4,7 @@
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
 // Denoising using Affinity of Neural Features). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
-// Variants: those of denoising/signal.glsl.
+// Variants: those of denoising/signal.glsl; GI_OWN_SURFACE: light of paths, which the network was not trained on.
 #include "shared/view.h"
 #include "shared/denoising.h"
 #include "lib/octahedral.glsl"
@@ -32,12 +32,25 @@ uniform int step;
 uniform int sharing; // number of pixels that share a sample in one frame
 
 // Standard deviations of a difference after which a sample's weight falls to 1 / e.
+#if defined(GI_GUIDED) && defined(GI_OWN_SURFACE)
+const float TOLERANCE = 5.0; // features spare what stands out, so more may be averaged
+#else
 const float TOLERANCE = 3.25;
+#endif
+
+// How much the network may make standard deviations count, per frame. Few frames may agree by chance and then seem to have little
+// noise: walls would get dots.
+const float SHARPNESS_PER_FRAME = 0.1;
+const float FEWEST_FRAMES = 4.0; // from which the frames of a mean tell its noise
 
 // Number of frames up to which standard deviations count as the network says, and their share after many. Otherwise what stands out
 // of a mean by chance stays for long, and still pictures flicker more than without the network.
 const float SHARP_FRAMES = 12.0;
 const float LEAST_SHARE = 0.67;
+
+// Most that normals count, times as much as in a first frame, where a regression on normals and features of a network spare what
+// normals explain.
+const float MOST_BEND = 1.5;
 
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
@@ -113,7 +126,11 @@ void main()
   vec4 reach = vec4(0.0);
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
-  here.bend *= giBend(signal.frames);
+  float bend = giBend(signal.frames);
+#if defined(GI_GUIDED) && defined(GI_SLOPES)
+  bend = min(bend, MOST_BEND);
+#endif
+  here.bend *= bend;
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
   bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
@@ -149,7 +166,11 @@ void main()
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
     weight *= exp(-counts.x * dot(apart, apart));
-    sharpness = counts.y * clamp(SHARP_FRAMES / min(signal.frames, other.frames), LEAST_SHARE, 1.0);
+#ifndef GI_OWN_SURFACE
+    float least = min(signal.frames, other.frames);
+    float most = SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES);
+    sharpness = min(counts.y, most) * clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
+#endif
 #endif
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);

@@ -47,6 +47,8 @@ float scaleAt(ivec2 block)
   return max(sum.x / max(sum.y, 1e-6), 1e-20);
 }
 
+// A pixel counts as no brighter than the brightest of its neighbours on the same surface, so that a single bright path does not
+// look like an edge of light.
 void fetchInputs(ivec2 at, GiSignal here, float scale, out vec4 v[4])
 {
   vec2 place = vec2(at) + 0.5 + view.Viewport.xy;
@@ -57,6 +59,7 @@ void fetchInputs(ivec2 at, GiSignal here, float scale, out vec4 v[4])
   float weights = 0.0;
   float edge = 0.0;
   vec2 change = vec2(0.0);
+  float brightest = -1.0; // luminance of neighbours; negative: there are none
   for (int i = 0; i < 9; ++i)
   {
     ivec2 offset = ivec2(i % 3, i / 3) - 1;
@@ -68,6 +71,10 @@ void fetchInputs(ivec2 at, GiSignal here, float scale, out vec4 v[4])
     float weight = other.frames * giSimilarity(surfel, vec2(offset), other.depth, other.normal);
     light += weight * other.value.rgb;
     weights += weight;
+    if (offset != ivec2(0) && weight > 0.0)
+    {
+      brightest = max(brightest, giLuminance(other.value.rgb));
+    }
     if (abs(offset.x) + abs(offset.y) == 1)
     {
       edge += 1.0 - clamp(dot(N, giDecodeOctahedral(other.normal)), 0.0, 1.0);
@@ -75,9 +82,11 @@ void fetchInputs(ivec2 at, GiSignal here, float scale, out vec4 v[4])
       change = mix(change, vec2(relative), equal(offset, ivec2(1)));
     }
   }
-  vec3 value = log(1.0 + min(here.value.rgb / scale, MOST_LIGHT));
+  float own = giLuminance(here.value.rgb);
+  float share = brightest < 0.0 ? 1.0 : min(brightest / max(own, 1e-20), 1.0);
+  vec3 value = log(1.0 + min(share * here.value.rgb / scale, MOST_LIGHT));
   vec3 mean = log(1.0 + min(light / (max(weights, 1e-6) * scale), MOST_LIGHT));
-  float noise = log(1.0 + min(here.error * giLuminance(here.value.rgb) / scale, MOST_LIGHT));
+  float noise = log(1.0 + min(share * here.error * own / scale, MOST_LIGHT));
   float toEye = dot(N, giToEye(giViewPosition(place, here.depth)));
   v[0] = vec4(value, mean.r);
   v[1] = vec4(mean.gb, noise, here.frames / (here.frames + 8.0));

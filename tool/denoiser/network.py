@@ -18,10 +18,10 @@ WIDTHS = (8, 16, 24, 32)  # channels of the U-Net's levels
 INPUTS, FEATURES, LEVELS = 16, 4, 4
 RADIUS = 8                # reach of the filter in pixels
 LAST = 256                # frames from which nothing is filtered
-BEND, BEND_HALVED = 10, 4  # of normals, see glsl/lib/alike.glsl and glsl/denoising/signal.glsl
+BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5  # of normals, see glsl/lib/alike.glsl, glsl/denoising/signal.glsl and filter.frag
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 MOST_LIGHT = 3            # times the mean, that the network sees
-SHARP_FRAMES, LEAST_SHARE = 12, 0.67  # see glsl/denoising/filter.frag
+SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.1, 4, 12, 0.67  # see glsl/denoising/filter.frag
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
@@ -53,8 +53,9 @@ def decode(normal):
 
 def tensors(signal, slopes=None):
     """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there; slope: change
-    of light with the normal, by component and channel, see reference.slopes()."""
+    of light with the normal, by component and channel, see reference.slopes(); fitted: whether slopes are given."""
     height, width = signal.frames.shape
+    fitted = torch.full((1, 1, 1), float(slopes is not None))
     slopes = np.zeros((height, width, 3, 3)) if slopes is None else slopes
     x = (torch.arange(width) + 0.5) / width * 2 - 1
     y = (torch.arange(height) + 0.5) / height * 2 - 1
@@ -65,7 +66,7 @@ def tensors(signal, slopes=None):
     made = {name: torch.from_numpy(np.ascontiguousarray(value, np.float32)) for name, value in values.items()}
     made["ray"] = torch.stack((x[None, :].expand(height, width) / scale[0], y[:, None].expand(height, width) / scale[1]))
     made["angle"] = (2 / (width * scale[0])).reshape(1, 1, 1)
-    return made
+    return {**made, "fitted": fitted}
 
 
 def surfaces(batch):
@@ -124,17 +125,20 @@ def inputs(batch):
     """What the network gets: for each pixel, and their means over the surfaces of blocks of 2x2 pixels."""
     exists, light, frames = batch["exists"], batch["light"], batch["frames"]
     scale = scales(batch)
-    near, weights_near = 0, 0
+    near, weights_near, bright = 0, 0, luminance(light)
+    brightest = torch.full_like(bright, -1)
     for (x, y), alike in zip(OFFSETS, similarities(batch, 1)):
         weight = alike * moved(frames, x, y)
         near, weights_near = near + weight * moved(light, x, y), weights_near + weight
+        if x or y:
+            brightest = torch.where(weight > 0, torch.maximum(brightest, moved(bright, x, y)), brightest)
+    share = torch.where(brightest < 0, torch.ones_like(bright), (brightest / bright.clamp(min=1e-20)).clamp(max=1))
     edge = sum((1 - (batch["direction"] * moved(batch["direction"], x, y)).sum(1, keepdim=True).clamp(0, 1)) *
                moved(exists, x, y) for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1)))
     depth = torch.where(exists > 0, batch["depth"], torch.full_like(exists, -1))
     changes = [DEPTH_CHANGE * (moved(batch["depth"], x, y) / depth - 1).clamp(-1, 1) * moved(exists, x, y)
                for x, y in ((1, 0), (0, 1))]
-    noise = batch["error"] * luminance(light)
-    lights = light, near / weights_near.clamp(min=1e-6), noise
+    lights = share * light, near / weights_near.clamp(min=1e-6), share * batch["error"] * bright
     values = [*(torch.log1p((value / scale).clamp(max=MOST_LIGHT)) for value in lights), frames / (frames + 8),
               batch["direction"], batch["toward"], edge, exists, *changes]
     single = torch.cat(values, 1) * exists
@@ -177,11 +181,12 @@ def turned(batch, x, y):
     return ((here - moved(here, x, y))[:, :, None] * slope).sum(1)
 
 
-def filtered(batch, reach, weigh, levels=LEVELS):
+def filtered(batch, reach, weigh, levels=LEVELS, most_bend=torch.inf):
     """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
-    frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown."""
+    frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown. most_bend:
+    see MOST_BEND."""
     light, frames = batch["light"], batch["frames"]
-    bend = BEND * (1 + (frames - 1).clamp(min=0) / BEND_HALVED)
+    bend = BEND * torch.minimum(1 + (frames - 1).clamp(min=0) / BEND_HALVED, torch.as_tensor(most_bend))
     noise = batch["error"] * luminance(light)
     for level in range(levels):
         step = 2 ** level
@@ -246,9 +251,10 @@ class Denoiser(nn.Module):
             bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
                                     (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
             least = torch.minimum(frames, moved(frames, x, y)).clamp(min=1)
-            sharpness = sharpness * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
+            sharpness = torch.minimum(sharpness, SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES)) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
-        return filtered(batch, fade(frames, 1e9), weigh)
+        most_bend = torch.where(batch["fitted"] > 0, MOST_BEND, torch.inf)
+        return filtered(batch, fade(frames, 1e9), weigh, most_bend=most_bend)
 
     def layers(self):
         """Convolutions by their names in the file."""

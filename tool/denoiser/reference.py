@@ -5,9 +5,9 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-SHARP_FRAMES, LEAST_SHARE = 12, 0.67
+SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.1, 4, 12, 0.67
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
-BEND, BEND_HALVED = 10, 4
+BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
 RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
 KERNEL = 0.5, 0.25
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
@@ -112,17 +112,21 @@ def inputs(signal, surfaces):
     height, width = exists.shape
     luminance = light @ LUMINANCE
     scale = enlarged(block_scales(luminance, exists)[..., None], height, width)
-    near, total = np.zeros_like(light), np.zeros_like(scale)
+    near, total, brightest = np.zeros_like(light), np.zeros_like(scale), np.full_like(luminance, -1)
     for x, y in OFFSETS:
         weight = (surfaces.similarity(x, y, 1) * moved(surfaces.frames, x, y))[..., None]
         near, total = near + weight * moved(light, x, y), total + weight
+        if x or y:
+            brightest = np.maximum(brightest, np.where(weight[..., 0] > 0, moved(luminance, x, y), -1))
+    share = np.where(brightest < 0, 1, np.minimum(brightest / np.maximum(luminance, 1e-20), 1))[..., None]
     sides = ((1, 0), (-1, 0), (0, 1), (0, -1))
     edge = sum((1 - np.clip((surfaces.direction * moved(surfaces.direction, x, y)).sum(-1), 0, 1)) * moved(exists, x, y)
                for x, y in sides)
     depth = np.where(exists, surfaces.depth, -1)
     changes = [16 * np.clip(moved(surfaces.depth, x, y) / depth - 1, -1, 1) * moved(exists, x, y) for x, y in ((1, 0), (0, 1))]
     near = near / np.maximum(total, 1e-6)
-    lights = [np.log1p(np.minimum(value / scale, MOST_LIGHT)) for value in (light, near, (signal.error * luminance)[..., None])]
+    lights = [np.log1p(np.minimum(value / scale, MOST_LIGHT)) for value in
+              (share * light, near, share * (signal.error * luminance)[..., None])]
     single = np.concatenate((*lights,
                              (surfaces.frames / (surfaces.frames + 8))[..., None], surfaces.direction,
                              np.stack((surfaces.toward, edge, np.ones_like(edge), *changes), -1)), -1) * exists[..., None]
@@ -233,7 +237,8 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
     features, bandwidths, sharpnesses = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
-    bend = BEND * (1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED)
+    bend = 1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED
+    bend = BEND * (np.minimum(bend, MOST_BEND) if still else bend)
     slope = slopes(signal, surfaces) if still else np.zeros((*reach.shape, 3, 3))
 
     def turned(far):
@@ -248,7 +253,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
-            sharpness = sharpness * np.clip(SHARP_FRAMES / least, LEAST_SHARE, 1)
+            sharpness = np.minimum(sharpness, SHARPNESS_PER_FRAME * np.maximum(least, FEWEST_FRAMES)) * np.clip(SHARP_FRAMES / least, LEAST_SHARE, 1)
             apart = ((moved(features, *far) - features) ** 2).sum(-1)
             both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))
             other = (moved(light, *far) + turned(far)) @ LUMINANCE

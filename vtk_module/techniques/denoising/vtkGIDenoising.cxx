@@ -151,13 +151,12 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
   {
     variant["GI_JOINT"] = "1";
   }
-  Defines packing = variant;
   if (manner.OwnSurface)
   {
-    packing["GI_OWN_SURFACE"] = "1";
+    variant["GI_OWN_SURFACE"] = "1";
   }
   current.Bind(context);
-  context.DrawBound("denoising/pack.frag", packing,
+  context.DrawBound("denoising/pack.frag", variant,
     Arguments()
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
