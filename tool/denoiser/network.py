@@ -251,7 +251,8 @@ class Denoiser(nn.Module):
             bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
                                     (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
             least = torch.minimum(frames, moved(frames, x, y)).clamp(min=1)
-            sharpness = torch.minimum(sharpness, SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES)) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
+            sharpness = torch.minimum(sharpness, SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES))
+            sharpness = sharpness * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
         most_bend = torch.where(batch["fitted"] > 0, MOST_BEND, torch.inf)
         return filtered(batch, fade(frames, 1e9), weigh, most_bend=most_bend)
