@@ -38,10 +38,10 @@ const float TOLERANCE = 5.0; // features spare what stands out, so more may be a
 const float TOLERANCE = 3.25;
 #endif
 
-// How much the network may make standard deviations count, per frame. Few frames may agree by chance and then seem to have little
-// noise: walls would get dots.
-const float SHARPNESS_PER_FRAME = 0.1;
-const float FEWEST_FRAMES = 4.0; // from which the frames of a mean tell its noise
+// How much the network may make standard deviations count in still frames, per frame. Few frames may agree by chance and then seem
+// to have little noise: walls would get dots. The regression spares what this blurs; while the camera moves there is none.
+const float SHARPNESS_PER_FRAME = 0.05;
+const float FEWEST_FRAMES = 8.0; // from which the frames of a mean tell its noise
 
 // Number of frames up to which standard deviations count as the network says, and their share after many. Otherwise what stands out
 // of a mean by chance stays for long, and still pictures flicker more than without the network.
@@ -168,8 +168,11 @@ void main()
     weight *= exp(-counts.x * dot(apart, apart));
 #ifndef GI_OWN_SURFACE
     float least = min(signal.frames, other.frames);
-    float most = SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES);
-    sharpness = min(counts.y, most) * clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
+    sharpness = counts.y;
+#ifdef GI_SLOPES
+    sharpness = min(sharpness, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
+#endif
+    sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
 #endif
 #endif
 #ifdef GI_LIGHT

@@ -21,7 +21,7 @@ LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5  # of normals, see glsl/lib/alike.glsl, glsl/denoising/signal.glsl and filter.frag
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 MOST_LIGHT = 3            # times the mean, that the network sees
-SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.1, 4, 12, 0.67  # see glsl/denoising/filter.frag
+SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67  # see glsl/denoising/filter.frag
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
 KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
@@ -244,17 +244,17 @@ class Denoiser(nn.Module):
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
         features, bandwidths, sharpnesses = self.guides(batch)
-        frames = batch["frames"]
+        frames, fitted = batch["frames"], batch["fitted"] > 0
 
         def weigh(level, x, y, guided):
             apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
             bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
                                     (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
             least = torch.minimum(frames, moved(frames, x, y)).clamp(min=1)
-            sharpness = torch.minimum(sharpness, SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES))
-            sharpness = sharpness * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
+            most = torch.where(fitted, SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES), torch.inf)
+            sharpness = torch.minimum(sharpness, most) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
-        most_bend = torch.where(batch["fitted"] > 0, MOST_BEND, torch.inf)
+        most_bend = torch.where(fitted, MOST_BEND, torch.inf)
         return filtered(batch, fade(frames, 1e9), weigh, most_bend=most_bend)
 
     def layers(self):

@@ -5,7 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.1, 4, 12, 0.67
+SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
 RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
@@ -253,7 +253,8 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
-            sharpness = np.minimum(sharpness, SHARPNESS_PER_FRAME * np.maximum(least, FEWEST_FRAMES))
+            if still:
+                sharpness = np.minimum(sharpness, SHARPNESS_PER_FRAME * np.maximum(least, FEWEST_FRAMES))
             sharpness = sharpness * np.clip(SHARP_FRAMES / least, LEAST_SHARE, 1)
             apart = ((moved(features, *far) - features) ** 2).sum(-1)
             both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))
