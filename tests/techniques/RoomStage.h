@@ -91,6 +91,20 @@ protected:
       this->AddBox(0.5 * thickness, 2.0, -1.0, 1.0, -1.0, 1.0, 0.7) };
   }
 
+  /// A square of hills around the z axis.
+  void AddHills(int points, double z, double height, double frequency)
+  {
+    const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, points, z);
+    for (vtkIdType i = 0; i < hills->GetNumberOfPoints(); ++i)
+    {
+      std::array<double, 3> p;
+      hills->GetPoint(i, p.data());
+      p[2] += height * std::sin(frequency * p[0]) * std::sin(frequency * p[1]);
+      hills->GetPoints()->SetPoint(i, p.data());
+    }
+    Paint(this->Scene.Add(hills.Get()), 0.7);
+  }
+
   /// Place the camera, with the z axis up.
   void LookFrom(double x, double y, double z, double atX, double atY, double atZ)
   {

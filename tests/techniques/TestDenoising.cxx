@@ -64,20 +64,6 @@ protected:
     return share;
   }
 
-  /// A square of hills around the z axis.
-  void AddHills(int points, double z, double height, double frequency)
-  {
-    const vtkSmartPointer<vtkPolyData> hills = GridAround(1.0, points, z);
-    for (vtkIdType i = 0; i < hills->GetNumberOfPoints(); ++i)
-    {
-      std::array<double, 3> p;
-      hills->GetPoint(i, p.data());
-      p[2] += height * std::sin(frequency * p[0]) * std::sin(frequency * p[1]);
-      hills->GetPoints()->SetPoint(i, p.data());
-    }
-    Paint(this->Scene.Add(hills.Get()), 0.7);
-  }
-
   /// A floor of hills, whose slopes are a few pixels long.
   void AddFineHills()
   {
@@ -111,7 +97,7 @@ TEST_F(Denoising, SparesFineSlopesInTheEnd)
   // 1.4 if the normals of neighbours could differ as much as in the first frame
   EXPECT_LT(this->ErrorLeft(64, 500), 0.8);
   this->Filter->SetParameterFromText("method", "neural");
-  EXPECT_LT(this->ErrorLeft(64, 500), 0.65);
+  EXPECT_LT(this->ErrorLeft(64, 500), 0.55); // 0.58 if normals counted as without the network
 }
 
 // The filter preserves variation of light with the normal.
