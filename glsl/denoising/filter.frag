@@ -1,5 +1,5 @@
 #version 430 core
-// One level of an a-trous filter: the mean of nine samples on the same surface (Dammertz, Sewtz, Hanika and Lensch 2010,
+// One level of an a-trous filter: the mean of samples on the same surface (Dammertz, Sewtz, Hanika and Lensch 2010,
 // Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering). Samples of light weigh by their number of
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
@@ -32,11 +32,11 @@ uniform int step;
 uniform int sharing; // number of pixels that share a sample in one frame
 
 // Standard deviations of a difference after which a sample's weight falls to 1 / e.
-#if defined(GI_GUIDED) && defined(GI_OWN_SURFACE)
-const float TOLERANCE = 5.0; // features spare what stands out, so more may be averaged
-#else
 const float TOLERANCE = 3.25;
-#endif
+
+// How much features count in light of paths, times as much as the network says: a path that finds a bright lamp by chance stays a
+// small spot. Standard deviations count as without the network there.
+const float FEATURES_OF_PATHS = 1.4;
 
 // How much the network may make standard deviations count in still frames, per frame. Few frames may agree by chance and then seem
 // to have little noise: walls would get dots. The regression spares what this blurs; while the camera moves there is none.
@@ -51,6 +51,9 @@ const float LEAST_SHARE = 0.67;
 // Most that normals count, times as much as in a first frame, where a regression on normals and features of a network spare what
 // normals explain.
 const float MOST_BEND = 1.5;
+
+// Relative noise of paths from which normals count as in a first frame: what they change is less.
+const float MUCH_NOISE = 0.2;
 
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
@@ -94,6 +97,13 @@ mat3 slopeAt(vec2 place)
 }
 #endif
 
+// Weight of a sample by its distance along an axis: a spline, as levels of equal weights would leave patterns of dots. farthest: the
+// greatest distance, 1 or 2 samples.
+float kernelAt(int distance, int farthest)
+{
+  return farthest == 1 ? 0.5 - 0.25 * float(distance) : float[](0.375, 0.25, 0.0625)[distance];
+}
+
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -127,7 +137,9 @@ void main()
   vec4 known = vec4(0.0);
 #ifdef GI_LIGHT
   float bend = giBend(signal.frames);
-#if defined(GI_GUIDED) && defined(GI_SLOPES)
+#ifdef GI_OWN_SURFACE
+  bend = clamp(MUCH_NOISE * MUCH_NOISE / max(signal.error * signal.error, 1e-6), 1.0, bend);
+#elif defined(GI_GUIDED) && defined(GI_SLOPES)
   bend = min(bend, MOST_BEND);
 #endif
   here.bend *= bend;
@@ -145,17 +157,24 @@ void main()
   mat3 slope = slopeAt(gl_FragCoord.xy);
   vec3 N = giDecodeOctahedral(signal.normal);
 #endif
-  for (int i = 0; i < 9; ++i)
+#ifdef GI_OWN_SURFACE
+  int farthest = step == 1 ? 2 : 1; // most noise is left where surfaces are a few pixels wide
+#else
+  const int farthest = 1;
+#endif
+  int width = 2 * farthest + 1;
+  int last = width * width - 1;
+  for (int i = 0; i <= last; ++i)
   {
-    ivec2 offset = ivec2(i % 3, i / 3) - 1;
+    ivec2 offset = ivec2(i % width, i / width) - farthest;
     ivec2 at = pixel + step * offset;
     if (any(lessThan(at, low)) || any(greaterThan(at, high)))
     {
       continue;
     }
     GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
-    vec2 kernel = mix(vec2(0.5), vec2(0.25), notEqual(offset, ivec2(0)));
-    float weight = kernel.x * kernel.y * other.frames * giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+    float weight = kernelAt(abs(offset.x), farthest) * kernelAt(abs(offset.y), farthest) * other.frames;
+    weight *= giSimilarity(here, vec2(step * offset), other.depth, other.normal);
     if (weight == 0.0)
     {
       continue;
@@ -165,8 +184,9 @@ void main()
     // Symmetric: if a bright pixel took from neighbours that refuse its own sample, the picture would lose light.
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
     vec4 apart = texelFetch(featureTexture, at, 0) - features;
-    weight *= exp(-counts.x * dot(apart, apart));
-#ifndef GI_OWN_SURFACE
+#ifdef GI_OWN_SURFACE
+    counts.x *= FEATURES_OF_PATHS;
+#else
     float least = min(signal.frames, other.frames);
     sharpness = counts.y;
 #ifdef GI_SLOPES
@@ -174,6 +194,7 @@ void main()
 #endif
     sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
 #endif
+    weight *= exp(-counts.x * dot(apart, apart));
 #endif
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);
@@ -193,7 +214,7 @@ void main()
     change += weight * (texelFetch(values, at, 0) + vec4(turned, 0.0) - own);
 #endif
 #endif
-    changes[min(min(i, 8 - i), DIRECTIONS - 1)] += weight * (other.value - signal.value);
+    changes[min(min(i, last - i), DIRECTIONS - 1)] += weight * (other.value - signal.value);
     weights += weight;
 #ifndef GI_LIGHT
     // A penumbra reaches pixels whose own ray missed the occluder.

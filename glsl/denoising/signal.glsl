@@ -18,6 +18,8 @@ uniform float radius; // the greatest reach, in pixels
 // Frames after which the reach of light is half, and nothing. That filter spares what stands out of the noise, so it may last.
 #ifdef GI_GUIDED
 const float LIGHT_HALVED = 1e9;
+#elif defined(GI_OWN_SURFACE)
+const float LIGHT_HALVED = 48.0;
 #else
 const float LIGHT_HALVED = 32.0;
 #endif

@@ -4,7 +4,8 @@ layout(binding = 1) uniform sampler2D sumEncoded;
 layout(binding = 3) uniform sampler2D sumUnlit;
 layout(binding = 4) uniform sampler2D sumAlbedo;
 #ifdef GI_FILTERED
-layout(binding = 7) uniform sampler2D sumOwn;
+layout(binding = 7) uniform sampler2D sumCertain;
+layout(binding = 8) uniform sampler2D sumFine;
 #endif
 #ifdef GI_VISIBLE_SKY
 #include "lib/sky.glsl"
@@ -49,12 +50,25 @@ vec3 giMeanColor(ivec2 pixel)
   return max(albedo.rgb / max(albedo.a, 1.0), 0.02);
 }
 
-// What the lit surfaces reflect to the eye.
+// What lit surfaces show without chance, see path_tracing/certain.comp.
+vec3 giMeanCertain(ivec2 pixel, GiLit lit)
+{
+  vec4 certain = texelFetch(sumCertain, pixel, 0);
+  return giMeanOf(certain.rgb * (samples / max(certain.a, 1.0)), lit.shownCount + lit.encodedCount);
+}
+
+// The same at more points, as a difference; 0 where light is broken.
+vec3 giFineDifference(ivec2 pixel, GiLit lit)
+{
+  vec4 fine = texelFetch(sumFine, pixel, 0);
+  vec3 difference = fine.rgb / max(fine.a, 1.0) - giMeanCertain(pixel, lit);
+  return fine.a > 0.0 && !any(isnan(difference)) && !any(isinf(difference)) ? difference : vec3(0.0);
+}
+
+// What they show by chance.
 vec3 giMeanReflected(ivec2 pixel, GiLit lit)
 {
-  vec4 own = texelFetch(sumOwn, pixel, 0);
-  float count = lit.shownCount + lit.encodedCount;
-  return giMeanOf(lit.shown + lit.encoded - own.rgb * (samples / max(own.a, 1.0)), count);
+  return max(giMeanOf(lit.shown + lit.encoded, lit.shownCount + lit.encodedCount) - giMeanCertain(pixel, lit), 0.0);
 }
 
 // Mean light on them.

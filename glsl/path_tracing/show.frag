@@ -7,6 +7,8 @@ layout(binding = 2) uniform sampler2D colorTexture;
 layout(binding = 6) uniform sampler2D pathLight;
 #endif
 
+const float LAST = 256.0; // samples from which the mean is shown as it is, as by the filter
+
 layout(location = 0) out vec4 color;
 #ifdef GI_LIT_PARTS
 layout(location = 1) out vec4 secondPart;
@@ -16,7 +18,8 @@ layout(location = 1) out vec4 secondPart;
 vec3 addedTo(ivec2 pixel, GiLit lit)
 {
 #ifdef GI_FILTERED
-  return (texelFetch(pathLight, pixel, 0).rgb - giMeanLight(pixel, lit)) * giMeanColor(pixel);
+  vec3 filtered = (texelFetch(pathLight, pixel, 0).rgb - giMeanLight(pixel, lit)) * giMeanColor(pixel);
+  return filtered + clamp(2.0 - 2.0 * samples / LAST, 0.0, 1.0) * giFineDifference(pixel, lit);
 #else
   return vec3(0.0);
 #endif

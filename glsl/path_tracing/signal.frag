@@ -12,7 +12,7 @@ uniform mat3 viewToScene;
 const float LEAST = 4.0;         // samples from which the error is known
 const float LEAST_ERROR = 1e-3;  // 0 would mean that it is unknown
 const float MOST_ERROR = 0.99;
-const float STRATIFIED = 0.5;    // points are spread more evenly than the independent ones that the estimate assumes
+const float STRATIFIED = 0.8;    // points are spread more evenly than the independent ones that the estimate assumes
 const float BRIGHTEST = 6e4;     // what half floats hold; brighter light is not filtered
 
 layout(location = 0) out vec4 light;
@@ -35,8 +35,11 @@ void main()
   light.a = count + (count >= LEAST ? errorOf(pixel, lit) : 0.0);
   vec4 normals = texelFetch(sumNormal, pixel, 0);
   vec3 normal = transpose(viewToScene) * normals.xyz;
-  bool exists = count > 0.0 && dot(normal, normal) > 0.0 && all(lessThan(light.rgb, vec3(BRIGHTEST)));
-  float z = -normals.w / max(texelFetch(sumAlbedo, pixel, 0).a, 1.0);
+  // Black surfaces would mislead a regression.
+  vec4 albedo = texelFetch(sumAlbedo, pixel, 0);
+  bool reflects = any(greaterThan(albedo.rgb + light.rgb, vec3(0.0)));
+  bool exists = count > 0.0 && reflects && dot(normal, normal) > 0.0 && all(lessThan(light.rgb, vec3(BRIGHTEST)));
+  float z = -normals.w / max(albedo.a, 1.0);
   vec2 clip = vec2(view.ViewToClip[2].z, view.ViewToClip[2].w) * z + vec2(view.ViewToClip[3].z, view.ViewToClip[3].w);
   surface = exists ? vec4(giEncodeOctahedral(normalize(normal)), 0.5 * clip.x / clip.y + 0.5, 1.0) : vec4(0.0);
 }

@@ -102,6 +102,23 @@ protected:
     EXPECT_LE(worst, tolerance);
   }
 
+  /// Whether a pixel and its neighbours show the same. Pixels at edges show two surfaces, as the eye's rays happen to meet them.
+  template <typename Condition>
+  static bool ShowsAround(const Values& picture, std::size_t pixel, Condition shows)
+  {
+    const int x = static_cast<int>(pixel) % Width;
+    const int y = static_cast<int>(pixel) / Width;
+    bool all = true;
+    for (int i = std::max(y - 1, 0); i <= std::min(y + 1, Height - 1); ++i)
+    {
+      for (int j = std::max(x - 1, 0); j <= std::min(x + 1, Width - 1); ++j)
+      {
+        all = all && shows(picture[static_cast<std::size_t>(i * Width + j)]);
+      }
+    }
+    return all;
+  }
+
   vtkProperty* Panel = nullptr;
   vtkNew<vtkLight> LeftLamp;
 };
@@ -164,9 +181,9 @@ TEST_F(DenoisedPathsHostile, BrokenLightStaysWhereItIs)
         const Values plain = this->Draw("", Few);
         const Values picture = this->Draw(method, Few);
         std::printf("%s, a %s of %g: ", method, lamp ? "lamp" : "panel", value);
-        // The network sees what is around a pixel.
+        // The network sees what is around a pixel; so does the regression on normals, in tiles.
         const bool guided = std::string(method) == "neural";
-        ExpectOnlyTheLeftYard(picture, good, plain, guided ? 0.003 : 0.0);
+        ExpectOnlyTheLeftYard(picture, good, plain, guided ? 0.003 : 2e-4);
         if (value != 1e38) // whose sums overflow
         {
           EXPECT_NEAR(Mean(picture), Mean(plain), 0.05 * Mean(plain));
@@ -220,15 +237,15 @@ TEST_F(DenoisedPathsHostile, EvenLightStays)
     double block = 0.0;
     for (std::size_t i = 0; i < picture.size(); ++i)
     {
-      const bool isWall = std::abs(plain[i] - 0.5) < 1e-4;
-      const bool isBlock = plain[i] < 0.32; // other pixels show both
+      const bool isWall = ShowsAround(plain, i, [](double v) { return std::abs(v - 0.5) < 1e-4; });
+      const bool isBlock = ShowsAround(plain, i, [](double v) { return v < 0.32; });
       wall = std::max(wall, isWall ? std::abs(picture[i] - 0.5) : 0.0);
       block = std::max(block, isBlock ? std::abs(picture[i] - 0.3) : 0.0);
     }
     std::printf("%s: walls within %.5f of 0.5, block within %.4f of 0.3; mean %.5f of %.5f\n",
       method, wall, block, Mean(picture), Mean(plain));
-    EXPECT_LT(wall, 0.003);
-    EXPECT_LT(block, 0.023);
+    EXPECT_LT(wall, 1e-4);
+    EXPECT_LT(block, 0.012);
     EXPECT_NEAR(Mean(picture), Mean(plain), 1e-3 * Mean(plain));
   }
 }

@@ -319,12 +319,14 @@ class Traced(command.CommandTest):
 
     def test_denoises(self):
         self.trace("noisy.exr", 4)
-        self.trace("smooth.exr", 4, "--denoise", notes=["network was compiled"])
+        self.trace("smooth.exr", 4, "--denoise")
+        self.trace("guided.exr", 4, "--denoise", "--set", "denoising.method=neural", notes=["network was compiled"])
         header = (self.folder / "smooth.exr").read_bytes()[:2000]
         for layer in (b"noisy.R", b"noisy.G", b"noisy.B"):
             self.assertIn(layer + b"\0", header)
-        ended = self.succeeds("compare", "noisy.exr", "smooth.exr", "--json")
-        self.assertGreater(json.loads(ended.stdout)["maximum"], 0)
+        for one, other in (("noisy", "smooth"), ("noisy", "guided"), ("smooth", "guided")):
+            ended = self.succeeds("compare", one + ".exr", other + ".exr", "--json")
+            self.assertGreater(json.loads(ended.stdout)["maximum"], 0)
         self.refused("render", self.scene(SCENE), "-o", "out.png", "--denoise", says="--denoise is for the path tracer", status=2)
 
     def test_formats_without_layers(self):

@@ -97,8 +97,7 @@ struct Manner
   bool OwnSurface;  ///< whether the surfaces are not the frame's
   int Show = Off;   ///< what is to be shown of the signal
   GuideNetwork* Network = nullptr; ///< that guides the filter
-  /// Whether the filter preserves variation of light with the normal. It increases the error while the camera moves, and on the
-  /// mean surfaces of paths.
+  /// Whether the filter preserves variation of light with the normal. It increases the error while the camera moves.
   bool FitsNormals = false;
   /// Resource that guides the filter of the frame's own values, see NoisyResource; nullptr: none.
   const char* Mean = nullptr;
@@ -306,7 +305,7 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame)
       AddFilter(frame, noisy,
         { this->Radius, averaged / sharing, sharing, kind, noisy.Surface != nullptr, shown,
           noisy.Light ? this->FindNetwork(frame) : nullptr,
-          noisy.Light && !noisy.Surface && frame.GetView().StillFrames > 0, mean });
+          noisy.Light && (noisy.Surface || frame.GetView().StillFrames > 0), mean });
     }
   }
 }
