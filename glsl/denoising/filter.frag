@@ -97,8 +97,8 @@ mat3 slopeAt(vec2 place)
 }
 #endif
 
-// Weight of a sample by its distance along an axis: a spline, as levels of equal weights would leave patterns of dots. farthest: the
-// greatest distance, 1 or 2 samples.
+// Weight of a sample by its distance along an axis: a spline, as levels of equal weights would leave patterns of dots.
+// farthest: the greatest distance, 1 or 2 samples.
 float kernelAt(int distance, int farthest)
 {
   return farthest == 1 ? 0.5 - 0.25 * float(distance) : float[](0.375, 0.25, 0.0625)[distance];

@@ -18,8 +18,6 @@
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 
-#include <cstdint>
-
 vtkStandardNewMacro(vtkGIPathTracing);
 
 using namespace penumbra;
@@ -52,13 +50,15 @@ constexpr int MostCertainAtOnce = 16;
 
 // Jitter of a sample, in pixels: Sobol's (0, 2)-sequence (1967). The digital shift by 0.1010... puts points into the middle of
 // their strata, whatever the number of samples; the error of edges with 16 samples is 0.6 of that of Halton's sequence.
-// Directions are points of the same sequence, but in another order in each pixel.
-glm::dvec2 SampleShift(int index)
+// Other seeds shift otherwise, so that the mean of their pictures has smooth edges. Directions are points of the same sequence, but
+// in another order in each pixel.
+glm::dvec2 SampleShift(int index, int seed)
 {
-  constexpr std::uint32_t shift = 0xaaaaaaaaU;
-  glm::u32vec2 point(0U);
-  glm::u32vec2 columns(1U << 31U);
-  for (auto digits = static_cast<std::uint32_t>(index); digits != 0U; digits >>= 1U)
+  const glm::uvec2 shift =
+    0xaaaaaaaaU ^ (static_cast<unsigned>(seed) * glm::uvec2(0x9e3779b9U, 0x85ebca6bU));
+  glm::uvec2 point(0U);
+  glm::uvec2 columns(1U << 31U);
+  for (auto digits = static_cast<unsigned>(index); digits != 0U; digits >>= 1U)
   {
     point ^= (digits & 1U) * columns;
     columns = { columns.x >> 1U, columns.y ^ (columns.y >> 1U) };
@@ -112,7 +112,7 @@ struct penumbra::PathTracer
     FrameContext& context, int sampleIndex, int seed, int samples, bool earlier) const
   {
     const glm::dvec2 jitter = context.GetView().Jitter;
-    const glm::vec2 shift = earlier ? jitter - SampleShift(sampleIndex) : glm::dvec2(0.0);
+    const glm::vec2 shift = earlier ? jitter - SampleShift(sampleIndex, seed) : glm::dvec2(0.0);
     this->Trace(context, "path_tracing/certain.comp", sampleIndex, seed,
       Arguments()
         .Set("certainSamples", samples)
@@ -334,7 +334,8 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
       static_cast<int>(resumed->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
   }
   PathTracer tracer = { &rays, &frame.Lights(), {} };
-  ShiftStillFrame(frame, SampleShift(this->IsFinished(progress) ? 0 : progress.Samples));
+  ShiftStillFrame(
+    frame, SampleShift(this->IsFinished(progress) ? 0 : progress.Samples, this->Seed));
   auto& pass = frame.AddPass("path-trace");
   for (std::size_t i = 0; i < tracer.Sums.size(); ++i)
   {
