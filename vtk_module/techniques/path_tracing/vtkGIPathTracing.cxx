@@ -48,14 +48,15 @@ constexpr std::array<const char*, CertainCount> CertainNames = { { "path-tracing
 constexpr std::array<const char*, CertainCount> CertainImages = { { "sumCertain", "sumFine" } };
 constexpr int MostCertainAtOnce = 16;
 
+// Number of samples after which neither these values nor the filter change the picture.
+constexpr int LastFiltered = 256;
+
 // Jitter of a sample, in pixels: Sobol's (0, 2)-sequence (1967). The digital shift by 0.1010... puts points into the middle of
 // their strata, whatever the number of samples; the error of edges with 16 samples is 0.6 of that of Halton's sequence.
-// Other seeds shift otherwise, so that the mean of their pictures has smooth edges. Directions are points of the same sequence, but
-// in another order in each pixel.
-glm::dvec2 SampleShift(int index, int seed)
+// Directions are points of the same sequence, but in another order in each pixel.
+glm::dvec2 SampleShift(int index)
 {
-  const glm::uvec2 shift =
-    0xaaaaaaaaU ^ (static_cast<unsigned>(seed) * glm::uvec2(0x9e3779b9U, 0x85ebca6bU));
+  constexpr unsigned shift = 0xaaaaaaaaU;
   glm::uvec2 point(0U);
   glm::uvec2 columns(1U << 31U);
   for (auto digits = static_cast<unsigned>(index); digits != 0U; digits >>= 1U)
@@ -112,7 +113,7 @@ struct penumbra::PathTracer
     FrameContext& context, int sampleIndex, int seed, int samples, bool earlier) const
   {
     const glm::dvec2 jitter = context.GetView().Jitter;
-    const glm::vec2 shift = earlier ? jitter - SampleShift(sampleIndex, seed) : glm::dvec2(0.0);
+    const glm::vec2 shift = earlier ? jitter - SampleShift(sampleIndex) : glm::dvec2(0.0);
     this->Trace(context, "path_tracing/certain.comp", sampleIndex, seed,
       Arguments()
         .Set("certainSamples", samples)
@@ -334,8 +335,7 @@ void vtkGIPathTracing::Contribute(FrameBuilder& frame)
       static_cast<int>(resumed->GetFieldData()->GetArray("samples")->GetComponent(0, 0));
   }
   PathTracer tracer = { &rays, &frame.Lights(), {} };
-  ShiftStillFrame(
-    frame, SampleShift(this->IsFinished(progress) ? 0 : progress.Samples, this->Seed));
+  ShiftStillFrame(frame, SampleShift(this->IsFinished(progress) ? 0 : progress.Samples));
   auto& pass = frame.AddPass("path-trace");
   for (std::size_t i = 0; i < tracer.Sums.size(); ++i)
   {
@@ -398,7 +398,8 @@ void vtkGIPathTracing::AddSignal(FrameBuilder& frame, const PathTracer& tracer, 
       progress.CertainSamples = tracer.Certain[0]->Written ? progress.CertainSamples : 0;
       const bool isNew = progress.CertainSamples == 0;
       const int end = isNew ? std::min(progress.Samples, MostCertainAtOnce) : progress.Samples;
-      for (int i = isNew ? 0 : end - 1; (isNew || progress.Traced) && i < end; ++i)
+      const bool more = progress.Traced && progress.Samples <= LastFiltered;
+      for (int i = isNew ? 0 : end - 1; (isNew || more) && i < end; ++i)
       {
         const bool earlier = !progress.Traced || i < progress.Samples - 1;
         tracer.TraceCertain(context, i, this->Seed, progress.CertainSamples++, earlier);
