@@ -12,7 +12,7 @@ uniform mat3 viewToScene;
 const float LEAST = 4.0;         // samples from which the error is known
 const float LEAST_ERROR = 1e-3;  // 0 would mean that it is unknown
 const float MOST_ERROR = 0.99;
-const float STRATIFIED = 0.8;    // points are spread more evenly than the independent ones that the estimate assumes
+const float STRATIFIED = 0.85;   // points are spread more evenly than the independent ones that the estimate assumes
 const float BRIGHTEST = 6e4;     // what half floats hold; brighter light is not filtered
 
 layout(location = 0) out vec4 light;
