@@ -27,7 +27,6 @@ layout(rgba32f, binding = 1) uniform image2D sumFine;    // rgb at more points o
 
 uniform int sampleIndex;    // of the path
 uniform int certainSamples; // number of samples in the sums
-uniform int seedOfAll;
 uniform vec2 shift;         // of the path from the pixel's centre, in pixels
 uniform vec2 jitter;        // of the frame, in pixels
 
@@ -82,8 +81,7 @@ void main()
     return;
   }
   bool more = certainSamples > 0;
-  seed = giHash(uint(window.x) + (uint(window.y) << 16) + uint(seedOfAll) * 0x9e3779b9u);
-  uint state = giHash(seed ^ giHash(uint(sampleIndex))); // that of the path
+  uint state = startPath(window, sampleIndex);
   vec4 certain = vec4(certainAt(window, shift, state).rgb, 1.0);
   imageStore(sumCertain, window, certain + (more ? imageLoad(sumCertain, window) : vec4(0.0)));
   vec4 fine = more ? imageLoad(sumFine, window) : vec4(0.0);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The first surface that the eye sees through a point of a pixel. Needs shared/view.h, shared/material.h, lib/reconstruct.glsl,
-// rays/passage.glsl and `eye`. Variants: GI_RAY_EDGES (some surfaces show the edges of their cells).
+// The first surface that the eye sees through a point of a pixel, and the random numbers of the path from there. Needs
+// shared/view.h, shared/material.h, lib/reconstruct.glsl and path_tracing/paths.glsl. Variants: GI_RAY_EDGES (some surfaces show the
+// edges of their cells).
 #ifdef GI_RAY_EDGES
 #include "path_tracing/edges.glsl"
 #endif
@@ -10,9 +11,18 @@ layout(binding = 1) uniform sampler2D normalTexture;
 layout(binding = 2) uniform sampler2D depthTexture;
 
 uniform mat3 viewToScene;
+uniform int seedOfAll;
 uniform float drawnReach; // share of the distance to a line or point within which a surface hides it
 
 const float DEPTH_ERROR = 2.5e-7; // of a 24-bit depth buffer
+
+// Start the random numbers of a path. Returns their state.
+uint startPath(ivec2 window, int number)
+{
+  seed = giHash(uint(window.x) + (uint(window.y) << 16) + uint(seedOfAll) * 0x9e3779b9u);
+  sampleNumber = number;
+  return giHash(seed ^ giHash(uint(number)));
+}
 
 // Whether the rasterizer drew a prop that it captured at the pixel's centre.
 bool drawnAt(ivec2 window)

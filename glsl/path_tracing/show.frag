@@ -1,12 +1,14 @@
 #version 430 core
 // Mean of the samples so far. Variants: GI_RADIANCE (linear radiance, not the colour for display), GI_LIT_PARTS
 // (resource::LitShown and LitEncoded), GI_FILTERED (with resource::PathLight), and those of path_tracing/means.glsl.
+#include "lib/filter_reach.glsl"
 #include "path_tracing/means.glsl"
 layout(binding = 2) uniform sampler2D colorTexture;
 #ifdef GI_FILTERED
 layout(binding = 6) uniform sampler2D pathLight;
 #endif
 
+const float NEVER = 1e9;
 const float LAST = 256.0; // samples from which the mean is shown as it is, as by the filter
 
 layout(location = 0) out vec4 color;
@@ -19,7 +21,7 @@ vec3 addedTo(ivec2 pixel, GiLit lit)
 {
 #ifdef GI_FILTERED
   vec3 filtered = (texelFetch(pathLight, pixel, 0).rgb - giMeanLight(pixel, lit)) * giMeanColor(pixel);
-  return filtered + clamp(2.0 - 2.0 * samples / LAST, 0.0, 1.0) * giFineDifference(pixel, lit);
+  return filtered + giReachAfter(vec4(samples), NEVER, LAST).x * giFineDifference(pixel, lit);
 #else
   return vec3(0.0);
 #endif

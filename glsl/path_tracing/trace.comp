@@ -36,7 +36,6 @@ layout(binding = 4) uniform sampler2D skyTexture;
 #endif
 
 uniform int sampleIndex; // number of samples in the sums
-uniform int seedOfAll;
 
 void main()
 {
@@ -46,9 +45,7 @@ void main()
   {
     return;
   }
-  seed = giHash(uint(window.x) + (uint(window.y) << 16) + uint(seedOfAll) * 0x9e3779b9u);
-  sampleNumber = sampleIndex;
-  uint state = giHash(seed ^ giHash(uint(sampleIndex)));
+  uint state = startPath(window, sampleIndex);
 
   Ray ray;
   RaySurfacePoint at;
