@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Penumbra authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The first surface that the eye sees through a point of a pixel, and the random numbers of the path from there. Needs
-// shared/view.h, shared/material.h, lib/reconstruct.glsl and path_tracing/paths.glsl. Variants: GI_RAY_EDGES (some surfaces show the
-// edges of their cells).
+// shared/view.h, shared/material.h, lib/reconstruct.glsl and path_tracing/paths.glsl. Variants: GI_RAY_EDGES (some surfaces show
+// the edges of their cells).
 #ifdef GI_RAY_EDGES
 #include "path_tracing/edges.glsl"
 #endif
