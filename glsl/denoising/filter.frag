@@ -3,7 +3,8 @@
 // Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering). Samples of light weigh by their number of
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
-// Denoising using Affinity of Neural Features). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
+// Denoising using Affinity of Neural Features), and how much a regression on the samples' places (Fan 1992, Design-adaptive
+// Nonparametric Regression). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
 // Variants: those of denoising/signal.glsl; GI_OWN_SURFACE: light of paths, which the network was not trained on.
 #include "shared/view.h"
 #include "shared/denoising.h"
@@ -19,6 +20,12 @@ layout(binding = 1) uniform sampler2D featureTexture;
 layout(binding = 2) uniform usampler2D countTexture; // how much features and standard deviations count, by level
 
 uniform int level;
+#endif
+
+// Light of paths has not been trained on.
+#if defined(GI_GUIDED) && !defined(GI_OWN_SURFACE)
+#define GI_PLACES
+layout(binding = 5) uniform sampler2D trustTexture; // share of the regression on places, by level
 #endif
 
 #ifdef GI_SLOPES
@@ -54,6 +61,8 @@ const float MOST_BEND = 1.5;
 
 // Relative noise of paths from which normals count as in a first frame: what they change is less.
 const float MUCH_NOISE = 0.2;
+
+const float RIDGE = 0.1; // of the regression on places, in squared distances of samples
 
 #ifdef GI_SHARES
 const int DIRECTIONS = 4; // a penumbra is foreshortened like its surface; opposite samples have the same reach
@@ -153,11 +162,19 @@ void main()
   vec4 features = texelFetch(featureTexture, pixel, 0);
   vec2 ownCounts = unpackHalf2x16(texelFetch(countTexture, pixel, 0)[level]);
 #endif
+#ifdef GI_PLACES
+  vec2 places = vec2(0.0);
+  mat2 spread = mat2(0.0);
+  mat2x4 leans = mat2x4(0.0); // sums of products with the changes
+#ifdef GI_JOINT
+  mat2x4 ownLeans = mat2x4(0.0);
+#endif
+#endif
 #ifdef GI_SLOPES
   mat3 slope = slopeAt(gl_FragCoord.xy);
   vec3 N = giDecodeOctahedral(signal.normal);
 #endif
-#ifdef GI_OWN_SURFACE
+#if defined(GI_OWN_SURFACE) || defined(GI_PLACES)
   int farthest = step == 1 ? 2 : 1; // most noise is left where surfaces are a few pixels wide
 #else
   const int farthest = 1;
@@ -168,6 +185,12 @@ void main()
   {
     ivec2 offset = ivec2(i % width, i / width) - farthest;
     ivec2 at = pixel + step * offset;
+#ifdef GI_PLACES
+    if (abs(offset.x) + abs(offset.y) > 2)
+    {
+      continue;
+    }
+#endif
     if (any(lessThan(at, low)) || any(greaterThan(at, high)))
     {
       continue;
@@ -180,6 +203,7 @@ void main()
       continue;
     }
     float sharpness = 1.0 / TOLERANCE;
+    float unlike = 0.0; // the weight falls by e to the power of this
 #ifdef GI_GUIDED
     // Symmetric: if a bright pixel took from neighbours that refuse its own sample, the picture would lose light.
     vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
@@ -194,7 +218,7 @@ void main()
 #endif
     sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
 #endif
-    weight *= exp(-counts.x * dot(apart, apart));
+    unlike = counts.x * dot(apart, apart);
 #endif
 #ifdef GI_LIGHT
     float otherNoise = other.error * giLuminance(other.value.rgb);
@@ -206,12 +230,23 @@ void main()
     float otherLight = giLuminance(other.value.rgb);
     if (guided)
     {
-      weight *= exp(-sharpness * abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30)));
+      unlike += sharpness * abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30));
     }
+    weight *= exp(-unlike);
+#ifdef GI_PLACES
+    vec2 place = vec2(offset) / float(farthest);
+    places += weight * place;
+    spread += weight * outerProduct(place, place);
+    leans += weight * outerProduct(other.value - signal.value, place);
+#endif
     moments += weight * vec2(otherLight, otherLight * otherLight);
     squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
 #ifdef GI_JOINT
-    change += weight * (texelFetch(values, at, 0) + vec4(turned, 0.0) - own);
+    vec4 ownChange = texelFetch(values, at, 0) + vec4(turned, 0.0) - own;
+    change += weight * ownChange;
+#ifdef GI_PLACES
+    ownLeans += weight * outerProduct(ownChange, place);
+#endif
 #endif
 #endif
     changes[min(min(i, last - i), DIRECTIONS - 1)] += weight * (other.value - signal.value);
@@ -225,6 +260,18 @@ void main()
   }
 #ifndef GI_LIGHT
   signal.reach = reach / max(known, 1e-6);
+#endif
+#ifdef GI_PLACES
+  vec2 middle = places / max(weights, 1e-6);
+  vec2 lever = inverse(spread / max(weights, 1e-6) - outerProduct(middle, middle) + mat2(RIDGE)) * middle;
+  // A sample at d has 1 - trust * dot(d - middle, lever) times its weight, which must not be negative.
+  vec2 size = abs(lever);
+  float most = (farthest > 1 ? max(size.x, size.y) : size.x + size.y) - dot(middle, lever);
+  lever *= min(texelFetch(trustTexture, pixel, 0)[level], 1.0 / max(most, 1e-6));
+  changes[0] += dot(middle, lever) * changes[0] - leans * lever;
+#ifdef GI_JOINT
+  change += dot(middle, lever) * change - ownLeans * lever;
+#endif
 #endif
   vec4 share = vec4(0.0);
   for (int i = 0; i < DIRECTIONS; ++i)

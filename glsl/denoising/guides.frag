@@ -1,5 +1,6 @@
 #version 430 core
-// What the network says of each pixel: features, and how much their differences and those of light count at each level.
+// What the network says of each pixel: features, how much their differences and those of light count at each level, and how much
+// the regression on places.
 // Light changes less from pixel to pixel in larger pictures than in those of the training, so differences of features count less
 // there; in smaller ones they count more. Those of light are in standard deviations, whatever the size.
 #include "shared/view.h"
@@ -15,6 +16,7 @@ const float MOST_CHANGE = 2.0;
 
 layout(location = 0) out vec4 features;
 layout(location = 1) out uvec4 counts; // bandwidth and sharpness by level, as half floats
+layout(location = 2) out vec4 trusts;  // share of the regression on places, by level
 
 vec4 softplus(vec4 x)
 {
@@ -26,12 +28,12 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec2 place = 0.5 * (gl_FragCoord.xy - view.Viewport.xy) - 0.5;
   vec2 last = ceil(0.5 * view.Viewport.zw) - 1.0;
-  vec4 sums[3] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0));
+  vec4 sums[4] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int i = 0; i < 4; ++i)
   {
     vec2 corner = floor(place) + vec2(i & 1, i >> 1);
     vec2 weight = 1.0 - abs(place - corner);
-    for (int four = 0; four < 3; ++four)
+    for (int four = 0; four < 4; ++four)
     {
       sums[four] += weight.x * weight.y * texelFetch(outputs, ivec3(clamp(corner, vec2(0.0), last), four), 0);
     }
@@ -44,4 +46,5 @@ void main()
   {
     counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));
   }
+  trusts = 1.0 / (1.0 + exp(-sums[3]));
 }

@@ -182,6 +182,41 @@ class Agreement(unittest.TestCase):
                 found = net(train.batch_of([network.tensors(brighter)])).numpy() / factor
                 self.assertLess(np.abs(found - plain).max(), 1e-3 * plain.mean())
 
+    def trusting(self, trust):
+        """A network without training that trusts the regression on places fully, or not at all."""
+        torch.manual_seed(1)
+        net = network.Denoiser()
+        with torch.no_grad():
+            net.net.last.bias[-network.LEVELS:] = 50 if trust else -50
+        return net
+
+    def test_the_regression_on_places_is_a_mean(self):
+        random = np.random.default_rng(3)
+        for offsets, farthest in ((network.OFFSETS, 1), (network.WIDE_OFFSETS, 2)):
+            weights = torch.from_numpy(random.exponential(1, (len(offsets), 1, 1000, 1)) ** 4)
+            total, shares = weights.sum(0), []
+            for chosen, own in enumerate(weights):
+                fit = network.Regression()
+                for number, (weight, place) in enumerate(zip(weights, offsets)):
+                    fit.add(weight, [at / farthest for at in place], float(number == chosen))
+                shares.append(own / total - fit.lean(total, own / total, torch.ones(1, 1, 1), farthest > 1))
+            self.assertGreater(torch.stack(shares).min(), -1e-6)
+            self.assertLess((sum(shares) - 1).abs().max(), 1e-6)
+            self.assertGreater((shares[0] - weights[0] / total).abs().max(), 0.1)
+
+    def test_even_slopes_of_light_stay_at_edges(self):
+        signal = self.signal(1)
+        signal.frames[:] = 1
+        signal.depth[:] = -3
+        signal.normal[:] = (0.5, 0.5)
+        signal.light[:] = (1 + np.arange(signal.depth.shape[1]) / 8)[:, None]
+        batch = train.batch_of([network.tensors(signal)])
+        with torch.no_grad():
+            plain, fitted = ((self.trusting(trust)(batch) - batch["light"])[0, :, :, 0].abs().mean().item() for trust in (False, True))
+        print(f"change of an even slope at the edge of a picture: {plain:.3f}, with the regression on places {fitted:.3f}")
+        self.assertGreater(plain, 0.05)
+        self.assertLess(fitted, 0.6 * plain)
+
     def test_constant_light_stays(self):
         torch.manual_seed(1)
         net = network.Denoiser()

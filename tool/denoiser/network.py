@@ -24,9 +24,12 @@ MOST_LIGHT = 3            # times the mean, that the network sees
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67  # see glsl/denoising/filter.frag
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
-KERNEL = (0.5, 0.25)      # a spline's: levels of equal weights would leave patterns of dots
+KERNELS = {1: (0.5, 0.25), 2: (0.375, 0.25, 0.0625)}  # splines: levels of equal weights would leave patterns of dots
+FARTHEST = (2, 1, 1, 1)   # samples along an axis, by level
+RIDGE = 0.1               # of the regression on places, in squared distances of samples, see glsl/denoising/filter.frag
 MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
+WIDE_OFFSETS = [(x, y) for y in range(-2, 3) for x in range(-2, 3) if abs(x) + abs(y) <= 2]
 LUMINANCE = torch.tensor((0.2126, 0.7152, 0.0722))[:, None, None]
 
 
@@ -79,13 +82,13 @@ def surfaces(batch):
             "pixel": depth.abs() * batch["angle"]}
 
 
-def similarities(batch, step, bend=BEND):
-    """Whether the nine pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl. bend: how much the squared
-    difference of normals counts."""
+def similarities(batch, step, bend=BEND, offsets=tuple(OFFSETS)):
+    """Whether pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl. bend: how much the squared difference of
+    normals counts."""
     facing = batch["toward"].abs().clamp(0.2, 1)
     depth = torch.where(batch["exists"] > 0, batch["depth"], torch.full_like(facing, -1))
     found = []
-    for x, y in OFFSETS:
+    for x, y in offsets:
         x, y = x * step, y * step
         apart = moved(batch["position"], x, y) - batch["position"]
         other = moved(depth, x, y)
@@ -181,30 +184,62 @@ def turned(batch, x, y):
     return ((here - moved(here, x, y))[:, :, None] * slope).sum(1)
 
 
-def filtered(batch, reach, weigh, levels=LEVELS, most_bend=torch.inf):
+class Regression:
+    """Weighted sums of samples around each pixel, for the light there by a linear ridge regression on the place, in samples."""
+
+    def __init__(self):
+        self.places, self.squares, self.products = [0, 0], [0, 0, 0], [0, 0]
+
+    def add(self, weight, place, change):
+        """A sample: its place, and how much its light differs."""
+        x, y = place
+        self.places = [total + weight * at for total, at in zip(self.places, (x, y))]
+        self.squares = [total + weight * square for total, square in zip(self.squares, (x * x, x * y, y * y))]
+        self.products = [total + weight * at * change for total, at in zip(self.products, (x, y))]
+
+    def lean(self, total, mean, trust, wide):
+        """What the mean change exceeds that at the pixel by, because its samples lie more on one side. wide: see WIDE_OFFSETS."""
+        x, y = (value / total for value in self.places)
+        xx, xy, yy = (value / total for value in self.squares)
+        xx, xy, yy = xx - x * x + RIDGE, xy - x * y, yy - y * y + RIDGE
+        along, across = ((yy * x - xy * y) / (xx * yy - xy * xy), (xx * y - xy * x) / (xx * yy - xy * xy))
+        sizes = along.abs(), across.abs()
+        most = torch.maximum(*sizes) if wide else sum(sizes)
+        trust = torch.minimum(trust, 1 / (most - along * x - across * y).clamp(min=1e-6))  # no weight is negative
+        return trust * ((along * self.products[0] + across * self.products[1]) / total - (along * x + across * y) * mean)
+
+
+def filtered(batch, reach, weigh, levels=LEVELS, most_bend=torch.inf, trusts=None):
     """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
     frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown. most_bend:
-    see MOST_BEND."""
+    see MOST_BEND. trusts: share of the regression on the place, by level; without them the filter has nine samples in each level."""
     light, frames = batch["light"], batch["frames"]
     bend = BEND * torch.minimum(1 + (frames - 1).clamp(min=0) / BEND_HALVED, torch.as_tensor(most_bend))
     noise = batch["error"] * luminance(light)
     for level in range(levels):
-        step = 2 ** level
+        step, farthest = 2 ** level, 1 if trusts is None else FARTHEST[level]
+        kernel, offsets = KERNELS[farthest], OFFSETS if farthest == 1 else WIDE_OFFSETS
         bright, known = luminance(light), noise > 0
         total = change = first = second = squares = weighted = 0
-        for (x, y), alike in zip(OFFSETS, similarities(batch, step, bend)):
-            x, y = x * step, y * step
+        fit = Regression()
+        for place, alike in zip(offsets, similarities(batch, step, bend, offsets)):
+            x, y = (at * step for at in place)
             there, other_noise = moved(light, x, y) + turned(batch, x, y), moved(noise, x, y)
             other = luminance(there)
             apart = (other - bright).abs() * torch.rsqrt((noise ** 2 + other_noise ** 2).clamp(min=1e-30))
             guided = torch.where(known, apart, torch.zeros_like(apart))
-            weight = KERNEL[abs(x) // step] * KERNEL[abs(y) // step] * alike * moved(frames, x, y) * weigh(level, x, y, guided)
+            weight = kernel[abs(place[0])] * kernel[abs(place[1])] * alike * moved(frames, x, y) * weigh(level, x, y, guided)
             total, change = total + weight, change + weight * (there - light)
             first, second = first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
+            if trusts is not None:
+                fit.add(weight, [at / farthest for at in place], there - light)
         total = total.clamp(min=1e-6)
         share = (2 * reach / step - 1).clamp(0, 1)
-        light = (light + share * change / total).clamp(min=0)
+        change = change / total
+        if trusts is not None:
+            change = change - fit.lean(total, change, trusts[:, level:level + 1], farthest > 1)
+        light = (light + share * change).clamp(min=0)
         left = variance(known, squares, weighted, (first, second), total).detach().sqrt() / total.detach()
         noise = torch.minimum(noise + share * (left - noise), luminance(light).detach()) * batch["exists"]
     return light
@@ -227,23 +262,24 @@ class Denoiser(nn.Module):
 
     def __init__(self):
         super().__init__()
-        self.net = UNet(FEATURES + 2 * LEVELS)
+        self.net = UNet(FEATURES + 3 * LEVELS)
         self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
         nn.init.normal_(self.net.last.weight, std=0.02)
         with torch.no_grad():  # at first samples are averaged much as by the filter without a network
-            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS))
+            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-0.6] * LEVELS + [-1.0] * LEVELS))
 
     def guides(self, batch):
-        """Features, bandwidths and sharpnesses of each pixel of a batch with its surfaces, in a picture of the training's size."""
+        """Features, bandwidths, sharpnesses and trusts of each pixel of a batch with its surfaces, in a picture of the training's
+        size."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
-        features, bandwidths, sharpnesses = outputs.split((FEATURES, LEVELS, LEVELS), 1)
+        features, bandwidths, sharpnesses, trusts = outputs.split((FEATURES, LEVELS, LEVELS, LEVELS), 1)
         sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
-        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses
+        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses, trusts.sigmoid()
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
-        features, bandwidths, sharpnesses = self.guides(batch)
+        features, bandwidths, sharpnesses, trusts = self.guides(batch)
         frames, fitted = batch["frames"], batch["fitted"] > 0
 
         def weigh(level, x, y, guided):
@@ -255,7 +291,7 @@ class Denoiser(nn.Module):
             sharpness = torch.minimum(sharpness, most) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
         most_bend = torch.where(fitted, MOST_BEND, torch.inf)
-        return filtered(batch, fade(frames, 1e9), weigh, most_bend=most_bend)
+        return filtered(batch, fade(frames, 1e9), weigh, most_bend=most_bend, trusts=trusts)
 
     def layers(self):
         """Convolutions by their names in the file."""

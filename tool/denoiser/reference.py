@@ -9,9 +9,11 @@ SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.6
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
 RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
-KERNEL = 0.5, 0.25
+PLACE_RIDGE = 0.1              # of the regression on places
+KERNELS = (0.5, 0.25), (0.375, 0.25, 0.0625)
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
+WIDE_OFFSETS = [(x, y) for y in range(-2, 3) for x in range(-2, 3) if abs(x) + abs(y) <= 2]
 
 
 def half(values):
@@ -201,32 +203,43 @@ def interpolated(values, height, width, size=2):
 
 
 def guides(signal, surfaces, layers, trained_size):
-    """Features, bandwidths and sharpnesses of each pixel: glsl/denoising/guides.frag."""
+    """Features, bandwidths, sharpnesses and trusts of each pixel: glsl/denoising/guides.frag."""
     single, blocks = inputs(signal, surfaces)
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
     change = min(trained_size / min(single.shape[:2]), MOST_CHANGE)
-    return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS))
+    trusts = half(1 / (1 + np.exp(-outputs[..., 4 + 2 * LEVELS:])))
+    return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS)), trusts
 
 
 class Means:
-    """Weighted means around each pixel: of light, and of the noise that is left."""
+    """Weighted means around each pixel: of light, and of the noise that is left. trust: share of the regression on places."""
 
-    def __init__(self, light, noise, weigh, turned):
+    def __init__(self, light, noise, weigh, turned, offsets, trust):
         total = first = second = squares = weighted = np.zeros_like(noise)
-        self.change = np.zeros_like(light)
-        for x, y in OFFSETS:
+        change, middle = np.zeros_like(light), np.zeros((*noise.shape, 2))
+        spread, leans = np.zeros((*noise.shape, 2, 2)), np.zeros((*light.shape, 2))
+        for x, y in offsets:
             weight, moved_by = weigh(x, y)
             there, other_noise = moved(light, *moved_by) + turned(moved_by), moved(noise, *moved_by)
-            other = there @ LUMINANCE
+            other, place = there @ LUMINANCE, np.array((x, y)) / max(map(max, offsets))
             total, first, second = total + weight, first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
-            self.change = self.change + weight[..., None] * (there - light)
+            change = change + weight[..., None] * (there - light)
+            middle, spread = middle + weight[..., None] * place, spread + weight[..., None, None] * np.outer(place, place)
+            leans = leans + (weight[..., None] * (there - light))[..., None] * place
         total = np.maximum(total, 1e-6)
-        self.change = self.change / total[..., None]
-        spread = squares * np.maximum(second / total - (first / total) ** 2, 0)
-        self.noise = np.sqrt(np.where(noise > 0, weighted, spread)) / total
+        change, middle = change / total[..., None], middle / total[..., None]
+        spread = spread / total[..., None, None] - middle[..., None] * middle[..., None, :] + PLACE_RIDGE * np.eye(2)
+        lever = np.linalg.solve(spread, middle[..., None])[..., 0]
+        places = np.array(offsets) / max(map(max, offsets))
+        farthest = (lever @ places.T).max(-1) - (lever * middle).sum(-1)
+        trust = np.minimum(trust, 1 / np.maximum(farthest, 1e-6))  # so that no weight is negative
+        expected = (leans @ lever[..., None])[..., 0] / total[..., None]
+        self.change = change - trust[..., None] * (expected - (lever * middle).sum(-1, keepdims=True) * change)
+        differing = squares * np.maximum(second / total - (first / total) ** 2, 0)
+        self.noise = np.sqrt(np.where(noise > 0, weighted, differing)) / total
 
 
 def denoise(signal, network_file, stored=lambda light, error: (light, error), still=False):
@@ -234,7 +247,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
     to normals, as in still frames."""
     facts, layers = read_network(network_file)
     surfaces = Surfaces(signal)
-    features, bandwidths, sharpnesses = guides(signal, surfaces, layers, int(facts["size"]))
+    features, bandwidths, sharpnesses, trusts = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
     bend = 1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED
@@ -245,11 +258,12 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
         return ((surfaces.direction - moved(surfaces.direction, *far))[..., None] * slope).sum(-2)
     for level in range(LEVELS):
         step = 2 ** level
+        offsets, kernel = (OFFSETS, KERNELS[0]) if level else (WIDE_OFFSETS, KERNELS[1])
         bright = light @ LUMINANCE
         noise = error * bright
         counts = np.stack((bandwidths[..., level], sharpnesses[..., level]), -1)
 
-        def weigh(x, y, step=step, counts=counts, light=light, bright=bright, noise=noise):
+        def weigh(x, y, step=step, kernel=kernel, counts=counts, light=light, bright=bright, noise=noise):
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
@@ -262,8 +276,8 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
             deviations = np.where(noise > 0, np.abs(other - bright) / both, 0)
             weight = np.exp(-bandwidth * apart - sharpness * deviations)
             alike = surfaces.similarity(x, y, step, bend)
-            return KERNEL[abs(x)] * KERNEL[abs(y)] * alike * moved(surfaces.frames, *far) * weight, far
-        means = Means(light, noise, weigh, turned)
+            return kernel[abs(x)] * kernel[abs(y)] * alike * moved(surfaces.frames, *far) * weight, far
+        means = Means(light, noise, weigh, turned, offsets, trusts[..., level])
         share = np.clip(2 * reach / step - 1, 0, 1)
         light = np.maximum(light + share[..., None] * means.change, 0)
         noise = noise + share * (means.noise - noise)

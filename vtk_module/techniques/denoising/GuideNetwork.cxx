@@ -20,6 +20,7 @@ constexpr const char* Tiles = "denoising.network.tiles";
 constexpr const char* Fine = "denoising.network.fine";
 constexpr const char* Features = "denoising.network.features";
 constexpr const char* Counts = "denoising.network.counts";
+constexpr const char* Trusts = "denoising.network.trusts";
 
 const std::string First = "inputs";
 const std::string Last = "out";
@@ -93,7 +94,8 @@ void GuideNetwork::Declare(PassDeclaration& pass, const Frame& frame)
   write(Last, ChannelsOf(Last), 0);
   pass.Write(Fine, frame.WindowTexture(GL_RGBA16F))
     .Write(Features, frame.WindowTexture(GL_RGBA16F))
-    .Write(Counts, frame.WindowTexture(GL_RGBA32UI));
+    .Write(Counts, frame.WindowTexture(GL_RGBA32UI))
+    .Write(Trusts, frame.WindowTexture(GL_RGBA16F));
 }
 
 void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
@@ -160,14 +162,17 @@ Arguments GuideNetwork::Infer(FrameContext& context, const Texture* signal)
     above = Decoder(level);
   }
   this->Convolve(context, Last, {}, above, 0);
-  context.BindTarget({ { context.Output(Features), -1 }, { context.Output(Counts), -1 } }, {});
+  context.BindTarget({ { context.Output(Features), -1 }, { context.Output(Counts), -1 },
+                       { context.Output(Trusts), -1 } },
+    {});
   context.DrawBound("denoising/guides.frag", {},
     Arguments()
       .Sample("outputs", OutputOf(context, Last))
       .Sample("fineTexture", context.Output(Fine)));
   return Arguments()
     .Sample("featureTexture", context.Output(Features))
-    .Sample("countTexture", context.Output(Counts));
+    .Sample("countTexture", context.Output(Counts))
+    .Sample("trustTexture", context.Output(Trusts));
 }
 
 std::optional<Arguments> GuideNetwork::Run(FrameContext& context, const Texture* signal)
