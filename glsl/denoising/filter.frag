@@ -45,8 +45,8 @@ const float TOLERANCE = 3.25;
 // small spot. Standard deviations count as without the network there.
 const float FEATURES_OF_PATHS = 1.4;
 
-// How much the network may make standard deviations count in still frames, per frame. Few frames may agree by chance and then seem
-// to have little noise: walls would get dots. The regression spares what this blurs; while the camera moves there is none.
+// How much the network may make standard deviations count, per frame. Few frames may agree by chance and then seem to have little
+// noise: walls would get dots. The regressions spare what this blurs.
 const float SHARPNESS_PER_FRAME = 0.05;
 const float FEWEST_FRAMES = 8.0; // from which the frames of a mean tell its noise
 
@@ -148,7 +148,7 @@ void main()
   float bend = giBend(signal.frames);
 #ifdef GI_OWN_SURFACE
   bend = clamp(MUCH_NOISE * MUCH_NOISE / max(signal.error * signal.error, 1e-6), 1.0, bend);
-#elif defined(GI_GUIDED) && defined(GI_SLOPES)
+#elif defined(GI_GUIDED)
   bend = min(bend, MOST_BEND);
 #endif
   here.bend *= bend;
@@ -212,10 +212,7 @@ void main()
     counts.x *= FEATURES_OF_PATHS;
 #else
     float least = min(signal.frames, other.frames);
-    sharpness = counts.y;
-#ifdef GI_SLOPES
-    sharpness = min(sharpness, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
-#endif
+    sharpness = min(counts.y, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
     sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
 #endif
     unlike = counts.x * dot(apart, apart);

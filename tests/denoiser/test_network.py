@@ -126,7 +126,7 @@ class Shaders(unittest.TestCase):
         self.assertEqual(film.gi.GetLastError(), "")
         signal = film.signal(True)
         signal.light, signal.error = stored(signal.light, signal.error)
-        expected = reference.denoise(signal, NETWORK, stored, still=frames > 1)
+        expected = reference.denoise(signal, NETWORK, stored)
         before, after = raw.picture(), film.picture()
         reflects = np.abs(before.mean(-1) - REFLECTANCE * signal.light.mean(-1)) < 0.01 * before.mean(-1)
         lit = reflects & (signal.frames > 0) & (signal.light.min(-1) > 1e-3)

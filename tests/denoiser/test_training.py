@@ -141,6 +141,10 @@ class Agreement(unittest.TestCase):
         signal.depth *= signal.frames > 0
         return signal
 
+    def batch(self, signal):
+        """The signal alone, as a batch."""
+        return train.batch_of([network.tensors(signal, reference.slopes(signal, reference.Surfaces(signal)))])
+
     def truth(self, signal):
         """What a sample stores besides the signal; here its light is the target, too."""
         return {"target": signal.light, "target_error": signal.error, "known": signal.frames > 0, "count": np.array(8)}
@@ -153,11 +157,10 @@ class Agreement(unittest.TestCase):
             net.save(path, {"seed": 1, "size": 64})
             net.restore(path)
             for frames in (1, 8, 200):
-                signal, still = self.signal(frames), frames > 1
-                slopes = reference.slopes(signal, reference.Surfaces(signal)) if still else None
+                signal = self.signal(frames)
                 with torch.no_grad():
-                    found = net(train.batch_of([network.tensors(signal, slopes)]))[0].permute(1, 2, 0).numpy()
-                expected = reference.denoise(signal, path, still=still)
+                    found = net(self.batch(signal))[0].permute(1, 2, 0).numpy()
+                expected = reference.denoise(signal, path)
                 difference = np.abs(found - expected).max() / expected.mean()
                 print(f"{frames} frames: PyTorch and NumPy differ by {difference:.1e}")
                 self.assertLess(difference, 1e-3)
@@ -176,10 +179,10 @@ class Agreement(unittest.TestCase):
         net = network.Denoiser()
         signal = self.signal(1)
         with torch.no_grad():
-            plain = net(train.batch_of([network.tensors(signal)])).numpy()
+            plain = net(self.batch(signal)).numpy()
             for factor in (1e-3, 1e3):
                 brighter = data.Signal(signal.light * factor, *(getattr(signal, name) for name in data.Signal.FIELDS[1:]))
-                found = net(train.batch_of([network.tensors(brighter)])).numpy() / factor
+                found = net(self.batch(brighter)).numpy() / factor
                 self.assertLess(np.abs(found - plain).max(), 1e-3 * plain.mean())
 
     def trusting(self, trust):
@@ -210,9 +213,10 @@ class Agreement(unittest.TestCase):
         signal.depth[:] = -3
         signal.normal[:] = (0.5, 0.5)
         signal.light[:] = (1 + np.arange(signal.depth.shape[1]) / 8)[:, None]
-        batch = train.batch_of([network.tensors(signal)])
+        batch = self.batch(signal)
         with torch.no_grad():
-            plain, fitted = ((self.trusting(trust)(batch) - batch["light"])[0, :, :, 0].abs().mean().item() for trust in (False, True))
+            plain, fitted = ((self.trusting(trust)(batch) - batch["light"])[0, :, :, 0].abs().mean().item()
+                             for trust in (False, True))
         print(f"change of an even slope at the edge of a picture: {plain:.3f}, with the regression on places {fitted:.3f}")
         self.assertGreater(plain, 0.05)
         self.assertLess(fitted, 0.6 * plain)
@@ -223,7 +227,7 @@ class Agreement(unittest.TestCase):
         signal = self.signal(4)
         signal.light[:] = (signal.frames > 0)[..., None] * np.array((0.3, 0.5, 0.7), np.float32)
         with torch.no_grad():
-            found = net(train.batch_of([network.tensors(signal)]))[0].permute(1, 2, 0).numpy()
+            found = net(self.batch(signal))[0].permute(1, 2, 0).numpy()
         self.assertLess(np.abs(found - signal.light)[signal.frames > 0].max(), 1e-6)
 
 

@@ -54,12 +54,10 @@ def decode(normal):
     return functional.normalize(torch.cat((xy, z), 1), dim=1)
 
 
-def tensors(signal, slopes=None):
+def tensors(signal, slopes, fits=True):
     """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there; slope: change
-    of light with the normal, by component and channel, see reference.slopes(); fitted: whether slopes are given."""
+    of light with the normal, by component and channel, see reference.slopes(); fits: 1 if the filter without a network uses it."""
     height, width = signal.frames.shape
-    fitted = torch.full((1, 1, 1), float(slopes is not None))
-    slopes = np.zeros((height, width, 3, 3)) if slopes is None else slopes
     x = (torch.arange(width) + 0.5) / width * 2 - 1
     y = (torch.arange(height) + 0.5) / height * 2 - 1
     scale = torch.from_numpy(np.asarray(signal.projection, np.float32))
@@ -69,7 +67,7 @@ def tensors(signal, slopes=None):
     made = {name: torch.from_numpy(np.ascontiguousarray(value, np.float32)) for name, value in values.items()}
     made["ray"] = torch.stack((x[None, :].expand(height, width) / scale[0], y[:, None].expand(height, width) / scale[1]))
     made["angle"] = (2 / (width * scale[0])).reshape(1, 1, 1)
-    return {**made, "fitted": fitted}
+    return {**made, "fits": torch.full((1, 1, 1), float(fits))}
 
 
 def surfaces(batch):
@@ -83,8 +81,8 @@ def surfaces(batch):
 
 
 def similarities(batch, step, bend=BEND, offsets=tuple(OFFSETS)):
-    """Whether pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl. bend: how much the squared difference of
-    normals counts."""
+    """Whether pixels around each, `step` apart, show the same surface: glsl/lib/alike.glsl. bend: how much the squared difference
+    of normals counts."""
     facing = batch["toward"].abs().clamp(0.2, 1)
     depth = torch.where(batch["exists"] > 0, batch["depth"], torch.full_like(facing, -1))
     found = []
@@ -212,7 +210,7 @@ class Regression:
 def filtered(batch, reach, weigh, levels=LEVELS, most_bend=torch.inf, trusts=None):
     """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
     frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown. most_bend:
-    see MOST_BEND. trusts: share of the regression on the place, by level; without them the filter has nine samples in each level."""
+    see MOST_BEND. trusts: share of the regression on places, by level; without them all levels have nine samples."""
     light, frames = batch["light"], batch["frames"]
     bend = BEND * torch.minimum(1 + (frames - 1).clamp(min=0) / BEND_HALVED, torch.as_tensor(most_bend))
     noise = batch["error"] * luminance(light)
@@ -254,6 +252,7 @@ def plain_filter(batch, levels=LEVELS):
     """The filter without a network."""
     def weigh(_level, _x, _y, guided):
         return torch.exp(-guided / TOLERANCE)
+    batch = {**batch, "slope": batch["slope"] * batch["fits"]}
     return filtered(batch, fade(batch["frames"], LIGHT_HALVED), weigh, levels)
 
 
@@ -280,18 +279,17 @@ class Denoiser(nn.Module):
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
         features, bandwidths, sharpnesses, trusts = self.guides(batch)
-        frames, fitted = batch["frames"], batch["fitted"] > 0
+        frames = batch["frames"]
 
         def weigh(level, x, y, guided):
             apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
             bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
                                     (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
             least = torch.minimum(frames, moved(frames, x, y)).clamp(min=1)
-            most = torch.where(fitted, SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES), torch.inf)
+            most = SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES)
             sharpness = torch.minimum(sharpness, most) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
-        most_bend = torch.where(fitted, MOST_BEND, torch.inf)
-        return filtered(batch, fade(frames, 1e9), weigh, most_bend=most_bend, trusts=trusts)
+        return filtered(batch, fade(frames, 1e9), weigh, most_bend=MOST_BEND, trusts=trusts)
 
     def layers(self):
         """Convolutions by their names in the file."""

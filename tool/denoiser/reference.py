@@ -242,17 +242,15 @@ class Means:
         self.noise = np.sqrt(np.where(noise > 0, weighted, differing)) / total
 
 
-def denoise(signal, network_file, stored=lambda light, error: (light, error), still=False):
-    """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels. still: whether light is first fitted
-    to normals, as in still frames."""
+def denoise(signal, network_file, stored=lambda light, error: (light, error)):
+    """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
     facts, layers = read_network(network_file)
     surfaces = Surfaces(signal)
     features, bandwidths, sharpnesses, trusts = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
-    bend = 1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED
-    bend = BEND * (np.minimum(bend, MOST_BEND) if still else bend)
-    slope = slopes(signal, surfaces) if still else np.zeros((*reach.shape, 3, 3))
+    bend = BEND * np.minimum(1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED, MOST_BEND)
+    slope = slopes(signal, surfaces)
 
     def turned(far):
         return ((surfaces.direction - moved(surfaces.direction, *far))[..., None] * slope).sum(-2)
@@ -267,8 +265,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error), st
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
-            if still:
-                sharpness = np.minimum(sharpness, SHARPNESS_PER_FRAME * np.maximum(least, FEWEST_FRAMES))
+            sharpness = np.minimum(sharpness, SHARPNESS_PER_FRAME * np.maximum(least, FEWEST_FRAMES))
             sharpness = sharpness * np.clip(SHARP_FRAMES / least, LEAST_SHARE, 1)
             apart = ((moved(features, *far) - features) ** 2).sum(-1)
             both = np.sqrt(np.maximum(noise ** 2 + moved(noise, *far) ** 2, 1e-30))

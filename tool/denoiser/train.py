@@ -116,8 +116,8 @@ def scene_lists(args):
 
 def sample_of(signal, truth):
     """A signal and its target as tensors."""
-    fits = truth["count"] > 1  # as the pass does from the second still frame
-    sample = network.tensors(signal, reference.slopes(signal, reference.Surfaces(signal)) if fits else None)
+    fits = truth["count"] > 1  # as the pass does without a network from the second still frame
+    sample = network.tensors(signal, reference.slopes(signal, reference.Surfaces(signal)), fits)
     sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
     sample["target_error"] = torch.from_numpy(np.ascontiguousarray(truth["target_error"][None]))
     sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])

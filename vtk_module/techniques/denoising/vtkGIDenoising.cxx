@@ -97,7 +97,8 @@ struct Manner
   bool OwnSurface;  ///< whether the surfaces are not the frame's
   int Show = Off;   ///< what is to be shown of the signal
   GuideNetwork* Network = nullptr; ///< that guides the filter
-  /// Whether the filter preserves variation of light with the normal. It increases the error while the camera moves.
+  /// Whether the filter preserves variation of light with the normal. Without a network that increases the error of some scenes
+  /// while the camera moves.
   bool FitsNormals = false;
   /// Resource that guides the filter of the frame's own values, see NoisyResource; nullptr: none.
   const char* Mean = nullptr;
@@ -302,10 +303,10 @@ void vtkGIDenoising::AddFilters(FrameBuilder& frame)
     if ((isNoisy || shown != Off) && filters)
     {
       const char* kind = noisy.PerLight ? "GI_SHARES" : noisy.Light ? "GI_LIGHT" : "GI_LOBE";
+      GuideNetwork* network = noisy.Light ? this->FindNetwork(frame) : nullptr;
       AddFilter(frame, noisy,
-        { this->Radius, averaged / sharing, sharing, kind, noisy.Surface != nullptr, shown,
-          noisy.Light ? this->FindNetwork(frame) : nullptr,
-          noisy.Light && (noisy.Surface || frame.GetView().StillFrames > 0), mean });
+        { this->Radius, averaged / sharing, sharing, kind, noisy.Surface != nullptr, shown, network,
+          noisy.Light && (noisy.Surface || network || frame.GetView().StillFrames > 0), mean });
     }
   }
 }
