@@ -17,15 +17,12 @@
 layout(binding = 0) uniform usampler2D signalTexture;
 #ifdef GI_GUIDED
 layout(binding = 1) uniform sampler2D featureTexture;
-layout(binding = 2) uniform usampler2D countTexture; // how much features and standard deviations count, by level
-
-uniform int level;
+layout(binding = 2) uniform sampler2D countTexture; // how much features, standard deviations and places count in this level
 #endif
 
-// Light of paths has not been trained on.
+// Not for light of paths, which the network was not trained on.
 #if defined(GI_GUIDED) && !defined(GI_OWN_SURFACE)
 #define GI_PLACES
-layout(binding = 5) uniform sampler2D trustTexture; // share of the regression on places, by level
 #endif
 
 #ifdef GI_SLOPES
@@ -110,7 +107,8 @@ mat3 slopeAt(vec2 place)
 // farthest: the greatest distance, 1 or 2 samples.
 float kernelAt(int distance, int farthest)
 {
-  return farthest == 1 ? 0.5 - 0.25 * float(distance) : float[](0.375, 0.25, 0.0625)[distance];
+  float d = float(distance);
+  return farthest == 1 ? 0.5 - 0.25 * d : 0.375 - (0.09375 + 0.03125 * d) * d; // 3/8, 1/4, 1/16
 }
 
 void main()
@@ -160,12 +158,12 @@ void main()
 #endif
 #ifdef GI_GUIDED
   vec4 features = texelFetch(featureTexture, pixel, 0);
-  vec2 ownCounts = unpackHalf2x16(texelFetch(countTexture, pixel, 0)[level]);
+  vec3 ownCounts = texelFetch(countTexture, pixel, 0).xyz;
 #endif
 #ifdef GI_PLACES
   vec2 places = vec2(0.0);
-  mat2 spread = mat2(0.0);
-  mat2x4 leans = mat2x4(0.0); // sums of products with the changes
+  vec3 spread = vec3(0.0);
+  mat2x4 leans = mat2x4(0.0); // products of changes and places
 #ifdef GI_JOINT
   mat2x4 ownLeans = mat2x4(0.0);
 #endif
@@ -179,92 +177,93 @@ void main()
 #else
   const int farthest = 1;
 #endif
-  int width = 2 * farthest + 1;
-  int last = width * width - 1;
-  for (int i = 0; i <= last; ++i)
+  int number = 0;
+  for (int y = -farthest; y <= farthest; ++y)
   {
-    ivec2 offset = ivec2(i % width, i / width) - farthest;
-    ivec2 at = pixel + step * offset;
 #ifdef GI_PLACES
-    if (abs(offset.x) + abs(offset.y) > 2)
-    {
-      continue;
-    }
-#endif
-    if (any(lessThan(at, low)) || any(greaterThan(at, high)))
-    {
-      continue;
-    }
-    GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
-    float weight = kernelAt(abs(offset.x), farthest) * kernelAt(abs(offset.y), farthest) * other.frames;
-    weight *= giSimilarity(here, vec2(step * offset), other.depth, other.normal);
-    if (weight == 0.0)
-    {
-      continue;
-    }
-    float sharpness = 1.0 / TOLERANCE;
-    float unlike = 0.0; // the weight falls by e to the power of this
-#ifdef GI_GUIDED
-    // Symmetric: if a bright pixel took from neighbours that refuse its own sample, the picture would lose light.
-    vec2 counts = max(ownCounts, unpackHalf2x16(texelFetch(countTexture, at, 0)[level]));
-    vec4 apart = texelFetch(featureTexture, at, 0) - features;
-#ifdef GI_OWN_SURFACE
-    counts.x *= FEATURES_OF_PATHS;
+    int widest = farthest == 1 ? 1 : farthest - abs(y); // for time's sake no corners
 #else
-    float least = min(signal.frames, other.frames);
-    sharpness = min(counts.y, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
-    sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
+    int widest = farthest;
 #endif
-    unlike = counts.x * dot(apart, apart);
+    for (int x = -widest; x <= widest; ++x, ++number)
+    {
+      ivec2 offset = ivec2(x, y);
+      ivec2 at = pixel + step * offset;
+      if (any(lessThan(at, low)) || any(greaterThan(at, high)))
+      {
+        continue;
+      }
+      GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
+      float weight = kernelAt(abs(offset.x), farthest) * kernelAt(abs(offset.y), farthest) * other.frames;
+      weight *= giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+      if (weight == 0.0)
+      {
+        continue;
+      }
+      float sharpness = 1.0 / TOLERANCE;
+      float unlike = 0.0; // the weight falls by e to the power of this
+#ifdef GI_GUIDED
+      // Symmetric: if a bright pixel took from neighbours that refuse its own sample, the picture would lose light.
+      vec2 counts = max(ownCounts.xy, texelFetch(countTexture, at, 0).xy);
+      vec4 apart = texelFetch(featureTexture, at, 0) - features;
+#ifdef GI_OWN_SURFACE
+      counts.x *= FEATURES_OF_PATHS;
+#else
+      float least = min(signal.frames, other.frames);
+      sharpness = min(counts.y, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
+      sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);
+#endif
+      unlike = counts.x * dot(apart, apart);
 #endif
 #ifdef GI_LIGHT
-    float otherNoise = other.error * giLuminance(other.value.rgb);
-    vec3 turned = vec3(0.0);
+      float otherNoise = other.error * giLuminance(other.value.rgb);
+      vec3 turned = vec3(0.0);
 #ifdef GI_SLOPES
-    turned = slope * (N - giDecodeOctahedral(other.normal));
+      turned = slope * (N - giDecodeOctahedral(other.normal));
 #endif
-    other.value.rgb += turned;
-    float otherLight = giLuminance(other.value.rgb);
-    if (guided)
-    {
-      unlike += sharpness * abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30));
-    }
-    weight *= exp(-unlike);
+      other.value.rgb += turned;
+      float otherLight = giLuminance(other.value.rgb);
+      if (guided)
+      {
+        unlike += sharpness * abs(otherLight - light) * inversesqrt(max(noise * noise + otherNoise * otherNoise, 1e-30));
+      }
+      weight *= exp(-unlike);
 #ifdef GI_PLACES
-    vec2 place = vec2(offset) / float(farthest);
-    places += weight * place;
-    spread += weight * outerProduct(place, place);
-    leans += weight * outerProduct(other.value - signal.value, place);
+      vec2 place = vec2(offset) / float(farthest);
+      places += weight * place;
+      spread += weight * place.xxy * place.xyy;
+      leans += weight * outerProduct(other.value - signal.value, place);
 #endif
-    moments += weight * vec2(otherLight, otherLight * otherLight);
-    squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
+      moments += weight * vec2(otherLight, otherLight * otherLight);
+      squares += weight * weight * vec2(1.0, otherNoise * otherNoise);
 #ifdef GI_JOINT
-    vec4 ownChange = texelFetch(values, at, 0) + vec4(turned, 0.0) - own;
-    change += weight * ownChange;
+      vec4 ownChange = texelFetch(values, at, 0) + vec4(turned, 0.0) - own;
+      change += weight * ownChange;
 #ifdef GI_PLACES
-    ownLeans += weight * outerProduct(ownChange, place);
+      ownLeans += weight * outerProduct(ownChange, place);
 #endif
 #endif
 #endif
-    changes[min(min(i, last - i), DIRECTIONS - 1)] += weight * (other.value - signal.value);
-    weights += weight;
+      changes[DIRECTIONS == 1 ? 0 : min(min(number, 8 - number), DIRECTIONS - 1)] += weight * (other.value - signal.value);
+      weights += weight;
 #ifndef GI_LIGHT
-    // A penumbra reaches pixels whose own ray missed the occluder.
-    vec4 hits = weight * vec4(greaterThan(other.reach, vec4(0.0)));
-    reach += hits * other.reach;
-    known += hits;
+      // A penumbra reaches pixels whose own ray missed the occluder.
+      vec4 hits = weight * vec4(greaterThan(other.reach, vec4(0.0)));
+      reach += hits * other.reach;
+      known += hits;
 #endif
+    }
   }
 #ifndef GI_LIGHT
   signal.reach = reach / max(known, 1e-6);
 #endif
 #ifdef GI_PLACES
   vec2 middle = places / max(weights, 1e-6);
-  vec2 lever = inverse(spread / max(weights, 1e-6) - outerProduct(middle, middle) + mat2(RIDGE)) * middle;
+  vec2 lever = inverse(mat2(spread.xy, spread.yz) / max(weights, 1e-6) - outerProduct(middle, middle) + mat2(RIDGE)) * middle;
   // A sample at d has 1 - trust * dot(d - middle, lever) times its weight, which must not be negative.
   vec2 size = abs(lever);
   float most = (farthest > 1 ? max(size.x, size.y) : size.x + size.y) - dot(middle, lever);
-  lever *= min(texelFetch(trustTexture, pixel, 0)[level], 1.0 / max(most, 1e-6));
+  lever *= min(ownCounts.z, 1.0 / max(most, 1e-6));
   changes[0] += dot(middle, lever) * changes[0] - leans * lever;
 #ifdef GI_JOINT
   change += dot(middle, lever) * change - ownLeans * lever;

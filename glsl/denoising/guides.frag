@@ -15,8 +15,7 @@ const float LEAST_SHARPNESS = 0.15;
 const float MOST_CHANGE = 2.0;
 
 layout(location = 0) out vec4 features;
-layout(location = 1) out uvec4 counts; // bandwidth and sharpness by level, as half floats
-layout(location = 2) out vec4 trusts;  // share of the regression on places, by level
+layout(location = 1) out vec4 counts[4]; // by level: bandwidth, sharpness, trust in the regression on places
 
 vec4 softplus(vec4 x)
 {
@@ -42,9 +41,9 @@ void main()
   float change = min(TRAINED_SIZE / min(view.Viewport.z, view.Viewport.w), MOST_CHANGE);
   vec4 bandwidths = change * softplus(sums[1]);
   vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
+  vec4 trusts = 1.0 / (1.0 + exp(-sums[3]));
   for (int level = 0; level < 4; ++level)
   {
-    counts[level] = packHalf2x16(vec2(bandwidths[level], sharpnesses[level]));
+    counts[level] = vec4(bandwidths[level], sharpnesses[level], trusts[level], 0.0);
   }
-  trusts = 1.0 / (1.0 + exp(-sums[3]));
 }

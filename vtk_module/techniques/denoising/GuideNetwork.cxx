@@ -12,19 +12,22 @@ namespace penumbra
 {
 namespace
 {
-constexpr int Levels = 4;  // of the U-Net
+constexpr int Levels = GuideNetwork::Levels;
 constexpr int Inputs = 16; // numbers for each pixel
 
 constexpr const char* Prefix = "denoising.network.";
 constexpr const char* Tiles = "denoising.network.tiles";
 constexpr const char* Fine = "denoising.network.fine";
 constexpr const char* Features = "denoising.network.features";
-constexpr const char* Counts = "denoising.network.counts";
-constexpr const char* Trusts = "denoising.network.trusts";
 
 const std::string First = "inputs";
 const std::string Last = "out";
 
+// A texture for each level of the filter: software OpenGL reads them faster than layers.
+std::string Counts(int level)
+{
+  return "counts" + std::to_string(level);
+}
 std::string Encoder(int level)
 {
   return "e" + std::to_string(level);
@@ -93,9 +96,11 @@ void GuideNetwork::Declare(PassDeclaration& pass, const Frame& frame)
   }
   write(Last, ChannelsOf(Last), 0);
   pass.Write(Fine, frame.WindowTexture(GL_RGBA16F))
-    .Write(Features, frame.WindowTexture(GL_RGBA16F))
-    .Write(Counts, frame.WindowTexture(GL_RGBA32UI))
-    .Write(Trusts, frame.WindowTexture(GL_RGBA16F));
+    .Write(Features, frame.WindowTexture(GL_RGBA16F));
+  for (int level = 0; level < Levels; ++level)
+  {
+    pass.Write(Prefix + Counts(level), frame.WindowTexture(GL_RGBA16F));
+  }
 }
 
 void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
@@ -130,7 +135,7 @@ void GuideNetwork::Convolve(FrameContext& context, const std::string& layer,
   }
 }
 
-Arguments GuideNetwork::Infer(FrameContext& context, const Texture* signal)
+void GuideNetwork::Infer(FrameContext& context, const Texture* signal)
 {
   const glm::ivec2 pixels = PixelsOf(context);
   const glm::ivec2 tiles = (pixels + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE;
@@ -162,31 +167,37 @@ Arguments GuideNetwork::Infer(FrameContext& context, const Texture* signal)
     above = Decoder(level);
   }
   this->Convolve(context, Last, {}, above, 0);
-  context.BindTarget({ { context.Output(Features), -1 }, { context.Output(Counts), -1 },
-                       { context.Output(Trusts), -1 } },
-    {});
+  std::vector<Attachment> targets = { { context.Output(Features), -1 } };
+  for (int level = 0; level < Levels; ++level)
+  {
+    targets.push_back({ OutputOf(context, Counts(level)), -1 });
+  }
+  context.BindTarget(targets, {});
   context.DrawBound("denoising/guides.frag", {},
     Arguments()
       .Sample("outputs", OutputOf(context, Last))
       .Sample("fineTexture", context.Output(Fine)));
-  return Arguments()
-    .Sample("featureTexture", context.Output(Features))
-    .Sample("countTexture", context.Output(Counts))
-    .Sample("trustTexture", context.Output(Trusts));
 }
 
-std::optional<Arguments> GuideNetwork::Run(FrameContext& context, const Texture* signal)
+Arguments GuideNetwork::Guides(FrameContext& context, int level)
+{
+  return Arguments()
+    .Sample("featureTexture", context.Output(Features))
+    .Sample("countTexture", OutputOf(context, Counts(level)));
+}
+
+bool GuideNetwork::Run(FrameContext& context, const Texture* signal)
 {
   try
   {
-    const Arguments guides = this->Infer(context, signal);
+    this->Infer(context, signal);
     this->HasRun = true;
-    return guides;
+    return true;
   }
   catch (const std::runtime_error& error)
   {
     this->Failure = error.what();
-    return {};
+    return false;
   }
 }
 }

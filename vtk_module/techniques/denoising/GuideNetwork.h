@@ -10,7 +10,6 @@
 #include "graph/Frame.h"
 
 #include <map>
-#include <optional>
 #include <string>
 
 namespace penumbra
@@ -18,6 +17,8 @@ namespace penumbra
 class GuideNetwork
 {
 public:
+  static constexpr int Levels = 4; ///< of the U-Net, and of the filter
+
   bool UsesBuffers = false; ///< whether weights are read from buffers instead
   bool HasRun = false;
   std::string Failure; ///< why the driver does not compile it; "" for nothing
@@ -25,11 +26,14 @@ public:
   /// Have a pass write what the network needs.
   static void Declare(PassDeclaration& pass, const Frame& frame);
 
-  /// Run the network on a signal of the pass. Returns the textures that guide denoising/filter.frag; none on a failure.
-  std::optional<Arguments> Run(FrameContext& context, const Texture* signal);
+  /// Run the network on a signal of the pass. Returns whether that succeeded.
+  bool Run(FrameContext& context, const Texture* signal);
+
+  /// The textures that guide a level of denoising/filter.frag.
+  static Arguments Guides(FrameContext& context, int level);
 
 private:
-  Arguments Infer(FrameContext& context, const Texture* signal);
+  void Infer(FrameContext& context, const Texture* signal);
   void Convolve(FrameContext& context, const std::string& layer, const std::string& above,
     const std::string& input, int level);
 

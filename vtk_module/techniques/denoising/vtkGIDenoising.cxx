@@ -9,7 +9,6 @@
 #include "denoising.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 vtkStandardNewMacro(vtkGIDenoising);
@@ -28,9 +27,6 @@ constexpr int LastJointSample = 1024; // if the mean of still frames is the pict
 
 // Order of the picture of a signal: after everything else.
 constexpr int ShowOrder = 820;
-
-// Number of levels that the network knows.
-constexpr int GuidedLevels = 4;
 
 constexpr const char* View = "denoising.view";
 
@@ -161,30 +157,29 @@ void Filter(FrameContext& context, const Names& names, int layer, const Manner& 
       .Set("stillSamples", manner.StillSamples)
       .Set("radius", manner.Radius)
       .Set("layer", layer));
-  const std::optional<Arguments> guides =
-    manner.Network ? manner.Network->Run(context, current.Signal) : std::nullopt;
-  Arguments shared = guides ? *guides : Arguments();
-  if (guides)
+  const bool guided = manner.Network && manner.Network->Run(context, current.Signal);
+  const Texture* slopes = manner.FitsNormals ? FitSlopes(context, current.Signal) : nullptr;
+  if (guided)
   {
     variant["GI_GUIDED"] = "1";
   }
-  if (manner.FitsNormals)
+  if (slopes)
   {
     variant["GI_SLOPES"] = "1";
-    shared.Sample("slopes", FitSlopes(context, current.Signal));
   }
   const bool shows = manner.Show != Off && layer <= 0;
   if (shows && manner.Show != Filtered)
   {
     ShowSignal(context, current.Signal, manner, variant);
   }
-  for (int level = 0; (1 << level) < 2.0 * manner.Radius && !(guides && level >= GuidedLevels);
-       ++level)
+  for (int level = 0;
+       (1 << level) < 2.0 * manner.Radius && !(guided && level >= GuideNetwork::Levels); ++level)
   {
-    Arguments arguments = current.Samples(shared);
-    if (guides)
+    Arguments arguments =
+      current.Samples(guided ? GuideNetwork::Guides(context, level) : Arguments());
+    if (slopes)
     {
-      arguments.Set("level", level);
+      arguments.Sample("slopes", slopes);
     }
     next.Bind(context);
     context.DrawBound("denoising/filter.frag", variant,
