@@ -22,6 +22,7 @@ else:
     import network
     import reference
     import train
+    import weights
 
 STEPS = 6
 
@@ -61,7 +62,7 @@ class Training(unittest.TestCase):
 
     def training(self, folder):
         """A training of a few steps."""
-        arguments = argparse.Namespace(seed=3, folder=folder, families=None, scenes=1, cameras=1, size=64, steps=STEPS)
+        arguments = argparse.Namespace(seed=3, folder=folder, start=None, families=None, scenes=1, cameras=1, size=64, steps=STEPS)
         return train.Training(arguments)
 
     def network_of(self, training):
@@ -117,7 +118,7 @@ class Training(unittest.TestCase):
             self.assertEqual(self.network_of(resumed), self.network_of(whole))
 
     def test_a_broken_option_is_one_sentence(self):
-        for arguments in (["--size", "100"], ["--steps", "0"], ["--families", "cubes"]):
+        for arguments in (["--size", "100"], ["--steps", "0"], ["--families", "cubes"], ["--from", "missing.txt"]):
             with self.assertRaises(SystemExit) as ended:
                 run(*arguments, "--folder", self.folder.name)
             self.assertNotEqual(ended.exception.code, 0)
@@ -184,6 +185,26 @@ class Agreement(unittest.TestCase):
                 brighter = data.Signal(signal.light * factor, *(getattr(signal, name) for name in data.Signal.FIELDS[1:]))
                 found = net(self.batch(brighter)).numpy() / factor
                 self.assertLess(np.abs(found - plain).max(), 1e-3 * plain.mean())
+
+    def test_outputs_that_a_file_lacks_start_at_their_first_values(self):
+        torch.manual_seed(1)
+        old, net = network.Denoiser(), network.Denoiser()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "network.txt")
+            old.save(path, {"seed": 1})
+            facts, layers = weights.read(path)
+            last, count = layers["out"], layers["out"].weight_count()
+            fewer = last.outputs - network.LEVELS
+            values = last.values[:count // last.outputs * fewer] + last.values[count:count + fewer]
+            weights.write(path, facts, {**layers, "out": weights.Layer(last.inputs, fewer, last.kernel, values)})
+            self.assertEqual(net.restore(path), {"seed": "1"})
+        batch = self.batch(self.signal(8))
+        with torch.no_grad():
+            *expected, _ = old.guides(batch)
+            *found, trusts = net.guides(batch)
+        for one, other in zip(expected, found):
+            self.assertLess((one - other).abs().max(), 0.02)  # rounded to 16 bits
+        self.assertLess((trusts - torch.sigmoid(torch.tensor(-1.0))).abs().max(), 1e-6)
 
     def trusting(self, trust):
         """A network without training that trusts the regression on places fully, or not at all."""

@@ -306,15 +306,17 @@ class Denoiser(nn.Module):
         weights.write(path, facts, layers)
 
     def restore(self, path):
-        """Take the weights of a file."""
-        _, layers = weights.read(path)
+        """Take the weights of a file, and return its facts. Outputs that it lacks are their first biases."""
+        facts, layers = weights.read(path)
         with torch.no_grad():
             for name, layer in self.layers().items():
-                values = torch.tensor(layers[name].values)
-                count = layers[name].weight_count()
-                layer.weight.copy_(values[:count].reshape(layer.weight.shape))
+                found, values = layers[name], torch.tensor(layers[name].values)
+                count = found.weight_count()
+                layer.weight[:found.outputs] = values[:count].reshape(found.outputs, *layer.weight.shape[1:])
+                layer.weight[found.outputs:] = 0
                 if layer.bias is not None:
-                    layer.bias.copy_(values[count:])
+                    layer.bias[:found.outputs] = values[count:]
+        return facts
 
 
 def relative_error(picture, batch):

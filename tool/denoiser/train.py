@@ -30,6 +30,7 @@ CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
+FROM_RATE, FROM_FILTERED = 3e-4, 0.5  # of a training that starts from a network
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
 SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 200}
@@ -84,6 +85,7 @@ def options():
     parser.add_argument("--size", type=whole, default=128,
                         help="width and height of pictures, a multiple of 32 (default %(default)s)")
     parser.add_argument("--steps", type=whole, default=20000, help="of the training (default %(default)s)")
+    parser.add_argument("--from", dest="start", metavar="NETWORK", help="go on from the network of this file, with smaller steps")
     parser.add_argument("--short", action="store_true", help="a few small scenes and steps, to see whether all works")
     parser.add_argument("--data-only", action="store_true", help="render the pictures, and stop")
     args = parser.parse_args()
@@ -193,9 +195,22 @@ class Training:
         torch.set_num_threads(1)
         torch.manual_seed(args.seed)
         self.args, self.net, self.step, self.losses = args, network.Denoiser(), 0, []
-        self.optimizer = torch.optim.Adam(self.net.parameters(), RATE)
+        self.rate, self.filtered = (FROM_RATE, FROM_FILTERED) if args.start else (RATE, FILTERED)
+        self.origin = self.started(args.start) if args.start else "nothing"
+        self.optimizer = torch.optim.Adam(self.net.parameters(), self.rate)
         self.path = os.path.join(args.folder, "checkpoint.pt")
-        self.key = [args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
+        self.key = [self.origin, args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
+
+    def started(self, path):
+        """Take the weights of a network. Returns the commit of its generator."""
+        try:
+            return self.net.restore(path)["generator"]
+        except OSError as error:
+            sys.exit(f"{path} cannot be read: {error.strerror}.")
+        except ValueError as error:
+            sys.exit(str(error))
+        except (KeyError, RuntimeError):
+            sys.exit(f"{path} is a network of another form: take one that this command wrote.")
 
     def resume(self):
         """Go on from the checkpoint of a training with the same options, if there is one."""
@@ -215,11 +230,11 @@ class Training:
     def learn(self, samples):
         """One step. Its random numbers depend on its number only, so that a resumed training is the same."""
         random = np.random.default_rng((self.args.seed, self.step))
-        rate = LAST_RATE + (RATE - LAST_RATE) * 0.5 * (1 + np.cos(np.pi * self.step / self.args.steps))
+        rate = LAST_RATE + (self.rate - LAST_RATE) * 0.5 * (1 + np.cos(np.pi * self.step / self.args.steps))
         for group in self.optimizer.param_groups:
             group["lr"] = float(rate)
         batch = batch_of([crop(samples[i][0], random) for i in random.integers(0, len(samples), CROPS)])
-        loss = network.loss_of(self.net(batch), batch, "smooth" if self.step < FILTERED * self.args.steps else "target")
+        loss = network.loss_of(self.net(batch), batch, "smooth" if self.step < self.filtered * self.args.steps else "target")
         self.optimizer.zero_grad()
         loss.backward()
         torch.nn.utils.clip_grad_norm_(self.net.parameters(), 1.0)
@@ -277,14 +292,14 @@ def main():
     os.makedirs(args.folder, exist_ok=True)
     pictures = os.path.join(args.folder, "data")
     trained, held = scene_lists(args)
+    training = Training(args)
     data.ensure(pictures, trained + held, args.size, args.cameras, Progress("rendering"))
     if args.data_only:
         return
-    training = Training(args)
     training.resume()
     training.run(samples_of(pictures, trained, halved=True))
-    facts = {"generator": revision(), "seed": args.seed, "scenes": len(trained), "cameras": args.cameras, "size": args.size,
-             "steps": args.steps}
+    facts = {"generator": revision(), "from": training.origin, "seed": args.seed, "scenes": len(trained), "cameras": args.cameras,
+             "size": args.size, "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
     training.net.save(path, facts)
     training.net.restore(path)  # the report is about the rounded weights
