@@ -40,7 +40,7 @@ const float TOLERANCE = 3.25;
 
 // How much features count in light of paths, times as much as the network says: a path that finds a bright lamp by chance stays a
 // small spot. Standard deviations count as without the network there.
-const float FEATURES_OF_PATHS = 1.4;
+const float FEATURES_OF_PATHS = 1.7;
 
 // How much the network may make standard deviations count, per frame. Few frames may agree by chance and then seem to have little
 // noise: walls would get dots. The regressions spare what this blurs.
