@@ -264,7 +264,7 @@ class Denoiser(nn.Module):
         self.net = UNet(FEATURES + 3 * LEVELS)
         self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
         nn.init.normal_(self.net.last.weight, std=0.02)
-        with torch.no_grad():  # much as without a network; sharpnesses below their limit in first frames, where they would not learn
+        with torch.no_grad():  # much as without a network; sharpnesses below their limit in first frames, so that they learn
             self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-1.2] * LEVELS + [-1.0] * LEVELS))
 
     def guides(self, batch):
