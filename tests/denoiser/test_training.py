@@ -96,6 +96,16 @@ class Training(unittest.TestCase):
                 found.append(self.network_of(training))
         self.assertEqual(*found)
 
+    def test_goes_on_from_a_network(self):
+        path = os.path.join(self.folder.name, "network.txt")
+        with tempfile.TemporaryDirectory() as folder:
+            arguments = argparse.Namespace(**{**vars(self.training(folder).args), "start": path})
+            training = train.Training(arguments)
+            training.net.save(os.path.join(folder, "again.txt"), weights.read(path)[0])
+            self.assertEqual(pathlib.Path(folder, "again.txt").read_bytes(), pathlib.Path(path).read_bytes())
+        self.assertEqual(training.origin, weights.read(path)[0]["generator"])
+        self.assertNotEqual(training.key, self.training(folder).key)
+
     def test_goes_on_after_an_interruption(self):
         samples = self.samples()
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()), \
@@ -217,16 +227,16 @@ class Agreement(unittest.TestCase):
     def test_the_regression_on_places_is_a_mean(self):
         random = np.random.default_rng(3)
         for offsets, farthest in ((network.OFFSETS, 1), (network.WIDE_OFFSETS, 2)):
-            weights = torch.from_numpy(random.exponential(1, (len(offsets), 1, 1000, 1)) ** 4)
-            total, shares = weights.sum(0), []
-            for chosen, own in enumerate(weights):
+            samples = torch.from_numpy(random.exponential(1, (len(offsets), 1, 1000, 1)) ** 4)
+            total, shares = samples.sum(0), []
+            for chosen, own in enumerate(samples):
                 fit = network.Regression()
-                for number, (weight, place) in enumerate(zip(weights, offsets)):
+                for number, (weight, place) in enumerate(zip(samples, offsets)):
                     fit.add(weight, [at / farthest for at in place], float(number == chosen))
                 shares.append(own / total - fit.lean(total, own / total, torch.ones(1, 1, 1), farthest > 1))
             self.assertGreater(torch.stack(shares).min(), -1e-6)
             self.assertLess((sum(shares) - 1).abs().max(), 1e-6)
-            self.assertGreater((shares[0] - weights[0] / total).abs().max(), 0.1)
+            self.assertGreater((shares[0] - samples[0] / total).abs().max(), 0.1)
 
     def test_even_slopes_of_light_stay_at_edges(self):
         signal = self.signal(1)

@@ -220,10 +220,11 @@ class Means:
         total = first = second = squares = weighted = np.zeros_like(noise)
         change, middle = np.zeros_like(light), np.zeros((*noise.shape, 2))
         spread, leans = np.zeros((*noise.shape, 2, 2)), np.zeros((*light.shape, 2))
-        for x, y in offsets:
+        places = np.array(offsets) / np.max(offsets)
+        for (x, y), place in zip(offsets, places):
             weight, moved_by = weigh(x, y)
             there, other_noise = moved(light, *moved_by) + turned(moved_by), moved(noise, *moved_by)
-            other, place = there @ LUMINANCE, np.array((x, y)) / max(map(max, offsets))
+            other = there @ LUMINANCE
             total, first, second = total + weight, first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
             change = change + weight[..., None] * (there - light)
@@ -233,7 +234,6 @@ class Means:
         change, middle = change / total[..., None], middle / total[..., None]
         spread = spread / total[..., None, None] - middle[..., None] * middle[..., None, :] + PLACE_RIDGE * np.eye(2)
         lever = np.linalg.solve(spread, middle[..., None])[..., 0]
-        places = np.array(offsets) / max(map(max, offsets))
         farthest = (lever @ places.T).max(-1) - (lever * middle).sum(-1)
         trust = np.minimum(trust, 1 / np.maximum(farthest, 1e-6))  # so that no weight is negative
         expected = (leans @ lever[..., None])[..., 0] / total[..., None]
