@@ -142,7 +142,7 @@ std::vector<std::string> Flags(const std::string& text)
   const std::regex name("(?:#ifn?def |#(?:el)?if !?|defined\\()(GI_\\w+)");
   for (std::sregex_iterator it(text.begin(), text.end(), name); it != std::sregex_iterator(); ++it)
   {
-    const bool isOwn = text.find("#define " + (*it)[1].str() + " ") != std::string::npos;
+    const bool isOwn = std::regex_search(text, std::regex("#define " + (*it)[1].str() + "\\b"));
     if (!isOwn && std::find(flags.begin(), flags.end(), (*it)[1]) == flags.end())
     {
       flags.push_back((*it)[1]);
