@@ -3,8 +3,9 @@
 // Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering). Samples of light weigh by their number of
 // frames, and less where they differ by more than their noise (Schied et al. 2017, Spatiotemporal Variance-Guided Filtering).
 // GI_GUIDED: a network says how much differences count (Isik, Mullia, Fisher, Eisenmann and Gharbi 2021, Interactive Monte Carlo
-// Denoising using Affinity of Neural Features), and how much a regression on the samples' places (Fan 1992, Design-adaptive
-// Nonparametric Regression). GI_SLOPES: averages residuals of a regression on normals, see slopes.comp.
+// Denoising using Affinity of Neural Features), and for light by rays also how much samples of other surfaces and a regression on
+// the samples' places (Fan 1992, Design-adaptive Nonparametric Regression). GI_SLOPES: averages residuals of a regression on
+// normals and concavities, see slopes.comp.
 // Variants: those of denoising/signal.glsl; GI_OWN_SURFACE: light of paths, which the network was not trained on.
 #include "shared/view.h"
 #include "shared/denoising.h"
@@ -17,7 +18,7 @@
 layout(binding = 0) uniform usampler2D signalTexture;
 #ifdef GI_GUIDED
 layout(binding = 1) uniform sampler2D featureTexture;
-layout(binding = 2) uniform sampler2D countTexture; // how much features, standard deviations and places count in this level
+layout(binding = 2) uniform sampler2D countTexture; // how much features, deviations, places and other surfaces count in this level
 #endif
 
 // Not for light of paths, which the network was not trained on.
@@ -82,19 +83,19 @@ float stretchOf(GiSurfel here, vec2 offset)
 }
 
 #ifdef GI_SLOPES
-// Derivative of light with respect to the normal at a pixel, interpolated between tiles.
-mat3 slopeAt(vec2 place)
+// Derivative of light with respect to the normal and the concavity at a pixel, interpolated between tiles.
+mat4x3 slopeAt(vec2 place)
 {
   vec2 last = ceil(view.Viewport.zw / float(GI_DENOISING_TILE)) - 1.0;
   vec2 tile = (place - view.Viewport.xy) / float(GI_DENOISING_TILE) - 0.5;
   vec2 f = fract(tile);
-  mat3 sum = mat3(0.0);
+  mat4x3 sum = mat4x3(0.0);
   for (int i = 0; i < 4; ++i)
   {
     vec2 offset = vec2(i & 1, i >> 1);
     vec2 share = mix(1.0 - f, f, offset);
     ivec2 at = ivec2(clamp(floor(tile) + offset, vec2(0.0), last));
-    for (int j = 0; j < 3; ++j)
+    for (int j = 0; j < 4; ++j)
     {
       sum[j] += share.x * share.y * texelFetch(slopes, ivec3(at, j), 0).rgb;
     }
@@ -158,7 +159,7 @@ void main()
 #endif
 #ifdef GI_GUIDED
   vec4 features = texelFetch(featureTexture, pixel, 0);
-  vec3 ownCounts = texelFetch(countTexture, pixel, 0).xyz;
+  vec4 ownCounts = texelFetch(countTexture, pixel, 0);
 #endif
 #ifdef GI_PLACES
   vec2 places = vec2(0.0);
@@ -169,8 +170,8 @@ void main()
 #endif
 #endif
 #ifdef GI_SLOPES
-  mat3 slope = slopeAt(gl_FragCoord.xy);
-  vec3 N = giDecodeOctahedral(signal.normal);
+  mat4x3 slope = slopeAt(gl_FragCoord.xy);
+  vec4 shape = vec4(giDecodeOctahedral(signal.normal), signal.concavity);
 #endif
 #if defined(GI_OWN_SURFACE) || defined(GI_PLACES)
   int farthest = step == 1 ? 2 : 1; // most noise is left where surfaces are a few pixels wide
@@ -194,8 +195,14 @@ void main()
         continue;
       }
       GiSignal other = giUnpackSignal(texelFetch(signalTexture, at, 0));
-      float weight = kernelAt(abs(offset.x), farthest) * kernelAt(abs(offset.y), farthest) * other.frames;
-      weight *= giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+      float alike = giSimilarity(here, vec2(step * offset), other.depth, other.normal);
+#ifdef GI_GUIDED
+      vec4 otherCounts = texelFetch(countTexture, at, 0);
+#endif
+#ifdef GI_PLACES
+      alike = mix(alike, 1.0, min(ownCounts.w, otherCounts.w));
+#endif
+      float weight = kernelAt(abs(offset.x), farthest) * kernelAt(abs(offset.y), farthest) * other.frames * alike;
       if (weight == 0.0)
       {
         continue;
@@ -204,7 +211,7 @@ void main()
       float unlike = 0.0; // the weight falls by e to the power of this
 #ifdef GI_GUIDED
       // Symmetric: if a bright pixel took from neighbours that refuse its own sample, the picture would lose light.
-      vec2 counts = max(ownCounts.xy, texelFetch(countTexture, at, 0).xy);
+      vec2 counts = max(ownCounts.xy, otherCounts.xy);
       vec4 apart = texelFetch(featureTexture, at, 0) - features;
 #ifdef GI_OWN_SURFACE
       counts.x *= FEATURES_OF_PATHS;
@@ -219,7 +226,7 @@ void main()
       float otherNoise = other.error * giLuminance(other.value.rgb);
       vec3 turned = vec3(0.0);
 #ifdef GI_SLOPES
-      turned = slope * (N - giDecodeOctahedral(other.normal));
+      turned = slope * (shape - vec4(giDecodeOctahedral(other.normal), other.concavity));
 #endif
       other.value.rgb += turned;
       float otherLight = giLuminance(other.value.rgb);

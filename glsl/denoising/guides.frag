@@ -1,6 +1,6 @@
 #version 430 core
 // What the network says of each pixel: features, how much their differences and those of light count at each level, and how much
-// the regression on places.
+// the regression on places and samples of other surfaces.
 // Light changes less from pixel to pixel in larger pictures than in those of the training, so differences of features count less
 // there; in smaller ones they count more. Those of light are in standard deviations, whatever the size.
 #include "shared/view.h"
@@ -15,7 +15,7 @@ const float LEAST_SHARPNESS = 0.15;
 const float MOST_CHANGE = 2.0;
 
 layout(location = 0) out vec4 features;
-layout(location = 1) out vec4 counts[4]; // by level: bandwidth, sharpness, trust in the regression on places
+layout(location = 1) out vec4 counts[4]; // by level: bandwidth, sharpness, shares of the regression on places and of other surfaces
 
 vec4 softplus(vec4 x)
 {
@@ -27,12 +27,12 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec2 place = 0.5 * (gl_FragCoord.xy - view.Viewport.xy) - 0.5;
   vec2 last = ceil(0.5 * view.Viewport.zw) - 1.0;
-  vec4 sums[4] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  vec4 sums[5] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int i = 0; i < 4; ++i)
   {
     vec2 corner = floor(place) + vec2(i & 1, i >> 1);
     vec2 weight = 1.0 - abs(place - corner);
-    for (int four = 0; four < 4; ++four)
+    for (int four = 0; four < 5; ++four)
     {
       sums[four] += weight.x * weight.y * texelFetch(outputs, ivec3(clamp(corner, vec2(0.0), last), four), 0);
     }
@@ -42,8 +42,9 @@ void main()
   vec4 bandwidths = change * softplus(sums[1]);
   vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   vec4 trusts = 1.0 / (1.0 + exp(-sums[3]));
+  vec4 others = 1.0 / (1.0 + exp(-sums[4]));
   for (int level = 0; level < 4; ++level)
   {
-    counts[level] = vec4(bandwidths[level], sharpnesses[level], trusts[level], 0.0);
+    counts[level] = vec4(bandwidths[level], sharpnesses[level], trusts[level], others[level]);
   }
 }

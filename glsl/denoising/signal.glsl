@@ -11,6 +11,7 @@ struct GiSignal
   float error;  // relative standard error of light's luminance; 0: unknown
   float depth;  // of the window
   vec2 normal;  // octahedral
+  float concavity; // of light's surface, see pack.frag; 0 if flat
 };
 
 uniform float radius; // the greatest reach, in pixels
@@ -43,20 +44,36 @@ vec4 giFilterShare(vec4 reach, float step)
 const float GI_WIDEST = 64.0;   // reach that can be stored
 const float GI_BRIGHTEST = 6e4; // light that half floats hold
 
+const float GI_NORMALS = 4095.0;      // steps of normals with a concavity
+const float GI_CONCAVITIES = 127.0;   // steps of the square roots of concavities
+
+uint giPackNormal(vec2 normal)
+{
+  uvec2 n = uvec2(normal * 65535.0 + 0.5);
+  return n.x << 16 | n.y;
+}
+
+uint giPackNormalAndConcavity(vec2 normal, float concavity)
+{
+  uvec2 n = uvec2(normal * GI_NORMALS + 0.5);
+  float root = sign(concavity) * sqrt(min(abs(concavity), 1.0));
+  return n.x << 20 | n.y << 8 | uint(GI_CONCAVITIES * (root + 1.0) + 0.5);
+}
+
 uvec4 giPackSignal(GiSignal signal)
 {
-  uvec2 n = uvec2(signal.normal * 65535.0 + 0.5);
   uint depth = floatBitsToUint(signal.frames > 0.0 ? signal.depth : -1.0);
 #ifdef GI_SHARES
-  return uvec4(packUnorm4x8(signal.value), packUnorm4x8(sqrt(signal.reach / GI_WIDEST)), depth, n.x << 16 | n.y);
+  return uvec4(packUnorm4x8(signal.value), packUnorm4x8(sqrt(signal.reach / GI_WIDEST)), depth, giPackNormal(signal.normal));
 #elif defined(GI_LOBE)
   vec2 last = vec2(signal.value.a, sqrt(signal.reach.x / GI_WIDEST));
   return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | packUnorm4x8(vec4(0.0, 0.0, last)), depth,
-    n.x << 16 | n.y);
+    giPackNormal(signal.normal));
 #else
   uint error = signal.error > 0.0 ? max(uint(sqrt(signal.error) * 255.0 + 0.5), 1u) : 0u;
   uint known = uint(min(signal.frames, 255.0)) << 8 | error;
-  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | known << 16, depth, n.x << 16 | n.y);
+  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | known << 16, depth,
+    giPackNormalAndConcavity(signal.normal, signal.concavity));
 #endif
 }
 
@@ -64,7 +81,13 @@ GiSignal giUnpackSignal(uvec4 word)
 {
   GiSignal signal;
   signal.depth = uintBitsToFloat(word.z);
+#if defined(GI_SHARES) || defined(GI_LOBE)
   signal.normal = vec2(word.w >> 16, word.w & 65535u) / 65535.0;
+#else
+  signal.normal = vec2(word.w >> 20, word.w >> 8 & 4095u) / GI_NORMALS;
+  float turn = float(word.w & 255u) / GI_CONCAVITIES - 1.0;
+  signal.concavity = turn * abs(turn);
+#endif
 #ifdef GI_SHARES
   vec4 root = unpackUnorm4x8(word.y);
   signal.value = unpackUnorm4x8(word.x);

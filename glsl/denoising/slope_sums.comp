@@ -1,6 +1,7 @@
 #version 430 core
-// Sums over tiles for the regression in slopes.comp, in six texels: weight, normal, light, products of the normal's components
-// with each other and with the light, and pixel count.
+// Sums over tiles for the regression in slopes.comp, in eight texels: of normals and concavities, of light and weight, of squares,
+// of products of the normal's components with each other and the pixel count, of their products with concavities, and of all with
+// light's channels.
 #define GI_LIGHT
 #include "shared/view.h"
 #include "shared/denoising.h"
@@ -48,7 +49,11 @@ void main()
     return;
   }
   float most = MAXIMUM_LIGHT * meanOf(first, end);
-  vec4 sum[6] = vec4[](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  vec4 sum[8];
+  for (int i = 0; i < 8; ++i)
+  {
+    sum[i] = vec4(0.0);
+  }
   for (int y = first.y; y < end.y; ++y)
   {
     for (int x = first.x; x < end.x; ++x)
@@ -57,18 +62,20 @@ void main()
       float weight = signal.frames;
       if (weight > 0.0)
       {
-        vec3 N = giDecodeOctahedral(signal.normal);
+        vec4 shape = vec4(giDecodeOctahedral(signal.normal), signal.concavity);
         vec3 light = signal.value.rgb * min(most / max(giLuminance(signal.value.rgb), 1e-20), 1.0);
-        sum[0] += weight * vec4(N, 1.0);
-        sum[1] += weight * vec4(N * N, light.r);
-        sum[2] += weight * vec4(N.xxy * N.yzz, light.g);
-        sum[3] += weight * vec4(N * light.r, light.b);
-        sum[4] += vec4(weight * N * light.g, 1.0);
-        sum[5] += vec4(weight * N * light.b, 0.0);
+        sum[0] += weight * shape;
+        sum[1] += weight * vec4(light, 1.0);
+        sum[2] += weight * shape * shape;
+        sum[3] += vec4(weight * shape.xxy * shape.yzz, 1.0);
+        sum[4] += weight * vec4(shape.xyz * shape.w, 0.0);
+        sum[5] += weight * shape * light.r;
+        sum[6] += weight * shape * light.g;
+        sum[7] += weight * shape * light.b;
       }
     }
   }
-  for (int i = 0; i < 6; ++i)
+  for (int i = 0; i < 8; ++i)
   {
     imageStore(sums, ivec3(tile, i), sum[i]);
   }

@@ -1,14 +1,15 @@
 #version 430 core
-// Derivative of light with respect to the normal: a linear ridge regression over a tile and its neighbours (Hoerl and Kennard 1970,
+// Derivative of light with respect to the normal and the concavity: a linear ridge regression over a tile and its neighbours (Hoerl and Kennard 1970,
 // Ridge Regression: Biased Estimation for Nonorthogonal Problems). The filter averages the residuals, as in Moon, Carr and Yoon
 // 2014, Adaptive Rendering Based on Weighted Local Regression.
 #include "shared/view.h"
 #include "shared/denoising.h"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2DArray sums; // of slope_sums.comp
-layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // a layer for each component of the normal
+layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // a layer for each component of the normal, and one for the concavity
 
-const float RIDGE = 0.05; // added to the variance of normals, divided by the mean frame count
+// Added to the variance of normals and of concavities, divided by the mean frame count.
+const vec4 RIDGE = vec4(0.05, 0.05, 0.05, 0.1);
 
 vec4 sumAt(ivec2 tile, int part, ivec2 last)
 {
@@ -31,22 +32,22 @@ void main()
   {
     return;
   }
-  vec4 sum[6];
-  for (int i = 0; i < 6; ++i)
+  vec4 sum[8];
+  for (int i = 0; i < 8; ++i)
   {
     sum[i] = sumAt(tile, i, last);
   }
-  float weight = max(sum[0].w, 1e-6);
-  vec3 N = sum[0].xyz / weight;
-  vec3 light = vec3(sum[1].w, sum[2].w, sum[3].w) / weight;
-  vec3 squares = sum[1].xyz / weight - N * N;
-  vec3 mixed = sum[2].xyz / weight - N.xxy * N.yzz;
-  float ridge = RIDGE * max(sum[4].w, 1.0) / max(weight, 1.0);
-  squares = max(squares, vec3(0.0)) + ridge;
-  mat3 spread = mat3(squares.x, mixed.x, mixed.y, mixed.x, squares.y, mixed.z, mixed.y, mixed.z, squares.z);
-  mat3 found = inverse(spread) * mat3(sum[3].xyz / weight - N * light.r, sum[4].xyz / weight - N * light.g,
-    sum[5].xyz / weight - N * light.b); // a column for each channel
-  for (int i = 0; i < 3; ++i)
+  float weight = max(sum[1].w, 1e-6);
+  vec4 shape = sum[0] / weight;
+  vec3 light = sum[1].rgb / weight;
+  vec4 squares = max(sum[2] / weight - shape * shape, vec4(0.0)) + RIDGE * max(sum[3].w, 1.0) / max(weight, 1.0);
+  vec3 mixed = sum[3].xyz / weight - shape.xxy * shape.yzz;
+  vec3 bent = sum[4].xyz / weight - shape.xyz * shape.w;
+  mat4 spread = mat4(squares.x, mixed.x, mixed.y, bent.x, mixed.x, squares.y, mixed.z, bent.y, mixed.y, mixed.z, squares.z, bent.z,
+    bent.x, bent.y, bent.z, squares.w);
+  mat3x4 found = inverse(spread) * mat3x4(sum[5] / weight - shape * light.r, sum[6] / weight - shape * light.g,
+    sum[7] / weight - shape * light.b); // a column for each channel
+  for (int i = 0; i < 4; ++i)
   {
     imageStore(slopes, ivec3(tile, i), vec4(found[0][i], found[1][i], found[2][i], 0.0));
   }

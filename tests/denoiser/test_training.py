@@ -154,11 +154,13 @@ class Agreement(unittest.TestCase):
 
     def batch(self, signal):
         """The signal alone, as a batch."""
-        return train.batch_of([network.tensors(signal, reference.slopes(signal, reference.Surfaces(signal)))])
+        surfaces = reference.Surfaces(signal)
+        return train.batch_of([network.tensors(signal, surfaces.concavity, reference.slopes(signal, surfaces))])
 
     def truth(self, signal):
         """What a sample stores besides the signal; here its light is the target, too."""
-        return {"target": signal.light, "target_error": signal.error, "known": signal.frames > 0, "count": np.array(8)}
+        return {"target": signal.light, "target_error": signal.error, "known": signal.frames > 0, "count": np.array(8),
+                "direct": np.zeros_like(signal.light)}
 
     def test_torch_computes_what_the_reference_does(self):
         torch.manual_seed(1)
@@ -211,17 +213,18 @@ class Agreement(unittest.TestCase):
         batch = self.batch(self.signal(8))
         with torch.no_grad():
             *expected, _ = old.guides(batch)
-            *found, trusts = net.guides(batch)
+            *found, others = net.guides(batch)
         for one, other in zip(expected, found):
             self.assertLess((one - other).abs().max(), 0.02)  # rounded to 16 bits
-        self.assertLess((trusts - torch.sigmoid(torch.tensor(-1.0))).abs().max(), 1e-6)
+        self.assertLess((others - torch.sigmoid(torch.tensor(network.FIRST_BIASES[-1]))).abs().max(), 1e-6)
 
-    def trusting(self, trust):
-        """A network without training that trusts the regression on places fully, or not at all."""
+    def decided(self, trust, others):
+        """A network without training that trusts the regression on places, and samples of other surfaces, fully or not at all."""
         torch.manual_seed(1)
         net = network.Denoiser()
         with torch.no_grad():
-            net.net.last.bias[-network.LEVELS:] = 50 if trust else -50
+            net.net.last.bias[-2 * network.LEVELS:] = torch.tensor([50.0 if share else -50.0 for share in (trust, others)
+                                                                    for _ in range(network.LEVELS)])
         return net
 
     def test_the_regression_on_places_is_a_mean(self):
@@ -246,20 +249,46 @@ class Agreement(unittest.TestCase):
         signal.light[:] = (1 + np.arange(signal.depth.shape[1]) / 8)[:, None]
         batch = self.batch(signal)
         with torch.no_grad():
-            plain, fitted = ((self.trusting(trust)(batch) - batch["light"])[0, :, :, 0].abs().mean().item()
+            plain, fitted = ((self.decided(trust, False)(batch) - batch["light"])[0, :, :, 0].abs().mean().item()
                              for trust in (False, True))
         print(f"change of an even slope at the edge of a picture: {plain:.3f}, with the regression on places {fitted:.3f}")
         self.assertGreater(plain, 0.05)
         self.assertLess(fitted, 0.6 * plain)
 
+    def test_samples_of_other_surfaces_count_as_the_network_says(self):
+        signal = self.signal(1)
+        signal.frames[:] = 1
+        signal.depth[:] = -3
+        signal.depth[:, ::2] = -4  # bars before a wall, each one pixel wide
+        signal.normal[:] = (0.5, 0.5)
+        signal.light[:] = np.random.default_rng(4).uniform(0.5, 1.5, signal.depth.shape)[..., None]
+        signal.light[:, ::2] += 1
+        batch = self.batch(signal)
+        near = signal.depth > -3.5
+        with torch.no_grad():
+            apart, together = (self.decided(False, others)(batch)[0, 0].numpy() for others in (False, True))
+        self.assertLess(abs(apart[near].mean() - 1), 0.02)
+        self.assertGreater(together[near].mean(), 1.2)
+        self.assertLess(abs(together.mean() - apart.mean()), 0.02)
+
+    def test_errors_are_relative_to_the_light_that_is_seen(self):
+        signal = self.signal(1)
+        shown = []
+        for direct in (0, 9):
+            truth = {**self.truth(signal), "target": np.ones_like(signal.light), "direct": np.full_like(signal.light, direct)}
+            batch = train.batch_of([train.with_filtered(train.sample_of(signal, truth))])
+            picture = 1.5 * batch["target"]
+            shown.append(network.relative_error(picture, batch).item())
+        self.assertAlmostEqual(shown[0], 0.25 / 1.01, 4)
+        self.assertAlmostEqual(shown[1], shown[0] / 100, 6)
+
     def test_constant_light_stays(self):
-        torch.manual_seed(1)
-        net = network.Denoiser()
         signal = self.signal(4)
         signal.light[:] = (signal.frames > 0)[..., None] * np.array((0.3, 0.5, 0.7), np.float32)
-        with torch.no_grad():
-            found = net(self.batch(signal))[0].permute(1, 2, 0).numpy()
-        self.assertLess(np.abs(found - signal.light)[signal.frames > 0].max(), 1e-6)
+        for shares in (False, True):
+            with torch.no_grad():
+                found = self.decided(shares, shares)(self.batch(signal))[0].permute(1, 2, 0).numpy()
+            self.assertLess(np.abs(found - signal.light)[signal.frames > 0].max(), 1e-6)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import penumbra
+import reference
 import training_scenes
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -23,7 +24,8 @@ RECENT = 4 / 3          # variance of a still mean, in which recent frames count
 LEAST, MOST = 4, 255    # frames from which a mean's error is known, and up to which they are counted
 NORMAL = 4096           # steps of a packed normal
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722), np.float32)
-TARGET = "target", "target_error", "known", "count"  # what is stored of a target: see target(); count: still frames, 0 for an orbit
+# What is stored of a target: see target() and direct_light(); count: still frames, 0 for an orbit.
+TARGET = "target", "target_error", "known", "count", "direct"
 
 
 @dataclass
@@ -104,6 +106,27 @@ class Film:
                       np.array((matrix.GetElement(0, 0), matrix.GetElement(1, 1))))
 
 
+def lamps(renderer):
+    """Lights of a renderer in view coordinates: places (x, y, z, 1), or directions to them (x, y, z, 0); and the light that
+    they give, in units of the signal's."""
+    view = renderer.GetActiveCamera().GetViewTransformMatrix()
+    for light in renderer.GetLights():
+        place, aim = np.array(light.GetTransformedPosition()), np.array(light.GetTransformedFocalPoint())
+        place = np.append(place, 1) if light.GetPositional() else np.append(place - aim, 0)
+        yield np.array(view.MultiplyPoint(place)), light.GetIntensity() * np.array(light.GetDiffuseColor())
+
+
+def direct_light(renderer, signal):
+    """Light (h, w, 3) of the renderer's lights on the surfaces of a signal, without shadows: pictures show it besides."""
+    surfaces = reference.Surfaces(signal)
+    total = np.zeros_like(surfaces.position)
+    for place, irradiance in lamps(renderer):
+        toward = place[:3] - place[3] * surfaces.position
+        cosine = (surfaces.direction * toward).sum(-1) / np.maximum(np.linalg.norm(toward, axis=-1), 1e-20)
+        total += np.maximum(cosine, 0)[..., None] * irradiance
+    return np.where(surfaces.exists[..., None], total, 0).astype(np.float32)
+
+
 def target(film):
     """Light after many rays, its relative standard error, and whether each pixel has it."""
     light = film.gi.GetTechnique("ray-traced-light")
@@ -142,12 +165,14 @@ def render(family, seed, size, cameras):
         film.camera.Azimuth(random.uniform(-6, 6) if family == "room" else random.uniform(30, 100))
         renderer.ResetCameraClippingRange()
         signals, (light, error, known) = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
+        direct = direct_light(renderer, signals[-1])
         for number, signal in enumerate(signals):
             for name in Signal.FIELDS:
                 stored[name].append(getattr(signal, name).astype(np.float32))
             stored["target"].append(light)
             stored["target_error"].append(error.astype(np.float32))
             stored["known"].append(known & np.isfinite(signal.light).all(-1))
+            stored["direct"].append(direct)
             stored["count"].append(0 if number == 0 else STILL[number - 1])
     return {name: np.stack(values) for name, values in stored.items()}
 

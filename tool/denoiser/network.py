@@ -28,6 +28,7 @@ KERNELS = {1: (0.5, 0.25), 2: (0.375, 0.25, 0.0625)}  # splines: levels of equal
 FARTHEST = (2, 1, 1, 1)   # samples along an axis, by level
 RIDGE = 0.1               # of the regression on places, in squared distances of samples, see glsl/denoising/filter.frag
 MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
+FIRST_BIASES = (-2.0, -1.2, -1.0, -3.0)  # of the outputs by level; see Denoiser.guides()
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
 WIDE_OFFSETS = [(x, y) for y in range(-2, 3) for x in range(-2, 3) if abs(x) + abs(y) <= 2]
 LUMINANCE = torch.tensor((0.2126, 0.7152, 0.0722))[:, None, None]
@@ -54,15 +55,15 @@ def decode(normal):
     return functional.normalize(torch.cat((xy, z), 1), dim=1)
 
 
-def tensors(signal, slopes, fits=True):
-    """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there; slope: change
-    of light with the normal, by component and channel, see reference.slopes(); fits: 1 if the filter without a network uses it."""
+def tensors(signal, concavity, slopes, fits=True):
+    """A signal as tensors (channels, h, w). ray: view x and y of a pixel at depth -1; angle: width of a pixel there; concavity and
+    slope: see reference.Surfaces and reference.slopes(); fits: 1 if the filter without a network uses the slopes."""
     height, width = signal.frames.shape
     x = (torch.arange(width) + 0.5) / width * 2 - 1
     y = (torch.arange(height) + 0.5) / height * 2 - 1
     scale = torch.from_numpy(np.asarray(signal.projection, np.float32))
-    values = {"light": signal.light.transpose(2, 0, 1), "normal": signal.normal.transpose(2, 0, 1),
-              "slope": slopes.reshape(height, width, 9).transpose(2, 0, 1)}
+    values = {"light": signal.light.transpose(2, 0, 1), "normal": signal.normal.transpose(2, 0, 1), "concavity": concavity[None],
+              "slope": slopes.reshape(height, width, 12).transpose(2, 0, 1)}
     values.update({name: getattr(signal, name)[None] for name in ("error", "frames", "depth")})
     made = {name: torch.from_numpy(np.ascontiguousarray(value, np.float32)) for name, value in values.items()}
     made["ray"] = torch.stack((x[None, :].expand(height, width) / scale[0], y[:, None].expand(height, width) / scale[1]))
@@ -77,7 +78,7 @@ def surfaces(batch):
     direction = decode(batch["normal"])
     toward = -(direction * position).sum(1, keepdim=True) / position.norm(dim=1, keepdim=True).clamp(min=1e-12)
     return {**batch, "exists": (frames > 0).float(), "direction": direction, "position": position, "toward": toward,
-            "pixel": depth.abs() * batch["angle"]}
+            "shape": torch.cat((direction, batch["concavity"]), 1), "pixel": depth.abs() * batch["angle"]}
 
 
 def similarities(batch, step, bend=BEND, offsets=tuple(OFFSETS)):
@@ -177,8 +178,8 @@ def variance(known, squares, weighted, moments, total):
 
 
 def turned(batch, x, y):
-    """Change of light that the regression on normals expects from the pixels x to the right and y up."""
-    slope, here = batch["slope"].unflatten(1, (3, 3)), batch["direction"]
+    """Change of light that the regression on normals and concavities expects from the pixels x to the right and y up."""
+    slope, here = batch["slope"].unflatten(1, (4, 3)), batch["shape"]
     return ((here - moved(here, x, y))[:, :, None] * slope).sum(1)
 
 
@@ -207,36 +208,41 @@ class Regression:
         return trust * ((along * self.products[0] + across * self.products[1]) / total - (along * x + across * y) * mean)
 
 
-def filtered(batch, reach, weigh, levels=LEVELS, most_bend=torch.inf, trusts=None):
+def filtered(batch, reach, weigh, levels=LEVELS, most_bend=torch.inf, shares=None):
     """The signal after so many levels. weigh(level, x, y, guided): weight of the samples at an offset, besides the kernel's, their
     frames and their similarity; guided: differences of luminance in standard deviations, 0 where noise is unknown. most_bend:
-    see MOST_BEND. trusts: share of the regression on places, by level; without them all levels have nine samples."""
+    see MOST_BEND. shares: of the regression on places, and of samples of other surfaces, by level; without them all levels have
+    nine samples."""
     light, frames = batch["light"], batch["frames"]
     bend = BEND * torch.minimum(1 + (frames - 1).clamp(min=0) / BEND_HALVED, torch.as_tensor(most_bend))
     noise = batch["error"] * luminance(light)
     for level in range(levels):
-        step, farthest = 2 ** level, 1 if trusts is None else FARTHEST[level]
+        step, farthest = 2 ** level, FARTHEST[level] if shares else 1
         kernel, offsets = KERNELS[farthest], OFFSETS if farthest == 1 else WIDE_OFFSETS
         bright, known = luminance(light), noise > 0
         total = change = first = second = squares = weighted = 0
         fit = Regression()
+        trust, others = (values[:, level:level + 1] for values in shares) if shares else (None, None)
         for place, alike in zip(offsets, similarities(batch, step, bend, offsets)):
             x, y = (at * step for at in place)
             there, other_noise = moved(light, x, y) + turned(batch, x, y), moved(noise, x, y)
             other = luminance(there)
             apart = (other - bright).abs() * torch.rsqrt((noise ** 2 + other_noise ** 2).clamp(min=1e-30))
             guided = torch.where(known, apart, torch.zeros_like(apart))
+            if shares:
+                both = batch["exists"] * moved(batch["exists"], x, y)
+                alike = alike + torch.minimum(others, moved(others, x, y)) * (both - alike)
             weight = kernel[abs(place[0])] * kernel[abs(place[1])] * alike * moved(frames, x, y) * weigh(level, x, y, guided)
             total, change = total + weight, change + weight * (there - light)
             first, second = first + weight * other, second + weight * other ** 2
             squares, weighted = squares + weight ** 2, weighted + (weight * other_noise) ** 2
-            if trusts is not None:
+            if shares:
                 fit.add(weight, [at / farthest for at in place], there - light)
         total = total.clamp(min=1e-6)
         share = (2 * reach / step - 1).clamp(0, 1)
         change = change / total
-        if trusts is not None:
-            change = change - fit.lean(total, change, trusts[:, level:level + 1], farthest > 1)
+        if shares:
+            change = change - fit.lean(total, change, trust, farthest > 1)
         light = (light + share * change).clamp(min=0)
         left = variance(known, squares, weighted, (first, second), total).detach().sqrt() / total.detach()
         noise = torch.minimum(noise + share * (left - noise), luminance(light).detach()) * batch["exists"]
@@ -261,24 +267,24 @@ class Denoiser(nn.Module):
 
     def __init__(self):
         super().__init__()
-        self.net = UNet(FEATURES + 3 * LEVELS)
+        self.net = UNet(FEATURES + len(FIRST_BIASES) * LEVELS)
         self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
         nn.init.normal_(self.net.last.weight, std=0.02)
         with torch.no_grad():  # much as without a network; sharpnesses below their limit in first frames, so that they learn
-            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [-2.0] * LEVELS + [-1.2] * LEVELS + [-1.0] * LEVELS))
+            self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [bias for bias in FIRST_BIASES for _ in range(LEVELS)]))
 
     def guides(self, batch):
-        """Features, bandwidths, sharpnesses and trusts of each pixel of a batch with its surfaces, in a picture of the training's
-        size."""
+        """Features of each pixel of a batch with its surfaces, in a picture of the training's size; and by level bandwidths,
+        sharpnesses, shares of the regression on places and of samples of other surfaces."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
-        features, bandwidths, sharpnesses, trusts = outputs.split((FEATURES, LEVELS, LEVELS, LEVELS), 1)
+        features, bandwidths, sharpnesses, *shares = outputs.split((FEATURES, *(LEVELS for _ in FIRST_BIASES)), 1)
         sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
-        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses, trusts.sigmoid()
+        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses, *(share.sigmoid() for share in shares)
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""
-        features, bandwidths, sharpnesses, trusts = self.guides(batch)
+        features, bandwidths, sharpnesses, *shares = self.guides(batch)
         frames = batch["frames"]
 
         def weigh(level, x, y, guided):
@@ -289,7 +295,7 @@ class Denoiser(nn.Module):
             most = SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES)
             sharpness = torch.minimum(sharpness, most) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
-        return filtered(batch, fade(frames, 1e9), weigh, most_bend=MOST_BEND, trusts=trusts)
+        return filtered(batch, fade(frames, 1e9), weigh, most_bend=MOST_BEND, shares=shares)
 
     def layers(self):
         """Convolutions by their names in the file."""
@@ -319,22 +325,28 @@ class Denoiser(nn.Module):
         return facts
 
 
+def relative_squares(picture, batch, target, shown):
+    """Squared differences of the light from a target, relative to what is shown: light together with direct light, as who looks at
+    a picture sees the sum. Over pixels and channels (n, 3, h, w)."""
+    known = batch["known"]
+    mean = (luminance(shown) * known).sum((1, 2, 3)) / known.sum((1, 2, 3)).clamp(min=1)
+    return (picture - target) ** 2 / (shown ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+
+
+def mean_of(square, batch):
+    """Means of pictures over their known pixels."""
+    return (square * batch["known"]).sum((1, 2, 3)) / (3 * batch["known"].sum((1, 2, 3)).clamp(min=1))
+
+
 def relative_error(picture, batch):
-    """relMSE of each picture of a batch against its target, which may have noise."""
-    known, truth = batch["known"], batch["target"]
-    pixels = known.sum((1, 2, 3)).clamp(min=1)
-    mean = (luminance(truth) * known).sum((1, 2, 3)) / pixels
-    square = (picture - truth) ** 2 / (truth ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
-    return (square * known).sum((1, 2, 3)) / (3 * pixels)
+    """relMSE of each picture of a batch, with direct light, against its target, which may have noise."""
+    target = batch["target"]
+    return mean_of(relative_squares(picture, batch, target, target + batch["direct"]), batch)
 
 
 def loss_of(picture, batch, target="target"):
     """Squared difference from the target of this name, relative to the picture of the filter without a network, in units of the
     error that it leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make
     pictures that are too dark seem better; were it relative to the picture, bright spots would cost nothing."""
-    known = batch["known"]
-    pixels = known.sum((1, 2, 3)).clamp(min=1)
-    mean = (luminance(batch["plain"]) * known).sum((1, 2, 3)) / pixels
-    square = (picture - batch[target]) ** 2 / (batch["plain"] ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
-    error = (square.clamp(max=MOST_SQUARE) * known).sum((1, 2, 3)) / (3 * pixels)
-    return (error / batch["filtered"].flatten()).mean()
+    square = relative_squares(picture, batch, batch[target], batch["plain"] + batch["direct"])
+    return (mean_of(square.clamp(max=MOST_SQUARE), batch) / batch["filtered"].flatten()).mean()

@@ -8,7 +8,8 @@ TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
 LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
-RIDGE, MOST_IN_TILE = 0.05, 8  # of the regression on normals
+RIDGES, MOST_IN_TILE = (0.05, 0.05, 0.05, 0.1), 8  # of the regression on normals and concavities
+REACHES, FARTHEST = 48, 6      # of concavities, see glsl/denoising/pack.frag
 PLACE_RIDGE = 0.1              # of the regression on places
 KERNELS = (0.5, 0.25), (0.375, 0.25, 0.0625)
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
@@ -60,6 +61,25 @@ class Surfaces:
         self.direction = direction / np.maximum(np.linalg.norm(direction, axis=-1, keepdims=True), 1e-12)
         distance = np.maximum(np.linalg.norm(self.position, axis=-1), 1e-12)
         self.toward = -(self.direction * self.position).sum(-1) / distance
+        self.concavity = self.concavities(max(int(min(height, width) / REACHES + 0.5), 2))
+
+    def concavities(self, reach):
+        """How much the surfaces around rise above that of each pixel: see glsl/denoising/pack.frag. Rounded as the signal holds it."""
+        total, weights_found = np.zeros_like(self.depth), np.zeros_like(self.depth)
+        for x, y in OFFSETS:
+            if x or y:
+                apart = moved(self.position, reach * x, reach * y) - self.position
+                far = np.maximum(np.linalg.norm(apart, axis=-1), 1e-30)
+                share = far / np.maximum(FARTHEST * reach * self.pixel, 1e-30)
+                weight = (moved(self.exists, reach * x, reach * y) & self.exists) / (1 + share ** 2)
+                total, weights_found = total + weight * (self.direction * apart).sum(-1) / far, weights_found + weight
+        concavity = total / np.maximum(weights_found, 1e-6)
+        root = np.floor(127 * (np.sign(concavity) * np.sqrt(np.abs(concavity)) + 1) + 0.5) / 127 - 1
+        return root * np.abs(root)
+
+    def shapes(self):
+        """What light is fitted to: the normal and the concavity, (h, w, 4)."""
+        return np.concatenate((self.direction, self.concavity[..., None]), -1)
 
     def similarity(self, x, y, step, bend=BEND):
         """How much the pixels x and y away, `step` pixels per unit, show the same surface. bend: how much the squared difference of
@@ -136,29 +156,29 @@ def inputs(signal, surfaces):
 
 
 def slopes(signal, surfaces):
-    """Derivative of light with respect to the normal around each pixel, (h, w, normal's component, channel): a ridge regression
-    over tiles and their neighbours, glsl/denoising/slopes.comp."""
+    """Derivative of light with respect to the normal and the concavity around each pixel, (h, w, component, channel): a ridge
+    regression over tiles and their neighbours, glsl/denoising/slopes.comp."""
     height, width = surfaces.exists.shape
-    light, weight, normal = signal.light.astype(float), surfaces.frames[..., None], surfaces.direction
+    light, weight, shape = signal.light.astype(float), surfaces.frames[..., None], surfaces.shapes()
     luminance = light @ LUMINANCE
     mean = (in_tiles(np.sqrt(luminance) * surfaces.exists) / np.maximum(in_tiles(surfaces.exists.astype(float)), 1)) ** 2
     most = MOST_IN_TILE * mean.repeat(TILE, 0).repeat(TILE, 1)[:height, :width]
     light = light * np.minimum(most / np.maximum(luminance, 1e-20), 1)[..., None]
 
     def products(other):
-        return (normal[..., :, None] * other[..., None, :]).reshape(height, width, 9)
-    sums = np.pad(in_tiles(np.concatenate((weight * np.concatenate((normal, light, products(normal), products(light)), -1),
-                                           weight, surfaces.exists[..., None]), -1)), ((1, 1), (1, 1), (0, 0)))
+        return (shape[..., :, None] * other[..., None, :]).reshape(height, width, -1)
+    parts = shape, light, products(shape), products(light)
+    sums = np.pad(in_tiles(np.concatenate((weight * np.concatenate(parts, -1), weight, surfaces.exists[..., None]), -1)),
+                  ((1, 1), (1, 1), (0, 0)))
     rows, columns = mean.shape
     sums = sum((1 - 0.5 * abs(x)) * (1 - 0.5 * abs(y)) * sums[1 + y:1 + y + rows, 1 + x:1 + x + columns] for x, y in OFFSETS)
-    total, count = np.maximum(sums[..., 24, None], 1e-6), sums[..., 25]
-    means = sums[..., :24] / total
-    first, bright = means[..., :3, None], means[..., None, 3:6]
-    spread = means[..., 6:15].reshape(rows, columns, 3, 3) - first * first.swapaxes(-1, -2)
-    ridge = RIDGE * np.maximum(count, 1) / np.maximum(sums[..., 24], 1)
-    covariance = means[..., 15:].reshape(rows, columns, 3, 3) - first * bright
-    found = np.linalg.solve(spread + ridge[..., None, None] * np.eye(3), covariance)
-    return interpolated(found.reshape(rows, columns, 9), height, width, TILE).reshape(height, width, 3, 3)
+    total, count = sums[..., -2], sums[..., -1]
+    means = np.split(sums / np.maximum(total, 1e-6)[..., None], np.cumsum([part.shape[-1] for part in parts]), -1)
+    first, bright = means[0][..., None], means[1][..., None, :]
+    spread = means[2].reshape(rows, columns, 4, 4) - first * first.swapaxes(-1, -2)
+    ridge = (np.maximum(count, 1) / np.maximum(total, 1))[..., None, None] * np.diag(RIDGES)
+    found = np.linalg.solve(spread + ridge, means[3].reshape(rows, columns, 4, 3) - first * bright)
+    return interpolated(found.reshape(rows, columns, 12), height, width, TILE).reshape(height, width, 4, 3)
 
 
 def convolved(values, layer):
@@ -203,14 +223,15 @@ def interpolated(values, height, width, size=2):
 
 
 def guides(signal, surfaces, layers, trained_size):
-    """Features, bandwidths, sharpnesses and trusts of each pixel: glsl/denoising/guides.frag."""
+    """Features of each pixel; by level bandwidths, sharpnesses, shares of the regression on places and of other surfaces:
+    glsl/denoising/guides.frag."""
     single, blocks = inputs(signal, surfaces)
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
     change = min(trained_size / min(single.shape[:2]), MOST_CHANGE)
-    trusts = half(1 / (1 + np.exp(-outputs[..., 4 + 2 * LEVELS:])))
-    return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS)), trusts
+    trusts, others = (half(1 / (1 + np.exp(-outputs[..., 4 + i * LEVELS:][..., :LEVELS]))) for i in (2, 3))
+    return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS)), trusts, others
 
 
 class Means:
@@ -246,14 +267,14 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error)):
     """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
     facts, layers = read_network(network_file)
     surfaces = Surfaces(signal)
-    features, bandwidths, sharpnesses, trusts = guides(signal, surfaces, layers, int(facts["size"]))
+    features, bandwidths, sharpnesses, trusts, others = guides(signal, surfaces, layers, int(facts["size"]))
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
     bend = BEND * np.minimum(1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED, MOST_BEND)
-    slope = slopes(signal, surfaces)
+    slope, shape = slopes(signal, surfaces), surfaces.shapes()
 
     def turned(far):
-        return ((surfaces.direction - moved(surfaces.direction, *far))[..., None] * slope).sum(-2)
+        return ((shape - moved(shape, *far))[..., None] * slope).sum(-2)
     for level in range(LEVELS):
         step = 2 ** level
         offsets, kernel = (OFFSETS, KERNELS[0]) if level else (WIDE_OFFSETS, KERNELS[1])
@@ -261,7 +282,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error)):
         noise = error * bright
         counts = np.stack((bandwidths[..., level], sharpnesses[..., level]), -1)
 
-        def weigh(x, y, step=step, kernel=kernel, counts=counts, light=light, bright=bright, noise=noise):
+        def weigh(x, y, step=step, kernel=kernel, counts=counts, cross=others[..., level], light=light, bright=bright, noise=noise):
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
             least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
@@ -273,6 +294,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error)):
             deviations = np.where(noise > 0, np.abs(other - bright) / both, 0)
             weight = np.exp(-bandwidth * apart - sharpness * deviations)
             alike = surfaces.similarity(x, y, step, bend)
+            alike = alike + np.minimum(cross, moved(cross, *far)) * (surfaces.exists * moved(surfaces.exists, *far) - alike)
             return kernel[abs(x)] * kernel[abs(y)] * alike * moved(surfaces.frames, *far) * weight, far
         means = Means(light, noise, weigh, turned, offsets, trusts[..., level])
         share = np.clip(2 * reach / step - 1, 0, 1)

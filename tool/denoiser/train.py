@@ -119,8 +119,10 @@ def scene_lists(args):
 def sample_of(signal, truth):
     """A signal and its target as tensors."""
     fits = truth["count"] > 1  # as the pass does without a network from the second still frame
-    sample = network.tensors(signal, reference.slopes(signal, reference.Surfaces(signal)), fits)
+    surfaces = reference.Surfaces(signal)
+    sample = network.tensors(signal, surfaces.concavity, reference.slopes(signal, surfaces), fits)
     sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
+    sample["direct"] = torch.from_numpy(np.ascontiguousarray(truth["direct"].transpose(2, 0, 1)))
     sample["target_error"] = torch.from_numpy(np.ascontiguousarray(truth["target_error"][None]))
     sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
     return sample

@@ -111,7 +111,7 @@ void ShowSignal(
       .Set("radius", manner.Radius));
 }
 
-// Fit light to normals. Returns the derivatives.
+// Fit light to normals and concavities. Returns the derivatives.
 const Texture* FitSlopes(FrameContext& context, const Texture* signal)
 {
   const glm::ivec4& area = context.GetView().Viewport;
@@ -232,8 +232,8 @@ void AddFilter(FrameBuilder& frame, const NoisyResource& noisy, const Manner& ma
   {
     const glm::ivec2 tiles =
       (frame.GetView().WindowSize + GI_DENOISING_TILE - 1) / GI_DENOISING_TILE;
-    pass.Write(SlopeSums, { GL_RGBA32F, tiles.x, tiles.y, 6 })
-      .Write(Slopes, { GL_RGBA32F, tiles.x, tiles.y, 3 });
+    pass.Write(SlopeSums, { GL_RGBA32F, tiles.x, tiles.y, 8 })
+      .Write(Slopes, { GL_RGBA32F, tiles.x, tiles.y, 4 });
   }
   if (manner.Show != Off)
   {
