@@ -36,28 +36,16 @@ layout(location = 0) out uvec4 result;
 layout(location = 1) out vec4 own;
 #endif
 
-// Octahedral normal, window depth, and 1 where there is a surface, or 0.
-vec4 surfaceAt(ivec2 pixel)
-{
-#ifdef GI_OWN_SURFACE
-  vec4 surface = texelFetch(pathSurface, pixel, 0);
-  return vec4(surface.xyz, surface.a > 0.0);
-#else
-  return vec4(texelFetch(normalTexture, pixel, 0).xy, texelFetch(depthTexture, pixel, 0).r,
-    texelFetch(albedoTexture, pixel, 0).a > 0.0);
-#endif
-}
-
-#ifdef GI_LIGHT
+#if defined(GI_LIGHT) && !defined(GI_OWN_SURFACE)
 const float REACHES = 48.0; // of a concavity, along the shorter side of a picture
 const float FARTHEST = 6.0; // times the reach, from where surfaces count less than half
 
 // Mean sine of the angle at which surfaces around rise above a surface's plane: positive in hollows, negative on ridges.
-float concavityAt(ivec2 pixel, vec4 surface)
+float concavityAt(ivec2 pixel, float depth, vec2 normal)
 {
-  vec3 P = giViewPosition(gl_FragCoord.xy, surface.z);
-  vec3 N = giDecodeOctahedral(floor(surface.xy * GI_NORMALS + 0.5) / GI_NORMALS);
-  float size = distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), surface.z), P);
+  vec3 P = giViewPosition(gl_FragCoord.xy, depth);
+  vec3 N = giDecodeOctahedral(normal);
+  float size = distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), depth), P);
   ivec2 low = ivec2(view.Viewport.xy);
   ivec2 high = low + ivec2(view.Viewport.zw) - 1;
   int reach = max(int(min(view.Viewport.z, view.Viewport.w) / REACHES + 0.5), 2);
@@ -65,10 +53,9 @@ float concavityAt(ivec2 pixel, vec4 surface)
   for (int i = 0; i < 9; ++i)
   {
     ivec2 at = pixel + reach * (ivec2(i % 3, i / 3) - 1);
-    vec4 other = surfaceAt(clamp(at, low, high));
-    if (i != 4 && at == clamp(at, low, high) && other.w > 0.0)
+    if (i != 4 && at == clamp(at, low, high) && texelFetch(albedoTexture, at, 0).a > 0.0)
     {
-      vec3 apart = giViewPosition(vec2(at) + 0.5, other.z) - P;
+      vec3 apart = giViewPosition(vec2(at) + 0.5, texelFetch(depthTexture, at, 0).r) - P;
       float far = length(apart);
       float share = far / max(FARTHEST * float(reach) * size, 1e-30);
       sum += vec2(dot(N, apart) / max(far, 1e-30), 1.0) / (1.0 + share * share);
@@ -82,10 +69,16 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   GiSignal signal;
-  vec4 surface = surfaceAt(pixel);
-  bool exists = surface.w > 0.0;
-  signal.normal = surface.xy;
+#ifdef GI_OWN_SURFACE
+  vec4 surface = texelFetch(pathSurface, pixel, 0);
+  bool exists = surface.a > 0.0;
   signal.depth = surface.z;
+  signal.normal = surface.xy;
+#else
+  bool exists = texelFetch(albedoTexture, pixel, 0).a > 0.0;
+  signal.depth = texelFetch(depthTexture, pixel, 0).r;
+  signal.normal = texelFetch(normalTexture, pixel, 0).xy;
+#endif
   vec4 value = texelFetch(current, GI_AT(pixel), 0);
 #ifdef GI_JOINT
   own = min(value, vec4(GI_BRIGHTEST));
@@ -102,7 +95,10 @@ void main()
   signal.reach = vec4(0.0); // follows from the frames
   signal.frames = exists ? max(floor(value.a), float(stillSamples + 1)) : 0.0;
   signal.error = fract(value.a);
-  signal.concavity = exists ? concavityAt(pixel, surface) : 0.0;
+  signal.concavity = 0.0;
+#ifndef GI_OWN_SURFACE
+  signal.concavity = exists ? concavityAt(pixel, signal.depth, signal.normal) : 0.0;
+#endif
 #endif
   result = giPackSignal(signal);
 }

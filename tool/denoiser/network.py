@@ -325,28 +325,27 @@ class Denoiser(nn.Module):
         return facts
 
 
-def relative_squares(picture, batch, target, shown):
-    """Squared differences of the light from a target, relative to what is shown: light together with direct light, as who looks at
-    a picture sees the sum. Over pixels and channels (n, 3, h, w)."""
+def mean_of(values, batch):
+    """Means of pictures over their known pixels and channels."""
     known = batch["known"]
-    mean = (luminance(shown) * known).sum((1, 2, 3)) / known.sum((1, 2, 3)).clamp(min=1)
-    return (picture - target) ** 2 / (shown ** 2 + 0.01 * mean[:, None, None, None] ** 2 + 1e-30)
+    return (values * known).sum((1, 2, 3)) / (values.shape[1] * known.sum((1, 2, 3)).clamp(min=1))
 
 
-def mean_of(square, batch):
-    """Means of pictures over their known pixels."""
-    return (square * batch["known"]).sum((1, 2, 3)) / (3 * batch["known"].sum((1, 2, 3)).clamp(min=1))
+def least_of(shown, batch):
+    """What relMSE adds to the squared light, so that dark pixels do not count more than they are visible."""
+    return 0.01 * mean_of(luminance(shown), batch)[:, None, None, None] ** 2 + 1e-30
 
 
 def relative_error(picture, batch):
-    """relMSE of each picture of a batch, with direct light, against its target, which may have noise."""
-    target = batch["target"]
-    return mean_of(relative_squares(picture, batch, target, target + batch["direct"]), batch)
+    """relMSE of each picture of a batch against its target, which may have noise. Errors are relative to what is shown, light
+    together with direct light."""
+    shown = batch["target"] + batch["direct"]
+    return mean_of((picture - batch["target"]) ** 2 / (shown ** 2 + least_of(shown, batch)), batch)
 
 
 def loss_of(picture, batch, target="target"):
-    """Squared difference from the target of this name, relative to the picture of the filter without a network, in units of the
+    """Squared difference from the target of this name, relative to what is shown of the filter without a network, in units of the
     error that it leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make
     pictures that are too dark seem better; were it relative to the picture, bright spots would cost nothing."""
-    square = relative_squares(picture, batch, batch[target], batch["plain"] + batch["direct"])
+    square = (picture - batch[target]) ** 2 / ((batch["plain"] + batch["direct"]) ** 2 + batch["least"])
     return (mean_of(square.clamp(max=MOST_SQUARE), batch) / batch["filtered"].flatten()).mean()

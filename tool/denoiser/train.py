@@ -136,8 +136,8 @@ def finer(signal, truth):
 
 
 def with_filtered(sample):
-    """The sample with what the filter without a network makes of it. plain: the picture; filtered: its relMSE; smooth: the target
-    after the first level of the filter."""
+    """The sample with what the filter without a network makes of it. plain: the picture; filtered: its relMSE; least: see
+    network.least_of(), of the whole picture; smooth: the target after the first level of the filter."""
     exists, target = sample["known"], sample["target"]
     many = {**sample, "light": target, "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES,
             "slope": torch.zeros_like(sample["slope"])}
@@ -145,8 +145,10 @@ def with_filtered(sample):
         batch = batch_of([sample])
         plain = network.plain_filter(batch)
         error = network.relative_error(plain, batch)
+        least = network.least_of(plain + batch["direct"], batch)
         smooth = network.plain_filter(batch_of([many]), 1)
-    return {**sample, "plain": plain[0], "filtered": error.clamp(min=1e-5).reshape(1, 1, 1), "smooth": smooth[0]}
+    return {**sample, "plain": plain[0], "filtered": error.clamp(min=1e-5).reshape(1, 1, 1), "least": least[0],
+            "smooth": smooth[0]}
 
 
 def samples_of(folder, pairs, halved=False):
