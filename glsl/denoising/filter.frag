@@ -153,7 +153,7 @@ void main()
   here.bend *= bend;
   float light = giLuminance(signal.value.rgb);
   float noise = signal.error * light;
-  bool guided = signal.error > 0.0; // else the noise follows from how much the samples differ
+  bool guided = noise > 0.0; // else the noise follows from how much the samples differ
   vec2 moments = vec2(0.0);
   vec2 squares = vec2(0.0); // of weights, and of weighted noise
 #endif

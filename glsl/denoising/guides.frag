@@ -14,6 +14,9 @@ const float LEAST_SHARPNESS = 0.15;
 // In tiny pictures differences of features would hide all neighbours.
 const float MOST_CHANGE = 2.0;
 
+// At a silhouette a pixel with few frames and dark rays would otherwise get the light of its neighbours.
+const float MOST_OTHERS = 0.5;
+
 layout(location = 0) out vec4 features;
 layout(location = 1) out vec4 counts[4]; // by level: bandwidth, sharpness, shares of the regression on places and of other surfaces
 
@@ -42,7 +45,7 @@ void main()
   vec4 bandwidths = change * softplus(sums[1]);
   vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   vec4 trusts = 1.0 / (1.0 + exp(-sums[3]));
-  vec4 others = 1.0 / (1.0 + exp(-sums[4]));
+  vec4 others = MOST_OTHERS / (1.0 + exp(-sums[4]));
   for (int level = 0; level < 4; ++level)
   {
     counts[level] = vec4(bandwidths[level], sharpnesses[level], trusts[level], others[level]);

@@ -44,8 +44,10 @@ vec4 giFilterShare(vec4 reach, float step)
 const float GI_WIDEST = 64.0;   // reach that can be stored
 const float GI_BRIGHTEST = 6e4; // light that half floats hold
 
-const float GI_NORMALS = 4095.0;      // steps of normals with a concavity
-const float GI_CONCAVITIES = 127.0;   // steps of the square roots of concavities
+// Steps of what signals of light hold: of normals, of depths, and of the square roots of concavities.
+const float GI_NORMALS = 4095.0;
+const float GI_DEPTHS = 16777215.0;
+const float GI_CONCAVITIES = 32767.0;
 
 uint giPackNormal(vec2 normal)
 {
@@ -53,16 +55,11 @@ uint giPackNormal(vec2 normal)
   return n.x << 16 | n.y;
 }
 
-uint giPackNormalAndConcavity(vec2 normal, float concavity)
-{
-  uvec2 n = uvec2(normal * GI_NORMALS + 0.5);
-  float root = sign(concavity) * sqrt(min(abs(concavity), 1.0));
-  return n.x << 20 | n.y << 8 | uint(GI_CONCAVITIES * (root + 1.0) + 0.5);
-}
-
 uvec4 giPackSignal(GiSignal signal)
 {
+#if defined(GI_SHARES) || defined(GI_LOBE)
   uint depth = floatBitsToUint(signal.frames > 0.0 ? signal.depth : -1.0);
+#endif
 #ifdef GI_SHARES
   return uvec4(packUnorm4x8(signal.value), packUnorm4x8(sqrt(signal.reach / GI_WIDEST)), depth, giPackNormal(signal.normal));
 #elif defined(GI_LOBE)
@@ -72,21 +69,25 @@ uvec4 giPackSignal(GiSignal signal)
 #else
   uint error = signal.error > 0.0 ? max(uint(sqrt(signal.error) * 255.0 + 0.5), 1u) : 0u;
   uint known = uint(min(signal.frames, 255.0)) << 8 | error;
-  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | known << 16, depth,
-    giPackNormalAndConcavity(signal.normal, signal.concavity));
+  uvec2 n = uvec2(signal.normal * GI_NORMALS + 0.5);
+  float root = sign(signal.concavity) * sqrt(min(abs(signal.concavity), 1.0));
+  uint steps = uint(GI_CONCAVITIES * (root + 1.0) + 0.5);
+  return uvec4(packHalf2x16(signal.value.rg), packHalf2x16(vec2(signal.value.b, 0.0)) | known << 16,
+    min(uint(signal.depth * GI_DEPTHS + 0.5), 16777215u) | steps >> 8 << 24, n.x << 20 | n.y << 8 | steps & 255u);
 #endif
 }
 
 GiSignal giUnpackSignal(uvec4 word)
 {
   GiSignal signal;
-  signal.depth = uintBitsToFloat(word.z);
 #if defined(GI_SHARES) || defined(GI_LOBE)
+  signal.depth = uintBitsToFloat(word.z);
   signal.normal = vec2(word.w >> 16, word.w & 65535u) / 65535.0;
 #else
+  signal.depth = float(word.z & 16777215u) / GI_DEPTHS;
   signal.normal = vec2(word.w >> 20, word.w >> 8 & 4095u) / GI_NORMALS;
-  float turn = float(word.w & 255u) / GI_CONCAVITIES - 1.0;
-  signal.concavity = turn * abs(turn);
+  float root = float(word.z >> 24 << 8 | word.w & 255u) / GI_CONCAVITIES - 1.0;
+  signal.concavity = root * abs(root);
 #endif
 #ifdef GI_SHARES
   vec4 root = unpackUnorm4x8(word.y);
@@ -100,9 +101,9 @@ GiSignal giUnpackSignal(uvec4 word)
   signal.frames = signal.depth >= 0.0 ? 1.0 : 0.0;
 #else
   uint known = word.y >> 16;
-  float root = float(known & 255u) / 255.0;
+  float errorRoot = float(known & 255u) / 255.0;
   signal.value = vec4(unpackHalf2x16(word.x), unpackHalf2x16(word.y).x, 0.0);
-  signal.error = root * root;
+  signal.error = errorRoot * errorRoot;
   signal.frames = float(known >> 8);
 #if defined(GI_JOINT) && !defined(GI_GUIDED)
   signal.reach = vec4(radius * giReachInMean(signal.frames));

@@ -145,6 +145,33 @@ class Shaders(unittest.TestCase):
             self.assertLess(differences.mean(), 1e-3)
             self.assertLess(np.quantile(differences, 0.99), 4e-3)
 
+    def test_direct_light_is_what_pictures_show(self):
+        renderer = lit_boxes()
+        renderer.RemoveAllLights()
+        for place, color, positional in (((2, -1, 3), (0.9, 0.6, 0.3), False), ((-0.6, -0.8, 1.5), (0.2, 0.4, 0.8), True)):
+            light = vtkLight()
+            light.SetPosition(place)
+            light.SetFocalPoint(0.2, 0, 0)
+            light.SetDiffuseColor(color)
+            light.SetIntensity(1.3)
+            light.SetPositional(positional)
+            light.SetConeAngle(180)
+            renderer.AddLight(light)
+        film = data.Film(renderer, SIZE)
+        film.gi.KeepRadianceOn()
+        film.frame()
+        signal = film.signal(True)
+        film.gi.GetTechnique("ray-traced-light").EnabledOff()
+        film.frame()
+        shown = penumbra.radiance(film.gi, renderer)[::-1, :, :3]
+        direct = data.direct_light(renderer, signal)
+        glows = np.abs(shown - REFLECTANCE).max(-1) < 1e-3
+        matte = (signal.frames > 0) & (shown.min(-1) > 0) & ~glows
+        self.assertGreater(matte.sum(), 2000)
+        differences = np.abs(REFLECTANCE * direct - shown)[matte].max(-1)
+        print(f"direct light: differences {np.median(differences):.1e} (median), {np.quantile(differences, 0.98):.1e} (98 %)")
+        self.assertLess(np.quantile(differences, 0.98), 2e-3)
+
     def test_agree_with_weights_in_buffers(self):
         self.assertLess(np.mean(self.compare(6, **{"denoising.weights": "buffer"})), 1e-3)
 

@@ -216,7 +216,7 @@ class Agreement(unittest.TestCase):
             *found, others = net.guides(batch)
         for one, other in zip(expected, found):
             self.assertLess((one - other).abs().max(), 0.02)  # rounded to 16 bits
-        self.assertLess((others - torch.sigmoid(torch.tensor(network.FIRST_BIASES[-1]))).abs().max(), 1e-6)
+        self.assertLess((others - network.MOST_OTHERS * torch.sigmoid(torch.tensor(network.FIRST_BIASES[-1]))).abs().max(), 1e-6)
 
     def decided(self, trust, others):
         """A network without training that trusts the regression on places, and samples of other surfaces, fully or not at all."""
@@ -268,7 +268,7 @@ class Agreement(unittest.TestCase):
         with torch.no_grad():
             apart, together = (self.decided(False, others)(batch)[0, 0].numpy() for others in (False, True))
         self.assertLess(abs(apart[near].mean() - 1), 0.02)
-        self.assertGreater(together[near].mean(), 1.2)
+        self.assertGreater(together[near].mean(), 1.1)
         self.assertLess(abs(together.mean() - apart.mean()), 0.02)
 
     def test_errors_are_relative_to_the_light_that_is_seen(self):

@@ -22,6 +22,7 @@ BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5  # of normals, see glsl/lib/alike.glsl
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 MOST_LIGHT = 3            # times the mean, that the network sees
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67  # see glsl/denoising/filter.frag
+MOST_OTHERS = 0.5         # share of samples of other surfaces, see glsl/denoising/guides.frag
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
 KERNELS = {1: (0.5, 0.25), 2: (0.375, 0.25, 0.0625)}  # splines: levels of equal weights would leave patterns of dots
@@ -278,9 +279,9 @@ class Denoiser(nn.Module):
         sharpnesses, shares of the regression on places and of samples of other surfaces."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
-        features, bandwidths, sharpnesses, *shares = outputs.split((FEATURES, *(LEVELS for _ in FIRST_BIASES)), 1)
+        features, bandwidths, sharpnesses, trusts, others = outputs.split((FEATURES, *(LEVELS for _ in FIRST_BIASES)), 1)
         sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
-        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses, *(share.sigmoid() for share in shares)
+        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses, trusts.sigmoid(), MOST_OTHERS * others.sigmoid()
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""

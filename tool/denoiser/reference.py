@@ -6,10 +6,10 @@ import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
-LEAST_SHARPNESS, MOST_CHANGE, MOST_LIGHT = 0.15, 2, 3
+LEAST_SHARPNESS, MOST_OTHERS, MOST_CHANGE, MOST_LIGHT = 0.15, 0.5, 2, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
 RIDGES, MOST_IN_TILE = (0.05, 0.05, 0.05, 0.1), 8  # of the regression on normals and concavities
-REACHES, FARTHEST = 48, 6      # of concavities, see glsl/denoising/pack.frag
+REACHES, FARTHEST, STEPS = 48, 6, 32767  # of concavities, see glsl/denoising/pack.frag and signal.glsl
 PLACE_RIDGE = 0.1              # of the regression on places
 KERNELS = (0.5, 0.25), (0.375, 0.25, 0.0625)
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722))
@@ -74,7 +74,7 @@ class Surfaces:
                 weight = (moved(self.exists, reach * x, reach * y) & self.exists) / (1 + share ** 2)
                 total, weights_found = total + weight * (self.direction * apart).sum(-1) / far, weights_found + weight
         concavity = total / np.maximum(weights_found, 1e-6)
-        root = np.floor(127 * (np.sign(concavity) * np.sqrt(np.abs(concavity)) + 1) + 0.5) / 127 - 1
+        root = np.floor(STEPS * (np.sign(concavity) * np.sqrt(np.abs(concavity)) + 1) + 0.5) / STEPS - 1
         return root * np.abs(root)
 
     def shapes(self):
@@ -230,7 +230,8 @@ def guides(signal, surfaces, layers, trained_size):
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
     change = min(trained_size / min(single.shape[:2]), MOST_CHANGE)
-    trusts, others = (half(1 / (1 + np.exp(-outputs[..., 4 + i * LEVELS:][..., :LEVELS]))) for i in (2, 3))
+    trusts, others = (half(most / (1 + np.exp(-outputs[..., 4 + i * LEVELS:][..., :LEVELS])))
+                      for i, most in ((2, 1), (3, MOST_OTHERS)))
     return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS)), trusts, others
 
 
