@@ -1,12 +1,12 @@
 #version 430 core
-// Derivative of light with respect to the normal and the concavity: a linear ridge regression over a tile and its neighbours (Hoerl and Kennard 1970,
-// Ridge Regression: Biased Estimation for Nonorthogonal Problems). The filter averages the residuals, as in Moon, Carr and Yoon
-// 2014, Adaptive Rendering Based on Weighted Local Regression.
+// Derivative of light with respect to the normal and the concavity: a linear ridge regression over a tile and its neighbours (Hoerl
+// and Kennard 1970, Ridge Regression: Biased Estimation for Nonorthogonal Problems). The filter averages the residuals, as in
+// Moon, Carr and Yoon 2014, Adaptive Rendering Based on Weighted Local Regression.
 #include "shared/view.h"
 #include "shared/denoising.h"
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2DArray sums; // of slope_sums.comp
-layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // a layer for each component of the normal, and one for the concavity
+layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // by the normal's components, and the concavity
 
 // Added to the variance of normals and of concavities, divided by the mean frame count.
 const vec4 RIDGE = vec4(0.05, 0.05, 0.05, 0.1);

@@ -281,7 +281,8 @@ class Denoiser(nn.Module):
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
         features, bandwidths, sharpnesses, trusts, others = outputs.split((FEATURES, *(LEVELS for _ in FIRST_BIASES)), 1)
         sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
-        return features + self.fine(single), functional.softplus(bandwidths), sharpnesses, trusts.sigmoid(), MOST_OTHERS * others.sigmoid()
+        features = features + self.fine(single)
+        return features, functional.softplus(bandwidths), sharpnesses, trusts.sigmoid(), MOST_OTHERS * others.sigmoid()
 
     def forward(self, batch):
         """Filtered light of a batch with its surfaces."""

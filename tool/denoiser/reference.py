@@ -64,7 +64,7 @@ class Surfaces:
         self.concavity = self.concavities(max(int(min(height, width) / REACHES + 0.5), 2))
 
     def concavities(self, reach):
-        """How much the surfaces around rise above that of each pixel: see glsl/denoising/pack.frag. Rounded as the signal holds it."""
+        """How much surfaces around rise above that of each pixel: glsl/denoising/pack.frag. Rounded as the signal holds it."""
         total, weights_found = np.zeros_like(self.depth), np.zeros_like(self.depth)
         for x, y in OFFSETS:
             if x or y:
