@@ -10,6 +10,7 @@ layout(rgba32f, binding = 0) writeonly uniform image2DArray slopes; // by the no
 
 // Added to the variance of normals and of concavities, divided by the mean frame count.
 const vec4 RIDGE = vec4(0.05, 0.05, 0.05, 0.1);
+const vec4 LEAST_RIDGE = vec4(0.0, 0.0, 0.0, 0.025); // light of fine slopes is not linear in their concavity
 
 vec4 sumAt(ivec2 tile, int part, ivec2 last)
 {
@@ -40,7 +41,8 @@ void main()
   float weight = max(sum[1].w, 1e-6);
   vec4 shape = sum[0] / weight;
   vec3 light = sum[1].rgb / weight;
-  vec4 squares = max(sum[2] / weight - shape * shape, vec4(0.0)) + RIDGE * max(sum[3].w, 1.0) / max(weight, 1.0);
+  vec4 ridge = max(RIDGE * max(sum[3].w, 1.0) / max(weight, 1.0), LEAST_RIDGE);
+  vec4 squares = max(sum[2] / weight - shape * shape, vec4(0.0)) + ridge;
   vec3 mixed = sum[3].xyz / weight - shape.xxy * shape.yzz;
   vec3 bent = sum[4].xyz / weight - shape.xyz * shape.w;
   mat4 spread = mat4(squares.x, mixed.x, mixed.y, bent.x, mixed.x, squares.y, mixed.z, bent.y, mixed.y, mixed.z, squares.z, bent.z,

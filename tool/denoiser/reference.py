@@ -8,7 +8,8 @@ TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
 LEAST_SHARPNESS, MOST_OTHERS, MOST_CHANGE, MOST_LIGHT = 0.15, 0.5, 2, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
-RIDGES, MOST_IN_TILE = (0.05, 0.05, 0.05, 0.1), 8  # of the regression on normals and concavities
+# Of the regression on normals and concavities.
+RIDGES, LEAST_RIDGES, MOST_IN_TILE = (0.05, 0.05, 0.05, 0.1), (0, 0, 0, 0.025), 8
 REACHES, FARTHEST, STEPS = 48, 6, 32767  # of concavities, see glsl/denoising/pack.frag and signal.glsl
 PLACE_RIDGE = 0.1              # of the regression on places
 KERNELS = (0.5, 0.25), (0.375, 0.25, 0.0625)
@@ -176,8 +177,8 @@ def slopes(signal, surfaces):
     means = np.split(sums / np.maximum(total, 1e-6)[..., None], np.cumsum([part.shape[-1] for part in parts]), -1)
     first, bright = means[0][..., None], means[1][..., None, :]
     spread = means[2].reshape(rows, columns, 4, 4) - first * first.swapaxes(-1, -2)
-    ridge = (np.maximum(count, 1) / np.maximum(total, 1))[..., None, None] * np.diag(RIDGES)
-    found = np.linalg.solve(spread + ridge, means[3].reshape(rows, columns, 4, 3) - first * bright)
+    ridge = np.maximum((np.maximum(count, 1) / np.maximum(total, 1))[..., None] * RIDGES, LEAST_RIDGES)
+    found = np.linalg.solve(spread + ridge[..., None] * np.eye(4), means[3].reshape(rows, columns, 4, 3) - first * bright)
     return interpolated(found.reshape(rows, columns, 12), height, width, TILE).reshape(height, width, 4, 3)
 
 
