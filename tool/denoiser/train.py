@@ -33,7 +33,7 @@ FILTERED = 0.75               # share of the steps whose targets have less noise
 FROM_RATE, FROM_FILTERED = 3e-4, 0.5  # of a training that starts from a network
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
-SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 200}
+SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 300}
 
 
 class Progress:
