@@ -39,9 +39,9 @@ uniform int sharing; // number of pixels that share a sample in one frame
 // Standard deviations of a difference after which a sample's weight falls to 1 / e.
 const float TOLERANCE = 3.25;
 
-// How much features count in light of paths, times as much as the network says, in the first level and later: a path that finds a
-// bright lamp by chance stays a small spot. Standard deviations count as without the network there.
-const vec2 FEATURES_OF_PATHS = vec2(1.7, 3.6);
+// How much features count in light of paths, times as much as the network says, in the first two levels and later: a path that finds
+// a bright lamp by chance stays a small spot. Standard deviations count as without the network there.
+const vec2 FEATURES_OF_PATHS = vec2(1.2, 6.0);
 
 // How much the network may make standard deviations count, per frame. Few frames may agree by chance and then seem to have little
 // noise: walls would get dots. The regressions spare what this blurs.
@@ -214,7 +214,7 @@ void main()
       vec2 counts = max(ownCounts.xy, otherCounts.xy);
       vec4 apart = texelFetch(featureTexture, at, 0) - features;
 #ifdef GI_OWN_SURFACE
-      counts.x *= step == 1 ? FEATURES_OF_PATHS.x : FEATURES_OF_PATHS.y;
+      counts.x *= step <= 2 ? FEATURES_OF_PATHS.x : FEATURES_OF_PATHS.y;
 #else
       float least = min(signal.frames, other.frames);
       sharpness = min(counts.y, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
