@@ -279,6 +279,7 @@ class Agreement(unittest.TestCase):
             batch = train.batch_of([train.with_filtered(train.sample_of(signal, truth))])
             picture = 1.5 * batch["target"]
             shown.append(network.relative_error(picture, batch).item())
+            self.assertLess(network.loss_of(batch["plain"], batch).item(), 3)  # units of the error of this very picture
         self.assertAlmostEqual(shown[0], 0.25 / 1.01, 4)
         self.assertAlmostEqual(shown[1], shown[0] / 100, 6)
 

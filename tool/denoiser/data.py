@@ -24,7 +24,7 @@ RECENT = 4 / 3          # variance of a still mean, in which recent frames count
 LEAST, MOST = 4, 255    # frames from which a mean's error is known, and up to which they are counted
 NORMAL = 4096           # steps of a packed normal
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722), np.float32)
-# What is stored of a target: see target() and direct_light(); count: still frames, 0 for an orbit.
+# Arrays that are stored with each signal: see target() and direct_light(); count is the number of still frames, 0 for an orbit.
 TARGET = "target", "target_error", "known", "count", "direct"
 
 
@@ -120,10 +120,10 @@ def direct_light(renderer, signal):
     """Light (h, w, 3) of the renderer's lights on the surfaces of a signal, without shadows: pictures show it besides."""
     surfaces = reference.Surfaces(signal)
     total = np.zeros_like(surfaces.position)
-    for place, irradiance in lamps(renderer):
+    for place, light in lamps(renderer):
         toward = place[:3] - place[3] * surfaces.position
         cosine = (surfaces.direction * toward).sum(-1) / np.maximum(np.linalg.norm(toward, axis=-1), 1e-20)
-        total += np.maximum(cosine, 0)[..., None] * irradiance
+        total += np.maximum(cosine, 0)[..., None] * light
     return np.where(surfaces.exists[..., None], total, 0).astype(np.float32)
 
 
