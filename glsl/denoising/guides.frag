@@ -1,18 +1,12 @@
 #version 430 core
 // What the network says of each pixel: features, how much their differences and those of light count at each level, and how much
 // the regression on places and samples of other surfaces.
-// Light changes less from pixel to pixel in larger pictures than in those of the training, so differences of features count less
-// there; in smaller ones they count more. Those of light are in standard deviations, whatever the size.
 #include "shared/view.h"
-#include "denoising/network/facts.glsl"
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
 layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
 
 // Half of the sharpness of the filter without a network, so that what stands out of the noise is not blurred away.
 const float LEAST_SHARPNESS = 0.15;
-
-// In tiny pictures differences of features would hide all neighbours.
-const float MOST_CHANGE = 2.0;
 
 // At a silhouette a pixel with few frames and dark rays would otherwise get the light of its neighbours.
 const float MOST_OTHERS = 0.5;
@@ -41,8 +35,7 @@ void main()
     }
   }
   features = sums[0] + texelFetch(fineTexture, pixel, 0);
-  float change = min(TRAINED_SIZE / min(view.Viewport.z, view.Viewport.w), MOST_CHANGE);
-  vec4 bandwidths = change * softplus(sums[1]);
+  vec4 bandwidths = softplus(sums[1]);
   vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   vec4 trusts = 1.0 / (1.0 + exp(-sums[3]));
   vec4 others = MOST_OTHERS / (1.0 + exp(-sums[4]));

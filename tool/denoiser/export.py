@@ -6,8 +6,7 @@
 usage: export.py NETWORK.txt FOLDER SOURCE.cxx
 
 A shader computes a part of a layer that is small enough for compilers: FOLDER/LAYER_PART.comp, which includes
-denoising/layer.glsl. FOLDER/fine.glsl is the layer that sees single pixels, FOLDER/facts.glsl what is known of the training. The
-build calls this.
+denoising/layer.glsl. FOLDER/fine.glsl is the layer that sees single pixels. The build calls this.
 """
 import pathlib
 import sys
@@ -113,16 +112,15 @@ def main():
     """Write the files, and remove those of another network."""
     network, folder, output = map(pathlib.Path, sys.argv[1:])
     try:
-        facts, layers = weights.read(network)
+        _, layers = weights.read(network)
     except (OSError, ValueError) as error:
         sys.exit(str(error))
-    texts = {"fine.glsl": fine(layers.pop("fine")),
-             "facts.glsl": f"{ORIGIN}\nconst float TRAINED_SIZE = {number(float(facts['size']))}; // pixels of a picture's side\n"}
+    texts = {"fine.glsl": fine(layers.pop("fine"))}
     for name, layer in layers.items():
         for index, (first, last) in enumerate(parts(layer)):
             texts[f"{name}_{index}.comp"] = shader(layer, layers.get(ABOVE.get(name)), name != "out", first, last)
     folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob("*.comp"):
+    for old in folder.glob("*"):
         if old.name not in texts and ORIGIN in old.read_text(encoding="utf-8"):
             old.unlink()
     for name, text in texts.items():

@@ -6,7 +6,7 @@ import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
-LEAST_SHARPNESS, MOST_OTHERS, MOST_CHANGE, MOST_LIGHT = 0.15, 0.5, 2, 3
+LEAST_SHARPNESS, MOST_OTHERS, MOST_LIGHT = 0.15, 0.5, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
 # Ridges of the regression on normals and concavities in a first frame, their minimum, and the light at which outliers are clamped.
 RIDGES, LEAST_RIDGES, MOST_IN_TILE = (0.05, 0.05, 0.05, 0.1), (0, 0, 0, 0.025), 8
@@ -35,13 +35,13 @@ def moved(values, x, y):
 
 
 def read_network(path):
-    """The facts, and weights (outputs, inputs, y, x) and biases by the layer's name."""
-    facts, layers = weights.read(path)
+    """Weights (outputs, inputs, y, x) and biases by the layer's name."""
+    _, layers = weights.read(path)
     found = {}
     for name, layer in layers.items():
         values, count = np.array(layer.values), layer.weight_count()
         found[name] = values[:count].reshape(layer.outputs, layer.inputs, layer.kernel, layer.kernel), values[count:]
-    return facts, found
+    return found
 
 
 class Surfaces:
@@ -223,17 +223,16 @@ def interpolated(values, height, width, size=2):
     return np.einsum("yh,hwc,xw->yxc", tables[0], values, tables[1])
 
 
-def guides(signal, surfaces, layers, trained_size):
+def guides(signal, surfaces, layers):
     """Features of each pixel; by level bandwidths, sharpnesses, shares of the regression on places and of other surfaces:
     glsl/denoising/guides.frag."""
     single, blocks = inputs(signal, surfaces)
     outputs = interpolated(network(blocks, layers), *single.shape[:2])
     features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
-    change = min(trained_size / min(single.shape[:2]), MOST_CHANGE)
     trusts, others = (half(most / (1 + np.exp(-outputs[..., 4 + i * LEVELS:][..., :LEVELS])))
                       for i, most in ((2, 1), (3, MOST_OTHERS)))
-    return features, half(change * bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS)), trusts, others
+    return features, half(bandwidths), half(np.maximum(sharpnesses, LEAST_SHARPNESS)), trusts, others
 
 
 class Means:
@@ -267,9 +266,9 @@ class Means:
 
 def denoise(signal, network_file, stored=lambda light, error: (light, error)):
     """Filtered light, (h, w, 3). stored: how textures hold light and its error between levels."""
-    facts, layers = read_network(network_file)
+    layers = read_network(network_file)
     surfaces = Surfaces(signal)
-    features, bandwidths, sharpnesses, trusts, others = guides(signal, surfaces, layers, int(facts["size"]))
+    features, bandwidths, sharpnesses, trusts, others = guides(signal, surfaces, layers)
     light, error = signal.light.astype(float), signal.error.astype(float)
     reach = RADIUS * np.clip(2 - 2 * surfaces.frames / LAST, 0, 1)
     bend = BEND * np.minimum(1 + np.maximum(surfaces.frames - 1, 0) / BEND_HALVED, MOST_BEND)

@@ -305,6 +305,7 @@ def main():
     facts = {"generator": revision(), "from": training.origin, "seed": args.seed, "scenes": len(trained), "cameras": args.cameras,
              "size": args.size, "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
+    training.net.sharpen()
     training.net.save(path, facts)
     training.net.restore(path)  # the report is about the rounded weights
     found = errors(training.net, samples_of(pictures, held or trained))
