@@ -40,28 +40,44 @@ layout(location = 1) out vec4 own;
 const float REACHES = 48.0; // of a concavity, along the shorter side of a picture
 const float FARTHEST = 6.0; // times the reach, from where surfaces count less than half
 
-// Mean sine of the angle at which surfaces around rise above a surface's plane: positive in hollows, negative on ridges.
+// x: sine of the angle at which the surface at another pixel rises above a surface's plane; y: how much it counts. far: distance from
+// where it counts less than half.
+vec2 riseAt(ivec2 at, vec3 P, vec3 N, float far)
+{
+  ivec2 low = ivec2(view.Viewport.xy);
+  ivec2 high = low + ivec2(view.Viewport.zw) - 1;
+  if (at != clamp(at, low, high) || texelFetch(albedoTexture, at, 0).a == 0.0)
+  {
+    return vec2(0.0);
+  }
+  vec3 apart = giViewPosition(vec2(at) + 0.5, texelFetch(depthTexture, at, 0).r) - P;
+  float size = length(apart);
+  float share = size / max(far, 1e-30);
+  return vec2(dot(N, apart) / max(size, 1e-30), 1.0 / (1.0 + share * share));
+}
+
+// How hollow a surface is: the mean sine of the angle at which surfaces around rise above its plane. On ridges, where they fall on
+// both sides, it is negative. A flat face beside its own edges or corner is flat, as what lies behind them takes no light from it.
 float concavityAt(ivec2 pixel, float depth, vec2 normal)
 {
   vec3 P = giViewPosition(gl_FragCoord.xy, depth);
   vec3 N = giDecodeOctahedral(normal);
-  float size = distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), depth), P);
-  ivec2 low = ivec2(view.Viewport.xy);
-  ivec2 high = low + ivec2(view.Viewport.zw) - 1;
   int reach = max(int(min(view.Viewport.z, view.Viewport.w) / REACHES + 0.5), 2);
-  vec2 sum = vec2(0.0);
-  for (int i = 0; i < 9; ++i)
+  float far = FARTHEST * float(reach) * distance(giViewPosition(gl_FragCoord.xy + vec2(1.0, 0.0), depth), P);
+  vec2 rise = vec2(0.0);
+  float fall = 0.0;
+  float steepest = 0.0; // at a corner one pair of opposite pixels falls, too
+  for (int i = 0; i < 4; ++i)
   {
-    ivec2 at = pixel + reach * (ivec2(i % 3, i / 3) - 1);
-    if (i != 4 && at == clamp(at, low, high) && texelFetch(albedoTexture, at, 0).a > 0.0)
-    {
-      vec3 apart = giViewPosition(vec2(at) + 0.5, texelFetch(depthTexture, at, 0).r) - P;
-      float far = length(apart);
-      float share = far / max(FARTHEST * float(reach) * size, 1e-30);
-      sum += vec2(dot(N, apart) / max(far, 1e-30), 1.0) / (1.0 + share * share);
-    }
+    ivec2 offset = reach * (ivec2(i % 3, i / 3) - 1);
+    vec2 one = riseAt(pixel + offset, P, N, far);
+    vec2 other = riseAt(pixel - offset, P, N, far);
+    rise += vec2(one.y * max(one.x, 0.0) + other.y * max(other.x, 0.0), one.y + other.y);
+    float both = 2.0 * min(one.y, other.y) * min(max(one.x, other.x), 0.0);
+    fall += both;
+    steepest = min(steepest, both);
   }
-  return sum.x / max(sum.y, 1e-6);
+  return (rise.x + fall - steepest) / max(rise.y, 1e-6);
 }
 #endif
 

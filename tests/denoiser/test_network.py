@@ -47,6 +47,31 @@ class File(unittest.TestCase):
                     weights.read(path)
 
 
+class Concavity(unittest.TestCase):
+    """How hollow surfaces are."""
+
+    def found(self, height):
+        """The concavity of surfaces that face the eye at this height toward it, a function of the distances from the middle."""
+        y, x = np.mgrid[-32:33, -40:41]
+        depth = height(x, y) - 3
+        shape = depth.shape
+        signal = data.Signal(np.ones((*shape, 3)), np.zeros(shape), np.ones(shape), np.full((*shape, 2), 0.5), depth,
+                             np.array((2.0, 2.5)))
+        return reference.Surfaces(signal).concavity
+
+    def test_hollows_are_positive_and_ridges_negative(self):
+        valley = self.found(lambda x, y: 0.05 * np.abs(x))
+        self.assertGreater(valley[32, 40], 0.1)
+        self.assertLess(self.found(lambda x, y: -0.05 * np.abs(x))[32, 40], -0.05)
+        self.assertLess(self.found(lambda x, y: -0.02 * np.hypot(x, y))[32, 40], -0.1)
+
+    def test_a_face_is_flat_beside_its_edges_and_its_corner(self):
+        falling = self.found(lambda x, y: -0.1 * (np.maximum(x, 0) + np.maximum(y, 0)))
+        self.assertLess(np.abs(falling[:33, :41]).max(), 1e-6)
+        rising = self.found(lambda x, y: 0.1 * np.maximum(x, 0))
+        self.assertGreater(rising[32, 40], 0.05)
+
+
 def white(source):
     """An actor without highlights."""
     mapper, actor = vtkPolyDataMapper(), vtkActor()

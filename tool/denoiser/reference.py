@@ -64,17 +64,23 @@ class Surfaces:
         self.toward = -(self.direction * self.position).sum(-1) / distance
         self.concavity = self.concavities(max(int(min(height, width) / REACHES + 0.5), 2))
 
+    def rise(self, x, y, reach):
+        """Sine of the angle at which surfaces rise above the plane of each pixel's, and how much they count."""
+        apart = moved(self.position, reach * x, reach * y) - self.position
+        far = np.maximum(np.linalg.norm(apart, axis=-1), 1e-30)
+        share = far / np.maximum(FARTHEST * reach * self.pixel, 1e-30)
+        weight = (moved(self.exists, reach * x, reach * y) & self.exists) / (1 + share ** 2)
+        return np.where(weight > 0, (self.direction * apart).sum(-1) / far, 0), weight
+
     def concavities(self, reach):
-        """How much surfaces around rise above that of each pixel: glsl/denoising/pack.frag. Rounded as the signal holds it."""
-        total, weights_found = np.zeros_like(self.depth), np.zeros_like(self.depth)
-        for x, y in OFFSETS:
-            if x or y:
-                apart = moved(self.position, reach * x, reach * y) - self.position
-                far = np.maximum(np.linalg.norm(apart, axis=-1), 1e-30)
-                share = far / np.maximum(FARTHEST * reach * self.pixel, 1e-30)
-                weight = (moved(self.exists, reach * x, reach * y) & self.exists) / (1 + share ** 2)
-                total, weights_found = total + weight * (self.direction * apart).sum(-1) / far, weights_found + weight
-        concavity = total / np.maximum(weights_found, 1e-6)
+        """How hollow the surface at each pixel is: glsl/denoising/pack.frag. Rounded as the signal holds it."""
+        rise, count, falls = np.zeros_like(self.depth), np.zeros_like(self.depth), []
+        for x, y in OFFSETS[:4]:
+            (one, weight), (other, other_weight) = self.rise(x, y, reach), self.rise(-x, -y, reach)
+            rise += weight * np.maximum(one, 0) + other_weight * np.maximum(other, 0)
+            count += weight + other_weight
+            falls.append(2 * np.minimum(weight, other_weight) * np.minimum(np.maximum(one, other), 0))
+        concavity = (rise + sum(falls) - np.minimum(np.min(falls, axis=0), 0)) / np.maximum(count, 1e-6)
         root = np.floor(STEPS * (np.sign(concavity) * np.sqrt(np.abs(concavity)) + 1) + 0.5) / STEPS - 1
         return root * np.abs(root)
 
