@@ -55,7 +55,7 @@ const float LEAST_SHARE = 0.67;
 
 // Most that normals count, times as much as in a first frame, where a regression on normals and features of a network spare what
 // normals explain.
-const float MOST_BEND = 1.5;
+const float MOST_BEND = 2.25;
 
 // Relative noise of paths from which normals count as in a first frame: what they change is less.
 const float MUCH_NOISE = 0.2;

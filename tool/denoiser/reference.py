@@ -7,7 +7,7 @@ import weights
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
 SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
 LEAST_SHARPNESS, MOST_OTHERS, MOST_LIGHT = 0.15, 0.5, 3
-BEND, BEND_HALVED, MOST_BEND = 10, 4, 1.5
+BEND, BEND_HALVED, MOST_BEND = 10, 4, 2.25
 # Ridges of the regression on normals and concavities in a first frame, their minimum, and the light at which outliers are clamped.
 RIDGES, LEAST_RIDGES, MOST_IN_TILE = (0.05, 0.05, 0.05, 0.1), (0, 0, 0, 0.025), 8
 REACHES, FARTHEST, STEPS = 48, 6, 32767  # of concavities, see glsl/denoising/pack.frag and signal.glsl
