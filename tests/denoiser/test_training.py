@@ -218,6 +218,17 @@ class Agreement(unittest.TestCase):
             self.assertLess((one - other).abs().max(), 0.02)  # rounded to 16 bits
         self.assertLess((others - network.MOST_OTHERS * torch.sigmoid(torch.tensor(network.FIRST_BIASES[-1]))).abs().max(), 1e-6)
 
+    def test_features_count_more_after_the_training(self):
+        torch.manual_seed(1)
+        net, batch = network.Denoiser(), self.batch(self.signal(8))
+        with torch.no_grad():
+            before = net.guides(batch)
+            net.sharpen()
+            after = net.guides(batch)
+        self.assertLess((after[0] ** 2 - network.COUNT_MORE * before[0] ** 2).abs().max(), 1e-5 * (after[0] ** 2).max())
+        for one, other in zip(before[1:], after[1:]):
+            self.assertEqual((one - other).abs().max(), 0)
+
     def decided(self, trust, others):
         """A network without training that trusts the regression on places, and samples of other surfaces, fully or not at all."""
         torch.manual_seed(1)

@@ -80,7 +80,7 @@ class Surfaces:
             rise += weight * np.maximum(one, 0) + other_weight * np.maximum(other, 0)
             count += weight + other_weight
             falls.append(2 * np.minimum(weight, other_weight) * np.minimum(np.maximum(one, other), 0))
-        concavity = (rise + sum(falls) - np.minimum(np.min(falls, axis=0), 0)) / np.maximum(count, 1e-6)
+        concavity = (rise + sum(falls) - np.min(falls, axis=0)) / np.maximum(count, 1e-6)
         root = np.floor(STEPS * (np.sign(concavity) * np.sqrt(np.abs(concavity)) + 1) + 0.5) / STEPS - 1
         return root * np.abs(root)
 
