@@ -51,7 +51,7 @@ const float FEWEST_FRAMES = 8.0; // from which the frames of a mean tell its noi
 // Number of frames up to which standard deviations count as the network says, and their share after many. Otherwise what stands out
 // of a mean by chance stays for long, and still pictures flicker more than without the network.
 const float SHARP_FRAMES = 12.0;
-const float LEAST_SHARE = 0.67;
+const float LEAST_SHARE = 0.4;
 
 // Most that normals count, times as much as in a first frame, where a regression on normals and features of a network spare what
 // normals explain.

@@ -5,7 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.67
+SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.4
 LEAST_SHARPNESS, MOST_OTHERS, MOST_LIGHT = 0.15, 0.5, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 2.25
 # Ridges of the regression on normals and concavities in a first frame, their minimum, and the light at which outliers are clamped.
