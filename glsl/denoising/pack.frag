@@ -40,8 +40,8 @@ layout(location = 1) out vec4 own;
 const float REACHES = 48.0; // of a concavity, along the shorter side of a picture
 const float FARTHEST = 6.0; // times the reach, from where surfaces count less than half
 
-// x: sine of the angle at which the surface at another pixel rises above a surface's plane; y: how much it counts. far: distance from
-// where it counts less than half.
+// x: sine of the angle at which the surface at another pixel rises above a surface's plane; y: how much it counts. far: the distance
+// from which it counts less than half.
 vec2 riseAt(ivec2 at, vec3 P, vec3 N, float far)
 {
   ivec2 low = ivec2(view.Viewport.xy);

@@ -84,7 +84,7 @@ def white(source):
 
 
 def lit_boxes():
-    """A ground with boxes and a ball, which one box lights: all light is indirect, so the picture is reflectance times that."""
+    """A ground with boxes and balls, which one box lights: all light is indirect, so the picture is reflectance times that."""
     renderer = vtkRenderer()
     ground = vtkPlaneSource()
     ground.SetOrigin(-2, -2, 0)
@@ -101,12 +101,13 @@ def lit_boxes():
         actor.GetProperty().SetAmbient(1 if number == 1 else 0)
         actor.GetProperty().SetDiffuse(0 if number == 1 else 1)
         renderer.AddActor(actor)
-    ball = vtkSphereSource()
-    ball.SetCenter(-0.1, -1.1, 0.35)
-    ball.SetRadius(0.35)
-    ball.SetThetaResolution(64)
-    ball.SetPhiResolution(48)
-    renderer.AddActor(white(ball))
+    for x, y, radius in ((-0.1, -1.1, 0.35), *((0.5 + 0.24 * i, -0.9 + 0.24 * j, 0.12) for i in range(3) for j in range(2))):
+        ball = vtkSphereSource()
+        ball.SetCenter(x, y, radius)
+        ball.SetRadius(radius)
+        ball.SetThetaResolution(64)
+        ball.SetPhiResolution(48)
+        renderer.AddActor(white(ball))
     renderer.AutomaticLightCreationOff()
     faint = vtkLight()
     faint.SetIntensity(1e-9)

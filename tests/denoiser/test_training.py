@@ -86,6 +86,10 @@ class Training(unittest.TestCase):
         self.assertIn("relMSE of the network", self.printed)
         for name in ("network.txt", "report.json", "loss.svg"):
             self.assertTrue(os.path.exists(os.path.join(self.folder.name, name)), name)
+        _, layers = weights.read(os.path.join(self.folder.name, "network.txt"))
+        learned = torch.load(os.path.join(self.folder.name, "checkpoint.pt"))["net"]["fine.weight"].flatten()
+        written = torch.tensor(layers["fine"].values)  # rounded to 16 bits
+        self.assertLess((written - network.COUNT_MORE ** 0.5 * learned).abs().max(), 1e-3 * learned.abs().max())
 
     def test_same_seed_same_network(self):
         samples, found = self.samples(), []
@@ -167,7 +171,7 @@ class Agreement(unittest.TestCase):
         net = network.Denoiser()
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "network.txt")
-            net.save(path, {"seed": 1, "size": 64})
+            net.save(path, {"seed": 1})
             net.restore(path)
             for frames in (1, 8, 200):
                 signal = self.signal(frames)

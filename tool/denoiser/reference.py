@@ -70,7 +70,7 @@ class Surfaces:
         far = np.maximum(np.linalg.norm(apart, axis=-1), 1e-30)
         share = far / np.maximum(FARTHEST * reach * self.pixel, 1e-30)
         weight = (moved(self.exists, reach * x, reach * y) & self.exists) / (1 + share ** 2)
-        return np.where(weight > 0, (self.direction * apart).sum(-1) / far, 0), weight
+        return (self.direction * apart).sum(-1) / far, weight
 
     def concavities(self, reach):
         """How hollow the surface at each pixel is: glsl/denoising/pack.frag. Rounded as the signal holds it."""
