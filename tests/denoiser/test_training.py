@@ -105,6 +105,7 @@ class Training(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             arguments = argparse.Namespace(**{**vars(self.training(folder).args), "start": path})
             training = train.Training(arguments)
+            training.net.sharpen()
             training.net.save(os.path.join(folder, "again.txt"), weights.read(path)[0])
             self.assertEqual(pathlib.Path(folder, "again.txt").read_bytes(), pathlib.Path(path).read_bytes())
         self.assertEqual(training.origin, weights.read(path)[0]["generator"])

@@ -300,11 +300,11 @@ class Denoiser(nn.Module):
             return torch.exp(-bandwidth * apart - sharpness * guided)
         return filtered(batch, fade(frames, 1e9), weigh, most_bend=MOST_BEND, shares=shares)
 
-    def sharpen(self):
-        """Let differences of features count COUNT_MORE times as much."""
+    def sharpen(self, more=COUNT_MORE):
+        """Let differences of features count so many times as much."""
         with torch.no_grad():
             for values in (self.net.last.weight[:FEATURES], self.net.last.bias[:FEATURES], self.fine.weight):
-                values *= COUNT_MORE ** 0.5
+                values *= more ** 0.5
 
     def layers(self):
         """Convolutions by their names in the file."""

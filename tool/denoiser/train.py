@@ -206,9 +206,11 @@ class Training:
         self.key = [self.origin, args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
 
     def started(self, path):
-        """Take the weights of a network. Returns the commit of its generator."""
+        """Take the weights of a network, as they were after its training. Returns the commit of its generator."""
         try:
-            return self.net.restore(path)["generator"]
+            facts = self.net.restore(path)
+            self.net.sharpen(1 / network.COUNT_MORE)
+            return facts["generator"]
         except OSError as error:
             sys.exit(f"{path} cannot be read: {error.strerror}.")
         except ValueError as error:
