@@ -107,6 +107,17 @@ def radiance(gi, renderer):
     return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
 
 
+def relative_squares(picture, truth):
+    """The squares whose mean is relMSE, see relative_error(): an array of the shape of both pictures."""
+    picture, truth = numpy.asarray(picture, float), numpy.asarray(truth, float)
+    if picture.shape != truth.shape:
+        raise ValueError(f"the picture has shape {picture.shape}, the truth {truth.shape}: draw both at one size")
+    epsilon = 0.01 * truth.mean() ** 2 if truth.size else 0.0
+    if not epsilon > 0:
+        raise ValueError("the truth is dark or empty: there is nothing to compare with")
+    return (picture - truth) ** 2 / (truth ** 2 + epsilon)
+
+
 def relative_error(picture, truth, where=None):
     """Compare linear radiance with the truth, an array of the same shape. Returns relMSE and the signed mean error.
 
@@ -114,13 +125,10 @@ def relative_error(picture, truth, where=None):
     so that dark pixels do not count more than they are visible. The signed mean error is a fraction of the truth's
     mean. where: a mask of the pixels to compare, all by default; epsilon is always that of the whole picture.
     """
+    squares = relative_squares(picture, truth)
     picture, truth = numpy.asarray(picture, float), numpy.asarray(truth, float)
-    if picture.shape != truth.shape:
-        raise ValueError(f"the picture has shape {picture.shape}, the truth {truth.shape}: draw both at one size")
-    epsilon = 0.01 * truth.mean() ** 2 if truth.size else 0.0
     if where is not None:
-        picture, truth = picture[where], truth[where]
-    if not epsilon > 0 or not truth.size or not truth.mean() > 0:
+        squares, picture, truth = squares[where], picture[where], truth[where]
+    if not truth.size or not truth.mean() > 0:
         raise ValueError("the truth is dark or empty: there is nothing to compare with")
-    error = ((picture - truth) ** 2 / (truth ** 2 + epsilon)).mean()
-    return float(error), float(picture.mean() / truth.mean() - 1)
+    return float(squares.mean()), float(picture.mean() / truth.mean() - 1)

@@ -18,6 +18,7 @@ import numpy as np
 import penumbra
 from cornell_rays import penumbra as command
 from indirect_light import kept, write
+from penumbra.images import relative_squares
 from PIL import Image
 from ray_scenes import Film, Report, scene
 
@@ -74,7 +75,7 @@ def flip(picture, truth):
 
 def share_of_few(picture, truth):
     """Share of the pixels with the greatest errors, FEW of all, in relMSE."""
-    found = np.sort(((picture - truth) ** 2 / (truth ** 2 + 0.01 * truth.mean() ** 2)).mean(-1), axis=None)
+    found = np.sort(relative_squares(picture, truth).mean(-1), axis=None)
     return float(found[-max(1, round(FEW * found.size)):].sum() / found.sum())
 
 
