@@ -164,8 +164,8 @@ class Agreement(unittest.TestCase):
 
     def truth(self, signal):
         """What a sample stores besides the signal; here its light is the target, too."""
-        return {"target": signal.light, "target_error": signal.error, "known": signal.frames > 0, "count": np.array(8),
-                "direct": np.zeros_like(signal.light)}
+        return {"target": signal.light, "target_error": signal.error, "measure": signal.light, "known": signal.frames > 0,
+                "count": np.array(8), "direct": np.zeros_like(signal.light)}
 
     def test_torch_computes_what_the_reference_does(self):
         torch.manual_seed(1)
@@ -186,6 +186,7 @@ class Agreement(unittest.TestCase):
     def test_parts_may_be_mirrored_and_turned(self):
         signal, random = self.signal(8), np.random.default_rng(2)
         sample = train.with_filtered(train.sample_of(signal, self.truth(signal)))
+        sample["plain"] = network.plain_filter(train.batch_of([sample]))[0]
         self.assertGreater(sample["slope"].abs().mean(), 0.1)
         for _ in range(16):
             part = train.crop(sample, random)
@@ -291,13 +292,26 @@ class Agreement(unittest.TestCase):
         signal = self.signal(1)
         shown = []
         for direct in (0, 9):
-            truth = {**self.truth(signal), "target": np.ones_like(signal.light), "direct": np.full_like(signal.light, direct)}
+            ones = np.ones_like(signal.light)
+            truth = {**self.truth(signal), "target": ones, "measure": ones, "direct": direct * ones}
             batch = train.batch_of([train.with_filtered(train.sample_of(signal, truth))])
             picture = 1.5 * batch["target"]
             shown.append(network.relative_error(picture, batch).item())
-            self.assertLess(network.loss_of(batch["plain"], batch).item(), 3)  # units of the error of this very picture
+            plain = network.plain_filter(batch)
+            self.assertLess(network.loss_of(plain, batch).item(), 3)  # units of the error of this very picture
         self.assertAlmostEqual(shown[0], 0.25 / 1.01, 4)
         self.assertAlmostEqual(shown[1], shown[0] / 100, 6)
+
+    def test_noise_of_targets_does_not_make_dark_pictures_seem_better(self):
+        signal = self.signal(1)
+        signal.frames[:] = 1
+        random = np.random.default_rng(6)
+        noisy = {name: random.gamma(4, 0.25, signal.light.shape).astype(np.float32) for name in ("target", "measure")}
+        batch = train.batch_of([train.with_filtered(train.sample_of(signal, {**self.truth(signal), **noisy}))])
+        dark, right, bright = (network.loss_of(torch.full_like(batch["light"], light), batch).item() for light in (0.8, 1, 1.2))
+        print(f"loss of a picture that is a fifth too dark: {dark / right:.3f}, too bright: {bright / right:.3f}")
+        self.assertGreater(dark, 1.02 * right)
+        self.assertGreater(bright, 1.02 * right)
 
     def test_constant_light_stays(self):
         signal = self.signal(4)

@@ -19,13 +19,14 @@ ORBIT = 8               # frames while the camera turns
 STILL = (1, 4, 16, 64)  # numbers of still frames of the other inputs
 LONGEST = 2             # one camera in so many has the last of these
 TARGET_FRAMES, TARGET_RAYS = 24, 4
+MEASURE_FRAMES = 12    # of the light that errors are divided by
 SETTLE = 30             # frames after which probes know the scene
 RECENT = 4 / 3          # variance of a still mean, in which recent frames count more, by that of a plain one
 LEAST, MOST = 4, 255    # frames from which a mean's error is known, and up to which they are counted
 NORMAL = 4096           # steps of a packed normal
 LUMINANCE = np.array((0.2126, 0.7152, 0.0722), np.float32)
 # Arrays that are stored with each signal: see target() and direct_light(); count is the number of still frames, 0 for an orbit.
-TARGET = "target", "target_error", "known", "count", "direct"
+TARGET = "target", "target_error", "measure", "known", "count", "direct"
 
 
 @dataclass
@@ -127,15 +128,24 @@ def direct_light(renderer, signal):
     return np.where(surfaces.exists[..., None], total, 0).astype(np.float32)
 
 
+def many_rays(film, frames):
+    """The signal of still frames with many rays."""
+    film.cut()
+    film.frame(frames)
+    return film.signal(True)
+
+
 def target(film):
-    """Light after many rays, its relative standard error, and whether each pixel has it."""
+    """Light after many rays, its relative standard error, the same light by other random numbers, and whether each pixel has it.
+
+    Errors are divided by the second light. If the noise of one picture were both in an error and in what divides it, results that
+    are too dark would seem better.
+    """
     light = film.gi.GetTechnique("ray-traced-light")
     light.SetParameter("rays", TARGET_RAYS)
-    film.cut()
-    film.frame(TARGET_FRAMES)
-    drawn = film.signal(True)
+    measure, drawn = many_rays(film, MEASURE_FRAMES), many_rays(film, TARGET_FRAMES)
     light.SetParameter("rays", 1)
-    return drawn.light, drawn.error, (drawn.frames > 0) & np.isfinite(drawn.light).all(-1)
+    return drawn.light, drawn.error, measure.light, (drawn.frames > 0) & np.isfinite(drawn.light + measure.light).all(-1)
 
 
 def camera_samples(film, random, longest):
@@ -164,13 +174,14 @@ def render(family, seed, size, cameras):
     for camera in range(cameras):
         film.camera.Azimuth(random.uniform(-6, 6) if family == "room" else random.uniform(30, 100))
         renderer.ResetCameraClippingRange()
-        signals, (light, error, known) = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
+        signals, (light, error, measure, known) = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
         direct = direct_light(renderer, signals[-1])
         for number, signal in enumerate(signals):
             for name in Signal.FIELDS:
                 stored[name].append(getattr(signal, name).astype(np.float32))
             stored["target"].append(light)
             stored["target_error"].append(error.astype(np.float32))
+            stored["measure"].append(measure)
             stored["known"].append(known & np.isfinite(signal.light).all(-1))
             stored["direct"].append(direct)
             stored["count"].append(0 if number == 0 else STILL[number - 1])

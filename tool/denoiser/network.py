@@ -29,7 +29,7 @@ KERNELS = {1: (0.5, 0.25), 2: (0.375, 0.25, 0.0625)}  # splines: levels of equal
 FARTHEST = (2, 1, 1, 1)   # samples along an axis, by level
 RIDGE = 0.1               # of the regression on places, in squared distances of samples, see glsl/denoising/filter.frag
 COUNT_MORE = 1.5          # of features after the training, which would blur scenes that it does not know
-MOST_SQUARE = 50          # relative squared difference of a pixel that counts in the loss
+MOST_SQUARE = 50          # relative squared difference of a pixel from which it counts less in the loss
 FIRST_BIASES = (-2.0, -1.2, -1.0, -3.0)  # of the outputs by level; see Denoiser.guides()
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
 WIDE_OFFSETS = [(x, y) for y in range(-2, 3) for x in range(-2, 3) if abs(x) + abs(y) <= 2]
@@ -340,21 +340,22 @@ def mean_of(values, batch):
     return (values * known).sum((1, 2, 3)) / (values.shape[1] * known.sum((1, 2, 3)).clamp(min=1))
 
 
-def least_of(shown, batch):
-    """What relMSE adds to the squared light, so that dark pixels do not count more than they are visible."""
-    return 0.01 * mean_of(luminance(shown), batch)[:, None, None, None] ** 2 + 1e-30
+def squares_of(picture, batch, target="target"):
+    """Squared difference of each pixel from the target of this name, relative to what a picture shows, light together with direct
+    light; its mean is relMSE. The light in the divisor is that of other random numbers, see data.target()."""
+    shown = (batch["measure"] + batch["direct"]) ** 2
+    return (picture - batch[target]) ** 2 / (shown + batch["least"])
 
 
 def relative_error(picture, batch):
-    """relMSE of each picture of a batch against its target, which may have noise. Errors are relative to what is shown, light
-    together with direct light."""
-    shown = batch["target"] + batch["direct"]
-    return mean_of((picture - batch["target"]) ** 2 / (shown ** 2 + least_of(shown, batch)), batch)
+    """relMSE of each picture of a batch against its target, which may have noise."""
+    return mean_of(squares_of(picture, batch), batch)
 
 
 def loss_of(picture, batch, target="target"):
-    """Squared difference from the target of this name, relative to what is shown of the filter without a network, in units of the
-    error that it leaves: noise of all sizes counts alike. Were the difference relative to the target, its noise would make
-    pictures that are too dark seem better; were it relative to the picture, bright spots would cost nothing."""
-    square = (picture - batch[target]) ** 2 / ((batch["plain"] + batch["direct"]) ** 2 + batch["least"])
-    return (mean_of(square.clamp(max=MOST_SQUARE), batch) / batch["filtered"].flatten()).mean()
+    """relMSE in units of the error that the filter without a network leaves: noise of all sizes counts alike. Where a relative
+    difference exceeds a limit, what follows counts linearly (Huber 1964, Robust Estimation of a Location Parameter)."""
+    squares = squares_of(picture, batch, target)
+    most = torch.full_like(squares, MOST_SQUARE)
+    squares = torch.where(squares > most, 2 * (most * torch.maximum(squares, most)).sqrt() - most, squares)
+    return (mean_of(squares, batch) / batch["filtered"].flatten()).mean()

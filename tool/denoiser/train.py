@@ -30,7 +30,7 @@ CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
-FROM_RATE, FROM_FILTERED = 3e-4, 0.5  # of a training that starts from a network
+FROM_RATE, FROM_FILTERED = 5e-4, 0.3  # of a training that starts from a network
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
 SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 300}
@@ -121,8 +121,8 @@ def sample_of(signal, truth):
     fits = truth["count"] > 1  # as the pass does without a network from the second still frame
     surfaces = reference.Surfaces(signal)
     sample = network.tensors(signal, surfaces.concavity, reference.slopes(signal, surfaces), fits)
-    sample["target"] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth["target"]).transpose(2, 0, 1)))
-    sample["direct"] = torch.from_numpy(np.ascontiguousarray(truth["direct"].transpose(2, 0, 1)))
+    for name in ("target", "measure", "direct"):
+        sample[name] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth[name]).transpose(2, 0, 1)))
     sample["target_error"] = torch.from_numpy(np.ascontiguousarray(truth["target_error"][None]))
     sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
     return sample
@@ -136,19 +136,22 @@ def finer(signal, truth):
 
 
 def with_filtered(sample):
-    """The sample with what the filter without a network makes of it. plain: the picture; filtered: its relMSE; least: see
-    network.least_of(), of the whole picture; smooth: the target after the first level of the filter."""
-    exists, target = sample["known"], sample["target"]
-    many = {**sample, "light": target, "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES,
-            "slope": torch.zeros_like(sample["slope"])}
+    """The sample with what the loss needs. filtered: relMSE of the filter without a network; measure: filtered, as with few hits of
+    small lamps most pixels would seem too dark; least: what relMSE adds to squared light, so that dark pixels do not count more than
+    they are visible; smooth: the target after the first level of the filter."""
+    exists, error = sample["known"], sample["target_error"] * sample["known"]
+
+    def settled(name, frames, levels):
+        relative = error * (data.TARGET_FRAMES / frames) ** 0.5
+        return network.plain_filter(batch_of([{**sample, "light": sample[name], "error": relative, "frames": exists * frames,
+                                               "slope": torch.zeros_like(sample["slope"])}]), levels)
     with torch.no_grad():
-        batch = batch_of([sample])
-        plain = network.plain_filter(batch)
-        error = network.relative_error(plain, batch)
-        least = network.least_of(plain + batch["direct"], batch)
-        smooth = network.plain_filter(batch_of([many]), 1)
-    return {**sample, "plain": plain[0], "filtered": error.clamp(min=1e-5).reshape(1, 1, 1), "least": least[0],
-            "smooth": smooth[0]}
+        smooth = settled("target", data.TARGET_FRAMES, 1)[0]
+        batch = batch_of([{**sample, "measure": settled("measure", data.MEASURE_FRAMES, network.LEVELS)[0]}])
+        shown = network.luminance(batch["measure"] + batch["direct"])
+        batch["least"] = 0.01 * network.mean_of(shown, batch)[:, None, None, None] ** 2 + 1e-30
+        filtered = network.relative_error(network.plain_filter(batch), batch).clamp(min=1e-5).reshape(1, 1, 1)
+    return {**sample, "measure": batch["measure"][0], "least": batch["least"][0], "filtered": filtered, "smooth": smooth}
 
 
 def samples_of(folder, pairs, halved=False):
