@@ -29,7 +29,7 @@ KERNELS = {1: (0.5, 0.25), 2: (0.375, 0.25, 0.0625)}  # splines: levels of equal
 FARTHEST = (2, 1, 1, 1)   # samples along an axis, by level
 RIDGE = 0.1               # of the regression on places, in squared distances of samples, see glsl/denoising/filter.frag
 COUNT_MORE = 1.5          # of features after the training, which would blur scenes that it does not know
-MOST_SQUARE = 50          # relative squared difference of a pixel from which it counts less in the loss
+MOST_SQUARE = 400         # relative squared difference of a pixel from which it counts less in the loss
 FIRST_BIASES = (-2.0, -1.2, -1.0, -3.0)  # of the outputs by level; see Denoiser.guides()
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
 WIDE_OFFSETS = [(x, y) for y in range(-2, 3) for x in range(-2, 3) if abs(x) + abs(y) <= 2]

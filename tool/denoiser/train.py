@@ -30,7 +30,7 @@ CROP, CROPS = 64, 6           # pixels; pictures of a step
 COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
-FROM_RATE, FROM_FILTERED = 5e-4, 0.3  # of a training that starts from a network
+FROM_RATE, FROM_FILTERED = 1e-3, 0.8  # of a training that starts from a network
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
 SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 300}
@@ -136,22 +136,18 @@ def finer(signal, truth):
 
 
 def with_filtered(sample):
-    """The sample with what the loss needs. filtered: relMSE of the filter without a network; measure: filtered, as with few hits of
-    small lamps most pixels would seem too dark; least: what relMSE adds to squared light, so that dark pixels do not count more than
-    they are visible; smooth: the target after the first level of the filter."""
-    exists, error = sample["known"], sample["target_error"] * sample["known"]
-
-    def settled(name, frames, levels):
-        relative = error * (data.TARGET_FRAMES / frames) ** 0.5
-        return network.plain_filter(batch_of([{**sample, "light": sample[name], "error": relative, "frames": exists * frames,
-                                               "slope": torch.zeros_like(sample["slope"])}]), levels)
+    """The sample with what the loss needs. filtered: relMSE of the filter without a network; least: what relMSE adds to squared
+    light, so that dark pixels do not count more than they are visible; smooth: the target after the first level of the filter."""
+    exists = sample["known"]
+    many = {**sample, "light": sample["target"], "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES,
+            "slope": torch.zeros_like(sample["slope"])}
     with torch.no_grad():
-        smooth = settled("target", data.TARGET_FRAMES, 1)[0]
-        batch = batch_of([{**sample, "measure": settled("measure", data.MEASURE_FRAMES, network.LEVELS)[0]}])
+        smooth = network.plain_filter(batch_of([many]), 1)
+        batch = batch_of([sample])
         shown = network.luminance(batch["measure"] + batch["direct"])
         batch["least"] = 0.01 * network.mean_of(shown, batch)[:, None, None, None] ** 2 + 1e-30
-        filtered = network.relative_error(network.plain_filter(batch), batch).clamp(min=1e-5).reshape(1, 1, 1)
-    return {**sample, "measure": batch["measure"][0], "least": batch["least"][0], "filtered": filtered, "smooth": smooth}
+        filtered = network.relative_error(network.plain_filter(batch), batch)
+    return {**sample, "filtered": filtered.clamp(min=1e-5).reshape(1, 1, 1), "least": batch["least"][0], "smooth": smooth[0]}
 
 
 def samples_of(folder, pairs, halved=False):
