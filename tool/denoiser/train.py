@@ -31,6 +31,7 @@ COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is f
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 FROM_RATE, FROM_FILTERED = 1e-3, 1.0  # of a training that starts from a network
+FROM_SHARE = 0.7              # of what it learned, in the weights that are written
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
 SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 300}
@@ -197,7 +198,7 @@ class Training:
     def __init__(self, args):
         torch.set_num_threads(1)
         torch.manual_seed(args.seed)
-        self.args, self.net, self.step, self.losses = args, network.Denoiser(), 0, []
+        self.args, self.net, self.step, self.losses, self.begun = args, network.Denoiser(), 0, [], None
         self.rate, self.filtered = (FROM_RATE, FROM_FILTERED) if args.start else (RATE, FILTERED)
         self.origin = self.started(args.start) if args.start else "nothing"
         self.optimizer = torch.optim.Adam(self.net.parameters(), self.rate)
@@ -209,6 +210,7 @@ class Training:
         try:
             facts = self.net.restore(path)
             self.net.sharpen(1 / network.COUNT_MORE)
+            self.begun = [value.detach().clone() for value in self.net.parameters()]
             return facts["generator"]
         except OSError as error:
             sys.exit(f"{path} cannot be read: {error.strerror}.")
@@ -256,6 +258,15 @@ class Training:
             progress(self.step / self.args.steps, f"loss {sum(recent) / len(recent):.4f}")
             if self.step % SAVED == 0 or self.step == self.args.steps:
                 self.save()
+
+
+    def finish(self):
+        """Make the network that is written. What goes on from another network is mixed with it: that suits scenes that neither
+        was trained on better than both do (Wortsman et al. 2022, Robust Fine-tuning of Zero-shot Models)."""
+        with torch.no_grad():
+            for value, before in zip(self.net.parameters(), self.begun or []):
+                value.lerp_(before, 1 - FROM_SHARE)
+        self.net.sharpen()
 
 
 def errors(net, samples):
@@ -306,7 +317,7 @@ def main():
     facts = {"generator": revision(), "from": training.origin, "seed": args.seed, "scenes": len(trained), "cameras": args.cameras,
              "size": args.size, "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
-    training.net.sharpen()
+    training.finish()
     training.net.save(path, facts)
     training.net.restore(path)  # the report is about the rounded weights
     found = errors(training.net, samples_of(pictures, held or trained))
