@@ -48,6 +48,10 @@ const vec2 FEATURES_OF_PATHS = vec2(1.6, 8.0);
 const float SHARPNESS_PER_FRAME = 0.05;
 const float FEWEST_FRAMES = 8.0; // from which the frames of a mean tell its noise
 
+// Number of frames from which features count as the network says. In first frames they would keep noise. Of two pixels the longer
+// history decides, so that a surface that has just come into view is told from those around it.
+const float FEATURE_FRAMES = 4.0;
+
 // Number of frames up to which standard deviations count as the network says, and their share after many. Otherwise what stands out
 // of a mean by chance stays for long, and still pictures flicker more than without the network.
 const float SHARP_FRAMES = 12.0;
@@ -216,6 +220,7 @@ void main()
 #ifdef GI_OWN_SURFACE
       counts.x *= step <= 2 ? FEATURES_OF_PATHS.x : FEATURES_OF_PATHS.y;
 #else
+      counts.x *= min(max(signal.frames, other.frames) / FEATURE_FRAMES, 1.0);
       float least = min(signal.frames, other.frames);
       sharpness = min(counts.y, SHARPNESS_PER_FRAME * max(least, FEWEST_FRAMES));
       sharpness *= clamp(SHARP_FRAMES / least, LEAST_SHARE, 1.0);

@@ -21,7 +21,8 @@ LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 2.25  # of normals, see glsl/lib/alike.glsl, glsl/denoising/signal.glsl and filter.frag
 TOLERANCE, LIGHT_HALVED = 3.25, 32  # of the filter without a network
 MOST_LIGHT = 3            # times the mean, that the network sees
-SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.4  # see glsl/denoising/filter.frag
+FEATURE_FRAMES = 4        # see glsl/denoising/filter.frag, also for what follows
+SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.4
 MOST_OTHERS = 0.5         # share of samples of other surfaces, see glsl/denoising/guides.frag
 LEAST_SHARPNESS = 0.15    # half of 1 / TOLERANCE: so that what stands out of the noise is not blurred away
 DEPTH_CHANGE = 16
@@ -294,6 +295,7 @@ class Denoiser(nn.Module):
             apart = ((moved(features, x, y) - features) ** 2).sum(1, keepdim=True)
             bandwidth, sharpness = (torch.maximum(own, moved(own, x, y)) for own in
                                     (values[:, level:level + 1] for values in (bandwidths, sharpnesses)))
+            bandwidth = bandwidth * (torch.maximum(frames, moved(frames, x, y)) / FEATURE_FRAMES).clamp(max=1)
             least = torch.minimum(frames, moved(frames, x, y)).clamp(min=1)
             most = SHARPNESS_PER_FRAME * least.clamp(min=FEWEST_FRAMES)
             sharpness = torch.minimum(sharpness, most) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)

@@ -5,7 +5,7 @@ import numpy as np
 import weights
 
 TILE, LEVELS, RADIUS, LAST = 16, 4, 8, 256
-SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 0.05, 8, 12, 0.4
+FEATURE_FRAMES, SHARPNESS_PER_FRAME, FEWEST_FRAMES, SHARP_FRAMES, LEAST_SHARE = 4, 0.05, 8, 12, 0.4
 LEAST_SHARPNESS, MOST_OTHERS, MOST_LIGHT = 0.15, 0.5, 3
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 2.25
 # Ridges of the regression on normals and concavities in a first frame, their minimum, and the light at which outliers are clamped.
@@ -292,6 +292,7 @@ def denoise(signal, network_file, stored=lambda light, error: (light, error)):
         def weigh(x, y, step=step, kernel=kernel, counts=counts, cross=others[..., level], light=light, bright=bright, noise=noise):
             far = x * step, y * step
             bandwidth, sharpness = np.moveaxis(np.maximum(counts, moved(counts, *far)), -1, 0)
+            bandwidth = bandwidth * np.minimum(np.maximum(surfaces.frames, moved(surfaces.frames, *far)) / FEATURE_FRAMES, 1)
             least = np.maximum(np.minimum(surfaces.frames, moved(surfaces.frames, *far)), 1)
             sharpness = np.minimum(sharpness, SHARPNESS_PER_FRAME * np.maximum(least, FEWEST_FRAMES))
             sharpness = sharpness * np.clip(SHARP_FRAMES / least, LEAST_SHARE, 1)
