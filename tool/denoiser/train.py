@@ -259,7 +259,6 @@ class Training:
             if self.step % SAVED == 0 or self.step == self.args.steps:
                 self.save()
 
-
     def finish(self):
         """Make the network that is written. What goes on from another network is mixed with it: that suits scenes that neither
         was trained on better than both do (Wortsman et al. 2022, Robust Fine-tuning of Zero-shot Models)."""
