@@ -17,10 +17,13 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 ORBIT = 8               # frames while the camera turns
 STILL = (1, 4, 16, 64)  # numbers of still frames of the other inputs
-LONGEST = 2             # one camera in so many has the last of these
+LONGEST = 0.4           # share of the cameras that have the last of these
+ORBITS = 2              # of each camera
 TARGET_FRAMES, TARGET_RAYS = 24, 4
 MEASURE_FRAMES = 12    # of the light that errors are divided by
 SETTLE = 30             # frames after which probes know the scene
+PROBED = 0.4            # share of the scenes with probes, whose parameters are those of the preset with them
+PROBES = {"ddgi.rays": 64, "ddgi.updates": 24}
 RECENT = 4 / 3          # variance of a still mean, in which recent frames count more, by that of a plain one
 LEAST, MOST = 4, 255    # frames from which a mean's error is known, and up to which they are counted
 NORMAL = 4096           # steps of a packed normal
@@ -149,12 +152,15 @@ def target(film):
 
 
 def camera_samples(film, random, longest):
-    """Signals of one camera: after an orbit, then after numbers of still frames. They share a target."""
-    turn = random.uniform(-4, 4)
-    for _ in range(ORBIT):
-        film.camera.Azimuth(turn)
-        film.frame()
-    signals = [film.signal(False)]
+    """Signals of one camera: after orbits that end where it is, then after numbers of still frames. They share a target."""
+    signals = []
+    for turn in random.uniform(-4, 4, ORBITS):
+        film.camera.Azimuth(-ORBIT * turn)
+        film.cut()
+        for _ in range(ORBIT):
+            film.camera.Azimuth(turn)
+            film.frame()
+        signals.append(film.signal(False))
     film.cut()
     drawn = 0
     for count in STILL if longest else STILL[:-1]:
@@ -167,14 +173,14 @@ def camera_samples(film, random, longest):
 def render(family, seed, size, cameras):
     """Arrays of a scene's samples, as they are stored."""
     renderer, random = training_scenes.make(family, seed)
-    probes = random.random() < 0.6
-    film = Film(renderer, (size, size), ["ddgi"] if probes else [])
+    probes = random.random() < PROBED
+    film = Film(renderer, (size, size), ["ddgi"] if probes else [], **(PROBES if probes else {}))
     film.frame(SETTLE if probes else 0)
     stored = {name: [] for name in Signal.FIELDS + TARGET}
-    for camera in range(cameras):
+    for _ in range(cameras):
         film.camera.Azimuth(random.uniform(-6, 6) if family == "room" else random.uniform(30, 100))
         renderer.ResetCameraClippingRange()
-        signals, (light, error, measure, known) = camera_samples(film, random, camera % LONGEST == LONGEST - 1)
+        signals, (light, error, measure, known) = camera_samples(film, random, random.random() < LONGEST)
         direct = direct_light(renderer, signals[-1])
         for number, signal in enumerate(signals):
             for name in Signal.FIELDS:
@@ -184,7 +190,7 @@ def render(family, seed, size, cameras):
             stored["measure"].append(measure)
             stored["known"].append(known & np.isfinite(signal.light).all(-1))
             stored["direct"].append(direct)
-            stored["count"].append(0 if number == 0 else STILL[number - 1])
+            stored["count"].append(0 if number < ORBITS else STILL[number - ORBITS])
     return {name: np.stack(values) for name, values in stored.items()}
 
 

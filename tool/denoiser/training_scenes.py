@@ -86,6 +86,20 @@ def fourier(random):
     return [painted(isosurface(field, random.uniform(-0.5, 1.5)), random)]
 
 
+def cloud(random):
+    """A rough isosurface: of noise whose spectrum falls with a power of the frequency, denser in the middle."""
+    wave = np.fft.fftfreq(GRID) * GRID
+    length = np.sqrt(sum(values ** 2 for values in np.meshgrid(wave, wave, wave)))
+    length[0, 0, 0] = 1
+    spectrum = np.fft.fftn(random.normal(size=(GRID,) * 3)) * length ** -random.uniform(2.2, 3.2)
+    noise = np.fft.ifftn(spectrum).real
+    noise *= random.uniform(0.1, 0.4) / noise.std()
+
+    def field(x, y, z):
+        return noise - np.sqrt(x * x + y * y + z * z)
+    return [painted(isosurface(field, -random.uniform(0.55, 0.8)), random)] + floor(random)
+
+
 def gyroid(random):
     """A surface that divides space in two labyrinths."""
     scale = random.uniform(3, 8)
@@ -167,8 +181,52 @@ def sticks(random):
     return [painted(joined(meshes), random)] + floor(random)
 
 
+def balls(random):
+    """Balls close together in one colour, or in a few, as atoms of a molecule are drawn."""
+    count, kinds = int(random.integers(40, 250)), int(random.integers(1, 4))
+    places = random.normal(size=(count, 3))
+    places *= 0.85 * random.random((count, 1)) ** (1 / 3) / np.linalg.norm(places, axis=1)[:, None]
+    places *= random.uniform(0.5, 1, 3)
+    size, meshes = random.uniform(0.5, 1.1) * count ** (-1 / 3), [[] for _ in range(kinds)]
+    for place in places:
+        kind = int(random.integers(kinds))
+        ball = vtkSphereSource()
+        ball.SetCenter(place)
+        ball.SetRadius(size * (0.7 + 0.3 * kind / kinds))
+        ball.SetThetaResolution(20)
+        ball.SetPhiResolution(16)
+        meshes[kind].append(output(ball))
+    return [painted(joined(part), random) for part in meshes if part] + floor(random)
+
+
+def bars(random):
+    """Columns of various heights beside each other."""
+    count, filled = int(random.integers(5, 16)), random.uniform(0.5, 0.95)
+    width, steep, meshes = 2 / count, random.uniform(0.2, 1.4), []
+    for x in range(count):
+        for y in range(count):
+            low = np.array((-1 + width * x, -1 + width * y, -1))
+            meshes.append(box(low, low + (filled * width, filled * width, 0.02 + steep * random.random() ** 2)))
+    return [painted(joined(meshes), random)] + floor(random)
+
+
+def furniture(random):
+    """What stands in a room: boxes, or something else."""
+    actors = []
+    for _ in range(random.integers(2, 7)):
+        half, center = random.uniform(0.08, 0.35, 3), random.uniform(-0.8, 0.8, 3)
+        center[2] = half[2] - 1 if random.random() < 0.7 else center[2]  # most stand on the floor
+        actors.append(painted(box(center - half, center + half), random))
+    if random.random() < 0.5:
+        thing = (fourier, cloud, metaballs, balls, sticks)[random.integers(5)](random)[0]
+        thing.SetScale(random.uniform(0.4, 0.8))
+        thing.SetPosition(0, 0, random.uniform(-0.5, 0))
+        actors = actors[::3] + [thing]
+    return actors
+
+
 def room(random):
-    """A room without its front wall, with boxes, lit by panels below its ceiling."""
+    """A room without its front wall, lit by panels below its ceiling."""
     actors = []
     for axis in range(3):
         for side in (-1, 1):
@@ -177,10 +235,7 @@ def room(random):
             low, high = -np.ones(3), np.ones(3)
             low[axis], high[axis] = sorted((side, 1.02 * side))
             actors.append(painted(box(low, high), random))
-    for _ in range(random.integers(2, 7)):
-        half, center = random.uniform(0.08, 0.35, 3), random.uniform(-0.8, 0.8, 3)
-        center[2] = half[2] - 1 if random.random() < 0.7 else center[2]  # most stand on the floor
-        actors.append(painted(box(center - half, center + half), random))
+    actors += furniture(random)
     for _ in range(random.integers(1, 4)):
         half, center = np.append(random.uniform(0.05, 0.4, 2), 0.005), np.append(random.uniform(-0.6, 0.6, 2), 0.975)
         panel = painted(box(center - half, center + half), random, (0, 0, 0))
@@ -229,7 +284,8 @@ def plates(random):
     return [painted(joined(meshes), random)] + floor(random)
 
 
-TRAINED = {family.__name__: family for family in (fourier, gyroid, metaballs, glyphs, terrain, sticks, room)}
+TRAINED = {family.__name__: family for family in (fourier, cloud, gyroid, metaballs, glyphs, terrain, sticks, balls, bars,
+                                                    room)}
 HELD_OUT = {family.__name__: family for family in (tubes, plates)}
 
 
