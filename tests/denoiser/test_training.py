@@ -23,6 +23,7 @@ else:
     import reference
     import train
     import weights
+    from training_samples import batch_of, crop, sample_of, with_filtered
 
 STEPS = 6
 
@@ -55,10 +56,10 @@ class Training(unittest.TestCase):
 
     def samples(self):
         """What the short training learned from."""
-        names = sorted(os.listdir(os.path.join(self.folder.name, "data")))
+        names = sorted(os.listdir(os.path.join(self.folder.name, data.FOLDER)))
         pairs = [(name.split("_")[0], int(name.split("_")[1].split(".")[0])) for name in names]
         with contextlib.redirect_stderr(io.StringIO()):
-            return train.samples_of(os.path.join(self.folder.name, "data"), pairs)
+            return train.Samples(self.folder.name, pairs, lambda share: None)
 
     def training(self, folder):
         """A training of a few steps."""
@@ -73,7 +74,7 @@ class Training(unittest.TestCase):
 
     def test_lowers_the_loss(self):
         # Each step sees only a few pictures, so its loss says little: compare the loss over all of them.
-        batches = [train.batch_of([sample]) for sample, *_ in self.samples()]
+        batches = [batch_of([sample]) for sample, *_ in self.samples()]
         torch.manual_seed(0)
         untrained, trained = network.Denoiser(), network.Denoiser()
         trained.restore(os.path.join(self.folder.name, "network.txt"))
@@ -169,7 +170,7 @@ class Agreement(unittest.TestCase):
     def batch(self, signal):
         """The signal alone, as a batch."""
         surfaces = reference.Surfaces(signal)
-        return train.batch_of([network.tensors(signal, surfaces.concavity, reference.slopes(signal, surfaces))])
+        return batch_of([network.tensors(signal, surfaces.concavity, reference.slopes(signal, surfaces))])
 
     def truth(self, signal):
         """What a sample stores besides the signal; here its light is the target, too."""
@@ -194,12 +195,12 @@ class Agreement(unittest.TestCase):
 
     def test_parts_may_be_mirrored_and_turned(self):
         signal, random = self.signal(8), np.random.default_rng(2)
-        sample = train.with_filtered(train.sample_of(signal, self.truth(signal)))
-        sample["plain"] = network.plain_filter(train.batch_of([sample]))[0]
+        sample = with_filtered(sample_of(signal, self.truth(signal)))
+        sample["plain"] = network.plain_filter(batch_of([sample]))[0]
         self.assertGreater(sample["slope"].abs().mean(), 0.1)
         for _ in range(16):
-            part = train.crop(sample, random)
-            middle = (network.plain_filter(train.batch_of([part]))[0] - part["plain"])[:, 24:40, 24:40]
+            part = crop(sample, random)
+            middle = (network.plain_filter(batch_of([part]))[0] - part["plain"])[:, 24:40, 24:40]
             self.assertLess(middle.abs().max(), 1e-4)
 
     def test_light_may_have_any_unit(self):
@@ -303,7 +304,7 @@ class Agreement(unittest.TestCase):
         for direct in (0, 9):
             ones = np.ones_like(signal.light)
             truth = {**self.truth(signal), "target": ones, "measure": ones, "direct": direct * ones}
-            batch = train.batch_of([train.with_filtered(train.sample_of(signal, truth))])
+            batch = batch_of([with_filtered(sample_of(signal, truth))])
             picture = 1.5 * batch["target"]
             shown.append(network.relative_error(picture, batch).item())
             plain = network.plain_filter(batch)
@@ -316,7 +317,7 @@ class Agreement(unittest.TestCase):
         signal.frames[:] = 1
         random = np.random.default_rng(6)
         noisy = {name: random.gamma(4, 0.25, signal.light.shape).astype(np.float32) for name in ("target", "measure")}
-        batch = train.batch_of([train.with_filtered(train.sample_of(signal, {**self.truth(signal), **noisy}))])
+        batch = batch_of([with_filtered(sample_of(signal, {**self.truth(signal), **noisy}))])
         dark, right, bright = (network.loss_of(torch.full_like(batch["light"], light), batch).item() for light in (0.8, 1, 1.2))
         print(f"loss of a picture that is a fifth too dark: {dark / right:.3f}, too bright: {bright / right:.3f}")
         self.assertGreater(dark, 1.02 * right)

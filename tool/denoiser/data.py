@@ -15,6 +15,7 @@ import training_scenes
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+FOLDER = "data"         # within that of the results
 ORBIT = 8               # frames while the camera turns
 STILL = (1, 4, 16, 64)  # numbers of still frames of the other inputs
 LONGEST = 0.4           # share of the cameras that have the last of these

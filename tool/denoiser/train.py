@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Train the denoiser's network: make scenes, render them with few rays and with many, and learn to filter the former.
 
-Writes to a folder: data/ with the rendered pictures, network.txt (copy it to glsl/denoising/ to use it), report.json, loss.svg.
+Writes to a folder: data/ with the rendered pictures, samples-*/ with what follows from them, network.txt (copy it to
+glsl/denoising/ to use it), report.json, loss.svg.
 Goes on where it was interrupted; the same seed, scenes and steps give the same network to the last digit.
 """
 import argparse
@@ -23,11 +24,10 @@ except ImportError:
 
 import data
 import network
-import reference
 import training_scenes as scenes
+from training_samples import CROP, Samples, batch_of, crop
 
-CROP, CROPS = 64, 6           # pixels; pictures of a step
-COVERED, TRIES = 0.3, 4       # share of a crop that shows surfaces, if one is found in so many tries
+CROPS = 6                     # pictures of a step
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 FROM_RATE, FROM_FILTERED = 1e-3, 1.0  # of a training that starts from a network
@@ -115,81 +115,6 @@ def scene_lists(args):
     trained = [(family, first + i) for i in range(args.scenes) for family in families]
     held = [(family, first + HELD_SEED + i) for i in range(args.held) for family in (*families, *scenes.HELD_OUT)]
     return trained, held
-
-
-def sample_of(signal, truth):
-    """A signal and its target as tensors."""
-    fits = truth["count"] > 1  # as the pass does without a network from the second still frame
-    surfaces = reference.Surfaces(signal)
-    sample = network.tensors(signal, surfaces.concavity, reference.slopes(signal, surfaces), fits)
-    for name in ("target", "measure", "direct"):
-        sample[name] = torch.from_numpy(np.ascontiguousarray(np.nan_to_num(truth[name]).transpose(2, 0, 1)))
-    sample["target_error"] = torch.from_numpy(np.ascontiguousarray(truth["target_error"][None]))
-    sample["known"] = torch.from_numpy((truth["known"] & (signal.frames > 0)).astype(np.float32)[None])
-    return sample
-
-
-def finer(signal, truth):
-    """Every second pixel of each second row: what changes less from pixel to pixel in the whole picture."""
-    fields = {name: getattr(signal, name) for name in data.Signal.FIELDS}
-    signal = data.Signal(**{name: value[::2, ::2] if value.ndim > 1 else value for name, value in fields.items()})
-    return signal, {name: value[::2, ::2] if value.ndim > 1 else value for name, value in truth.items()}
-
-
-def with_filtered(sample):
-    """The sample with what the loss needs. filtered: relMSE of the filter without a network; least: what relMSE adds to squared
-    light, so that dark pixels do not count more than they are visible; smooth: the target after the first level of the filter."""
-    exists = sample["known"]
-    many = {**sample, "light": sample["target"], "error": sample["target_error"] * exists, "frames": exists * data.TARGET_FRAMES,
-            "slope": torch.zeros_like(sample["slope"])}
-    with torch.no_grad():
-        smooth = network.plain_filter(batch_of([many]), 1)
-        batch = batch_of([sample])
-        shown = network.luminance(batch["measure"] + batch["direct"])
-        batch["least"] = 0.01 * network.mean_of(shown, batch)[:, None, None, None] ** 2 + 1e-30
-        filtered = network.relative_error(network.plain_filter(batch), batch)
-    return {**sample, "filtered": filtered.clamp(min=1e-5).reshape(1, 1, 1), "least": batch["least"][0], "smooth": smooth[0]}
-
-
-def samples_of(folder, pairs, halved=False):
-    """Samples of scenes, see with_filtered(), with the family and the count of frames. halved: also every second pixel of each."""
-    found, progress = [], Progress("reading")
-    for done, (family, seed) in enumerate(pairs):
-        progress(done / len(pairs))
-        for signal, truth in data.load(data.path_of(folder, family, seed)):
-            small = halved and min(signal.frames.shape) >= 2 * CROP
-            for pair in ((signal, truth), *([finer(signal, truth)] if small else [])):
-                found.append((with_filtered(sample_of(*pair)), family, int(truth["count"])))
-    progress(1.0)
-    return found
-
-
-def crop(sample, random):
-    """A part of a picture that shows enough surfaces, turned or mirrored."""
-    height, width = sample["frames"].shape[-2:]
-    for _ in range(TRIES):
-        y, x = (2 * random.integers(0, (size - CROP) // 2 + 1) for size in (height, width))
-        part = {name: value if value.shape[-1] == 1 else value[:, y:y + CROP, x:x + CROP] for name, value in sample.items()}
-        if part["known"].mean() > COVERED:
-            break
-    *mirrors, turn = random.random(3) < 0.5
-    for axis, mirror in enumerate(mirrors):  # x, y
-        if mirror:
-            part = {name: value.flip(2 - axis) for name, value in part.items()}
-            ray, normal, slope = (part[name].clone() for name in ("ray", "normal", "slope"))
-            ray[axis], normal[axis] = -ray[axis], 1 - normal[axis]
-            slope[3 * axis:3 * axis + 3] *= -1
-            part.update(ray=ray, normal=normal, slope=slope)
-    if turn:
-        part = {name: value.transpose(1, 2) for name, value in part.items()}
-        part["ray"], part["normal"] = part["ray"].flip(0), part["normal"].flip(0)
-        part["slope"] = torch.cat((part["slope"][3:6], part["slope"][:3], part["slope"][6:]))
-    return part
-
-
-def batch_of(parts):
-    """A batch with its surfaces."""
-    return network.surfaces({name: torch.stack([part[name] for part in parts]) for name in parts[0]})
 
 
 class Training:
@@ -305,21 +230,22 @@ def main():
     """Render, train, report."""
     args = options()
     os.makedirs(args.folder, exist_ok=True)
-    pictures = os.path.join(args.folder, "data")
     trained, held = scene_lists(args)
     training = Training(args)
-    data.ensure(pictures, trained + held, args.size, args.cameras, Progress("rendering"))
+    data.ensure(os.path.join(args.folder, data.FOLDER), trained + held, args.size, args.cameras, Progress("rendering"))
+    learned = Samples(args.folder, trained, Progress("preparing"), halved=True)
+    reported = Samples(args.folder, held, Progress("preparing")) if held else learned
     if args.data_only:
         return
     training.resume()
-    training.run(samples_of(pictures, trained, halved=True))
+    training.run(learned)
     facts = {"generator": revision(), "from": training.origin, "seed": args.seed, "scenes": len(trained), "cameras": args.cameras,
              "size": args.size, "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
     training.finish()
     training.net.save(path, facts)
     training.net.restore(path)  # the report is about the rounded weights
-    found = errors(training.net, samples_of(pictures, held or trained))
+    found = errors(training.net, reported)
     tables = {"frames": report(found, lambda family, count: count), "family": report(found, lambda family, count: family),
               "all": report(found, lambda family, count: "all")}
     plot(training.losses, os.path.join(args.folder, "loss.svg"))
