@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 
 FOLDER = "data"         # within that of the results
 ORBIT = 8               # frames while the camera turns
-STILL = (1, 4, 16, 64)  # numbers of still frames of the other inputs
+STILL = (1, 4, 8, 16, 64)  # numbers of still frames of the other inputs
 LONGEST = 0.4           # share of the cameras that have the last of these
 ORBITS = 2              # of each camera
 TARGET_FRAMES, TARGET_RAYS = 24, 4

@@ -14,8 +14,8 @@ from vtkmodules.vtkFiltersSources import (vtkArrowSource, vtkConeSource, vtkCube
                                           vtkSphereSource)
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkTexture
 
-GRID = 64      # points of a volume along each axis
-FIELD = 160    # points of a terrain along each axis
+GRID = 80      # points of a volume along each axis
+FIELD = 200    # points of a terrain along each axis
 
 
 def output(source):
@@ -52,6 +52,20 @@ def joined(meshes):
     return output(append)
 
 
+def placed(source, places, turned=None, size=1):
+    """A mesh of copies of a source at points, turned in directions."""
+    points, data, glyph = vtkPoints(), vtkPolyData(), vtkGlyph3D()
+    points.SetData(numpy_to_vtk(places, deep=True))
+    data.SetPoints(points)
+    if turned is not None:
+        data.GetPointData().SetVectors(numpy_to_vtk(turned, deep=True))
+    glyph.SetInputData(data)
+    glyph.SetSourceConnection(source.GetOutputPort())
+    glyph.SetScaleModeToDataScalingOff()
+    glyph.SetScaleFactor(size)
+    return output(glyph)
+
+
 def floor(random):
     """A ground below the scene, in most scenes."""
     if random.random() > 0.7:
@@ -79,7 +93,8 @@ def isosurface(function, value):
 
 def fourier(random):
     """An isosurface of a sum of waves."""
-    waves = [(random.uniform(-6, 6, 3), random.uniform(0, 2 * np.pi), random.uniform(0.3, 1)) for _ in range(12)]
+    most = random.uniform(4, 14)
+    waves = [(random.uniform(-most, most, 3), random.uniform(0, 2 * np.pi), random.uniform(0.3, 1)) for _ in range(12)]
 
     def field(x, y, z):
         return sum(size * np.cos(k[0] * x + k[1] * y + k[2] * z + phase) for k, phase, size in waves)
@@ -102,7 +117,7 @@ def cloud(random):
 
 def gyroid(random):
     """A surface that divides space in two labyrinths."""
-    scale = random.uniform(3, 8)
+    scale = random.uniform(3, 14)
 
     def field(x, y, z):
         x, y, z = scale * x, scale * y, scale * z
@@ -121,17 +136,11 @@ def metaballs(random):
 
 def glyphs(random):
     """Glyphs of one kind, turned at random."""
-    count = int(random.integers(60, 400))
-    points, data, glyph = vtkPoints(), vtkPolyData(), vtkGlyph3D()
-    points.SetData(numpy_to_vtk(random.uniform(-0.9, 0.9, (count, 3)), deep=True))
-    data.SetPoints(points)
-    data.GetPointData().SetVectors(numpy_to_vtk(random.normal(size=(count, 3)), deep=True))
+    count = int(60 * 20 ** random.random())
     source = (vtkSphereSource, vtkConeSource, vtkCubeSource, vtkArrowSource)[random.integers(4)]()
-    glyph.SetInputData(data)
-    glyph.SetSourceConnection(source.GetOutputPort())
-    glyph.SetScaleModeToDataScalingOff()
-    glyph.SetScaleFactor(random.uniform(0.1, 0.3))
-    return [painted(output(glyph), random)] + floor(random)
+    places, directions = random.uniform(-0.9, 0.9, (count, 3)), random.normal(size=(count, 3))
+    mesh = placed(source, places, directions, random.uniform(0.5, 1.5) * count ** (-1 / 3))
+    return [painted(mesh, random)] + floor(random)
 
 
 def terrain(random):
@@ -141,7 +150,8 @@ def terrain(random):
     length[0, 0] = 1
     spectrum = np.fft.fft2(random.normal(size=(FIELD, FIELD))) * length ** -random.uniform(1.6, 2.6)
     heights = np.fft.ifft2(spectrum).real
-    heights *= random.uniform(0.25, 0.6) / np.abs(heights).max()
+    heights = -np.abs(heights) if random.random() < 0.5 else heights  # ridges
+    heights *= random.uniform(0.25, 0.8) / np.abs(heights).max()
     axis = np.linspace(-1, 1, FIELD)
     plane, points, normals = vtkPlaneSource(), vtkPoints(), vtkPolyDataNormals()
     plane.SetResolution(FIELD - 1, FIELD - 1)
@@ -183,25 +193,23 @@ def sticks(random):
 
 def balls(random):
     """Balls close together in one colour, or in a few, as atoms of a molecule are drawn."""
-    count, kinds = int(random.integers(40, 250)), int(random.integers(1, 4))
+    count, kinds = int(40 * 40 ** random.random()), int(random.integers(1, 4))
     places = random.normal(size=(count, 3))
     places *= 0.85 * random.random((count, 1)) ** (1 / 3) / np.linalg.norm(places, axis=1)[:, None]
     places *= random.uniform(0.5, 1, 3)
-    size, meshes = random.uniform(0.5, 1.1) * count ** (-1 / 3), [[] for _ in range(kinds)]
-    for place in places:
-        kind = int(random.integers(kinds))
+    size, actors = random.uniform(0.5, 1.1) * count ** (-1 / 3), []
+    for kind in range(kinds):
         ball = vtkSphereSource()
-        ball.SetCenter(place)
         ball.SetRadius(size * (0.7 + 0.3 * kind / kinds))
-        ball.SetThetaResolution(20)
-        ball.SetPhiResolution(16)
-        meshes[kind].append(output(ball))
-    return [painted(joined(part), random) for part in meshes if part] + floor(random)
+        ball.SetThetaResolution(16)
+        ball.SetPhiResolution(12)
+        actors.append(painted(placed(ball, places[kind::kinds]), random))
+    return actors + floor(random)
 
 
 def bars(random):
     """Columns of various heights beside each other."""
-    count, filled = int(random.integers(5, 16)), random.uniform(0.5, 0.95)
+    count, filled = int(random.integers(5, 30)), random.uniform(0.5, 0.95)
     width, steep, meshes = 2 / count, random.uniform(0.2, 1.4), []
     for x in range(count):
         for y in range(count):
@@ -226,7 +234,7 @@ def furniture(random):
 
 
 def room(random):
-    """A room without its front wall, lit by panels below its ceiling."""
+    """A room without its front wall, mostly lit by panels below its ceiling."""
     actors = []
     for axis in range(3):
         for side in (-1, 1):
@@ -236,8 +244,8 @@ def room(random):
             low[axis], high[axis] = sorted((side, 1.02 * side))
             actors.append(painted(box(low, high), random))
     actors += furniture(random)
-    for _ in range(random.integers(1, 4)):
-        half, center = np.append(random.uniform(0.05, 0.4, 2), 0.005), np.append(random.uniform(-0.6, 0.6, 2), 0.975)
+    for _ in range(random.integers(0, 4)):
+        half, center = np.append(0.02 * 20 ** random.random(2), 0.005), np.append(random.uniform(-0.6, 0.6, 2), 0.975)
         panel = painted(box(center - half, center + half), random, (0, 0, 0))
         panel.GetProperty().SetAmbient(1)
         panel.GetProperty().SetAmbientColor(random.uniform(0.6, 1, 3) * random.uniform(2, 12))
@@ -317,7 +325,8 @@ def add_sky(renderer, random):
 def add_lights(renderer, random, inside):
     """Up to three lights; in a room at most one. Without a light VTK would add one, so a faint one takes its place."""
     renderer.AutomaticLightCreationOff()
-    count = int(random.integers(0, 2) if inside else random.integers(1, 4))
+    glows = any(actor.GetProperty().GetAmbient() > 0 for actor in renderer.GetActors())
+    count = int(random.integers(0 if glows else 1, 2) if inside else random.integers(1, 4))
     for _ in range(max(count, 1)):
         light = vtkLight()
         light.SetLightTypeToSceneLight()
@@ -331,6 +340,9 @@ def add_lights(renderer, random, inside):
         if inside or random.random() < 0.5:
             light.PositionalOn()
             light.SetConeAngle(180)
+        if inside and random.random() < 0.5:  # what it lights on a wall is much like a lamp
+            light.SetFocalPoint(random.uniform(-1, 1, 3))
+            light.SetConeAngle(random.uniform(10, 50))
         renderer.AddLight(light)
 
 
