@@ -2,8 +2,9 @@
 // What the network says of each pixel: features, how much their differences and those of light count at each level, and how much
 // the regression on places and samples of other surfaces.
 #include "shared/view.h"
+#include "denoising/network/fine.glsl"
 layout(binding = 0) uniform sampler2DArray outputs; // of the network, for blocks of 2x2 pixels
-layout(binding = 1) uniform sampler2D fineTexture;  // features of single pixels
+layout(binding = 1) uniform sampler2DArray fine;    // hidden activations of single pixels
 
 // Half of the sharpness of the filter without a network, so that what stands out of the noise is not blurred away.
 const float LEAST_SHARPNESS = 0.15;
@@ -34,7 +35,13 @@ void main()
       sums[four] += weight.x * weight.y * texelFetch(outputs, ivec3(clamp(corner, vec2(0.0), last), four), 0);
     }
   }
-  features = sums[0] + texelFetch(fineTexture, pixel, 0);
+  vec4 hidden[GI_FINE];
+  for (int four = 0; four < GI_FINE; ++four)
+  {
+    hidden[four] = texelFetch(fine, ivec3(pixel, four), 0);
+  }
+  giAddFine(hidden, sums);
+  features = sums[0];
   vec4 bandwidths = softplus(sums[1]);
   vec4 sharpnesses = max(softplus(sums[2]), LEAST_SHARPNESS);
   vec4 trusts = 1.0 / (1.0 + exp(-sums[3]));

@@ -1,6 +1,6 @@
 #version 430 core
 // What the network gets: for each pixel 16 numbers that depend neither on the unit of light nor on that of length. Blocks of
-// 2x2 pixels get their mean; of single pixels only the layer "fine" knows.
+// 2x2 pixels get their mean; of single pixels only the layers of fine.glsl know.
 #define GI_LIGHT
 #include "shared/view.h"
 #include "shared/denoising.h"
@@ -15,7 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D signalTexture;
 layout(binding = 1) uniform sampler2D tileTexture;
 layout(rgba16f, binding = 0) writeonly uniform image2DArray inputs;
-layout(rgba16f, binding = 1) writeonly uniform image2D fine;
+layout(rgba16f, binding = 1) writeonly uniform image2DArray fine;
 
 const float DEPTH_CHANGE = 16.0; // scale of the relative change of depth from pixel to pixel
 const float MOST_LIGHT = 3.0;    // times the mean: what is brighter looks like what the training knows
@@ -108,20 +108,25 @@ void main()
   {
     ivec2 at = 2 * block + ivec2(i & 1, i >> 1);
     GiSignal here = signalAt(at);
+    vec4 hidden[GI_FINE];
+    for (int four = 0; four < GI_FINE; ++four)
+    {
+      hidden[four] = vec4(0.0); // without a surface: read by the filter, with a weight of 0
+    }
     if (here.frames > 0.0)
     {
       vec4 v[4];
       fetchInputs(at, here, scale, v);
-      imageStore(fine, at + ivec2(view.Viewport.xy), giFine(v));
+      giFine(v, hidden);
       for (int four = 0; four < 4; ++four)
       {
         sums[four] += v[four];
       }
       count += 1.0;
     }
-    else
+    for (int four = 0; four < GI_FINE; ++four)
     {
-      imageStore(fine, at + ivec2(view.Viewport.xy), vec4(0.0)); // read by the filter, with a weight of 0
+      imageStore(fine, ivec3(at + ivec2(view.Viewport.xy), four), hidden[four]);
     }
   }
   for (int four = 0; four < 4; ++four)

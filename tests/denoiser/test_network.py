@@ -28,7 +28,7 @@ class File(unittest.TestCase):
         self.assertLess(NETWORK.stat().st_size, 128 * 1024)
         facts, layers = weights.read(NETWORK)
         self.assertIn("generator", facts)
-        self.assertEqual(sum(layer.count() for layer in layers.values()), 33908)
+        self.assertEqual(sum(layer.count() for layer in layers.values()), 34132)
 
     def test_is_read_as_it_was_written(self):
         facts, layers = weights.read(NETWORK)

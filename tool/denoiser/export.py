@@ -6,7 +6,7 @@
 usage: export.py NETWORK.txt FOLDER SOURCE.cxx
 
 A shader computes a part of a layer that is small enough for compilers: FOLDER/LAYER_PART.comp, which includes
-denoising/layer.glsl. FOLDER/fine.glsl is the layer that sees single pixels. The build calls this.
+denoising/layer.glsl. FOLDER/fine.glsl has the layers that see single pixels. The build calls this.
 """
 import pathlib
 import sys
@@ -68,11 +68,20 @@ def shader(layer, above, rectified, first, last):
     return "\n".join(lines + ["}", "#endif", ""])
 
 
-def fine(layer):
-    """Text of the function of the layer that sees single pixels."""
-    fours = layer.inputs // 4
-    sums = " +\n    ".join(f"{literal('mat4', matrix(layer, 0, source, 0))} * v[{source}]" for source in range(fours))
-    return f"{ORIGIN}\nvec4 giFine(vec4 v[{fours}])\n{{\n  return {sums};\n}}\n"
+def products(layer, target, values):
+    """Four outputs of a layer of single pixels for an array of this name."""
+    return " +\n    ".join(f"{literal('mat4', matrix(layer, target, source, 0))} * {values}[{source}]"
+                           for source in range(layer.inputs // 4))
+
+
+def fine(first, last):
+    """Text of the functions of the layers that see single pixels: hidden activations, and what they add to the outputs."""
+    fours, hidden, outputs = first.inputs // 4, first.outputs // 4, last.outputs // 4
+    lines = [ORIGIN, f"#define GI_FINE {hidden}", f"void giFine(vec4 v[{fours}], out vec4 hidden[{hidden}])", "{"]
+    lines += [f"  hidden[{target}] = max({products(first, target, 'v')}, 0.0);" for target in range(hidden)]
+    lines += ["}", f"void giAddFine(vec4 hidden[{hidden}], inout vec4 sums[{outputs}])", "{"]
+    lines += [f"  sums[{target}] += {products(last, target, 'hidden')};" for target in range(outputs)]
+    return "\n".join(lines + ["}", ""])
 
 
 def part_values(layer, first, last):
@@ -97,7 +106,8 @@ def table(layers):
              "const std::map<std::string, NetworkLayer>& NetworkLayers()", "{",
              "  static const std::map<std::string, NetworkLayer> layers = {"]
     for name, layer in layers.items():
-        pieces = [f"      {{ {rows(part_values(layer, first, last))} }}" for first, last in parts(layer)]
+        shares = parts(layer) if layer.kernel > 1 else []
+        pieces = [f"      {{ {rows(part_values(layer, first, last))} }}" for first, last in shares]
         lines.append(f'    {{ "{name}", {{ {layer.inputs}, {layer.outputs}, {{\n' + ",\n".join(pieces) + " } } },")
     return "\n".join(lines + ["  };", "  return layers;", "}", "}", ""])
 
@@ -115,8 +125,10 @@ def main():
         _, layers = weights.read(network)
     except (OSError, ValueError) as error:
         sys.exit(str(error))
-    texts = {"fine.glsl": fine(layers.pop("fine"))}
+    texts = {"fine.glsl": fine(layers["fine"], layers["fine_out"])}
     for name, layer in layers.items():
+        if layer.kernel == 1:
+            continue
         for index, (first, last) in enumerate(parts(layer)):
             texts[f"{name}_{index}.comp"] = shader(layer, layers.get(ABOVE.get(name)), name != "out", first, last)
     folder.mkdir(parents=True, exist_ok=True)

@@ -16,6 +16,7 @@ from torch.nn import functional
 TILE = 16                 # pixels, of the mean luminance that light is divided by
 WIDTHS = (8, 16, 24, 32)  # channels of the U-Net's levels
 INPUTS, FEATURES, LEVELS = 16, 4, 4
+FINE = 8                  # hidden channels of the layers that see single pixels
 RADIUS = 8                # reach of the filter in pixels
 LAST = 256                # frames from which nothing is filtered
 BEND, BEND_HALVED, MOST_BEND = 10, 4, 2.25  # of normals, see glsl/lib/alike.glsl, glsl/denoising/signal.glsl and filter.frag
@@ -271,8 +272,10 @@ class Denoiser(nn.Module):
     def __init__(self):
         super().__init__()
         self.net = UNet(FEATURES + len(FIRST_BIASES) * LEVELS)
-        self.fine = nn.Conv2d(INPUTS, FEATURES, 1, bias=False)
-        nn.init.normal_(self.net.last.weight, std=0.02)
+        self.fine = nn.Conv2d(INPUTS, FINE, 1, bias=False)  # an input is 1
+        self.fine_out = nn.Conv2d(FINE, self.net.last.out_channels, 1, bias=False)
+        for last in (self.net.last, self.fine_out):
+            nn.init.normal_(last.weight, std=0.02)
         with torch.no_grad():  # much as without a network; sharpnesses below their limit in first frames, so that they learn
             self.net.last.bias.copy_(torch.tensor([0.0] * FEATURES + [bias for bias in FIRST_BIASES for _ in range(LEVELS)]))
 
@@ -281,9 +284,9 @@ class Denoiser(nn.Module):
         sharpnesses, shares of the regression on places and of samples of other surfaces."""
         single, blocks = inputs(batch)
         outputs = functional.interpolate(self.net(blocks), scale_factor=2, mode="bilinear", align_corners=False)
+        outputs = outputs + self.fine_out(functional.relu(self.fine(single)))
         features, bandwidths, sharpnesses, trusts, others = outputs.split((FEATURES, *(LEVELS for _ in FIRST_BIASES)), 1)
         sharpnesses = functional.softplus(sharpnesses).clamp(min=LEAST_SHARPNESS)
-        features = features + self.fine(single)
         return features, functional.softplus(bandwidths), sharpnesses, trusts.sigmoid(), MOST_OTHERS * others.sigmoid()
 
     def forward(self, batch):
@@ -305,14 +308,14 @@ class Denoiser(nn.Module):
     def sharpen(self, more=COUNT_MORE):
         """Let differences of features count so many times as much."""
         with torch.no_grad():
-            for values in (self.net.last.weight[:FEATURES], self.net.last.bias[:FEATURES], self.fine.weight):
+            for values in (self.net.last.weight[:FEATURES], self.net.last.bias[:FEATURES], self.fine_out.weight[:FEATURES]):
                 values *= more ** 0.5
 
     def layers(self):
         """Convolutions by their names in the file."""
         named = {f"e{i}": layer for i, layer in enumerate(self.net.down)}
         named.update({f"d{i}": layer for i, layer in enumerate(self.net.up)})
-        return {**named, "out": self.net.last, "fine": self.fine}
+        return {**named, "out": self.net.last, "fine": self.fine, "fine_out": self.fine_out}
 
     def save(self, path, facts):
         """Write the file of the network."""

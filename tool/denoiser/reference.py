@@ -233,8 +233,9 @@ def guides(signal, surfaces, layers):
     """Features of each pixel; by level bandwidths, sharpnesses, shares of the regression on places and of other surfaces:
     glsl/denoising/guides.frag."""
     single, blocks = inputs(signal, surfaces)
-    outputs = interpolated(network(blocks, layers), *single.shape[:2])
-    features = half(outputs[..., :4] + half(single @ layers["fine"][0][:, :, 0, 0].T))
+    fine, fine_out = (layers[name][0][:, :, 0, 0].T for name in ("fine", "fine_out"))
+    outputs = interpolated(network(blocks, layers), *single.shape[:2]) + half(np.maximum(single @ fine, 0)) @ fine_out
+    features = half(outputs[..., :4])
     bandwidths, sharpnesses = (np.logaddexp(0, outputs[..., i:i + LEVELS]) for i in (4, 4 + LEVELS))
     trusts, others = (half(most / (1 + np.exp(-outputs[..., 4 + i * LEVELS:][..., :LEVELS])))
                       for i, most in ((2, 1), (3, MOST_OTHERS)))

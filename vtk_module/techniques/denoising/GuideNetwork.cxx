@@ -17,11 +17,11 @@ constexpr int Inputs = 16; // numbers for each pixel
 
 constexpr const char* Prefix = "denoising.network.";
 constexpr const char* Tiles = "denoising.network.tiles";
-constexpr const char* Fine = "denoising.network.fine";
 constexpr const char* Features = "denoising.network.features";
 
 const std::string First = "inputs";
 const std::string Last = "out";
+const std::string Fine = "fine"; // of single pixels
 
 // A texture for each level of the filter: software OpenGL reads them faster than layers.
 std::string Counts(int level)
@@ -95,7 +95,7 @@ void GuideNetwork::Declare(PassDeclaration& pass, const Frame& frame)
     }
   }
   write(Last, ChannelsOf(Last), 0);
-  pass.Write(Fine, frame.WindowTexture(GL_RGBA16F))
+  pass.Write(Prefix + Fine, { GL_RGBA16F, window.x, window.y, ChannelsOf(Fine) / 4 })
     .Write(Features, frame.WindowTexture(GL_RGBA16F));
   for (int level = 0; level < Levels; ++level)
   {
@@ -150,7 +150,7 @@ void GuideNetwork::Infer(FrameContext& context, const Texture* signal)
       .Sample("signalTexture", signal)
       .Sample("tileTexture", context.Output(Tiles))
       .Image("inputs", *OutputOf(context, First), ShaderAccess::Write)
-      .Image("fine", *context.Output(Fine), ShaderAccess::Write),
+      .Image("fine", *OutputOf(context, Fine), ShaderAccess::Write),
     Work::Items(blocks.x, blocks.y));
   for (int level = 0; level < Levels; ++level)
   {
@@ -174,9 +174,7 @@ void GuideNetwork::Infer(FrameContext& context, const Texture* signal)
   }
   context.BindTarget(targets, {});
   context.DrawBound("denoising/guides.frag", {},
-    Arguments()
-      .Sample("outputs", OutputOf(context, Last))
-      .Sample("fineTexture", context.Output(Fine)));
+    Arguments().Sample("outputs", OutputOf(context, Last)).Sample("fine", OutputOf(context, Fine)));
 }
 
 Arguments GuideNetwork::Guides(FrameContext& context, int level)

@@ -11,7 +11,7 @@
 
 namespace penumbra
 {
-/// A layer of 3x3 convolutions.
+/// A layer of convolutions.
 struct NetworkLayer
 {
   int Inputs;
@@ -20,6 +20,7 @@ struct NetworkLayer
   std::vector<std::vector<float>> Parts;
 };
 
-/// By name: e0 to e3 on the way down, d0 to d2 on the way up, out.
+/// By name: e0 to e3 on the way down, d0 to d2 on the way up, out; fine and fine_out, of single pixels, without parts: they are
+/// functions of denoising/network/fine.glsl.
 const std::map<std::string, NetworkLayer>& NetworkLayers();
 }
