@@ -88,9 +88,9 @@ class Training(unittest.TestCase):
         for name in ("network.txt", "report.json", "loss.svg"):
             self.assertTrue(os.path.exists(os.path.join(self.folder.name, name)), name)
         _, layers = weights.read(os.path.join(self.folder.name, "network.txt"))
-        learned = torch.load(os.path.join(self.folder.name, "checkpoint.pt"))["net"]["fine_out.weight"][:network.FEATURES].flatten()
-        written = torch.tensor(layers["fine_out"].values[:len(learned)])  # rounded to 16 bits
-        self.assertLess((written - network.COUNT_MORE ** 0.5 * learned).abs().max(), 1e-3 * learned.abs().max())
+        learned = torch.load(os.path.join(self.folder.name, "checkpoint.pt"))["net"]["fine_out.weight"].flatten()
+        written = torch.tensor(layers["fine_out"].values)  # rounded to 16 bits
+        self.assertLess((written - learned).abs().max(), 1e-3 * learned.abs().max())
 
     def test_same_seed_same_network(self):
         samples, found = self.samples(), []
@@ -114,8 +114,8 @@ class Training(unittest.TestCase):
             training.run(self.samples())
             learned = training.net.net.last.bias.detach().clone()
             training.finish()
-        found = training.net.net.last.bias[network.FEATURES:]  # those of features are multiplied
-        expected = (before + train.FROM_SHARE * (learned - before))[network.FEATURES:]
+        found = training.net.net.last.bias
+        expected = before + train.FROM_SHARE * (learned - before)
         self.assertGreater((learned - before).abs().max(), 1e-3)
         self.assertLess((found - expected).abs().max(), 1e-6)
         self.assertEqual(training.origin, weights.read(path)[0]["generator"])
@@ -235,17 +235,6 @@ class Agreement(unittest.TestCase):
         for one, other in zip(expected, found):
             self.assertLess((one - other).abs().max(), 0.02)  # rounded to 16 bits
         self.assertLess((others - network.MOST_OTHERS * torch.sigmoid(torch.tensor(network.FIRST_BIASES[-1]))).abs().max(), 1e-6)
-
-    def test_features_count_more_after_the_training(self):
-        torch.manual_seed(1)
-        net, batch = network.Denoiser(), self.batch(self.signal(8))
-        with torch.no_grad():
-            before = net.guides(batch)
-            net.sharpen()
-            after = net.guides(batch)
-        self.assertLess((after[0] ** 2 - network.COUNT_MORE * before[0] ** 2).abs().max(), 1e-5 * (after[0] ** 2).max())
-        for one, other in zip(before[1:], after[1:]):
-            self.assertEqual((one - other).abs().max(), 0)
 
     def decided(self, trust, others):
         """A network without training that trusts the regression on places, and samples of other surfaces, fully or not at all."""

@@ -30,7 +30,6 @@ DEPTH_CHANGE = 16
 KERNELS = {1: (0.5, 0.25), 2: (0.375, 0.25, 0.0625)}  # splines: levels of equal weights would leave patterns of dots
 FARTHEST = (2, 1, 1, 1)   # samples along an axis, by level
 RIDGE = 0.1               # of the regression on places, in squared distances of samples, see glsl/denoising/filter.frag
-COUNT_MORE = 1.5          # of features after the training, which would blur scenes that it does not know
 MOST_SQUARE = 400         # relative squared difference of a pixel from which it counts less in the loss
 FIRST_BIASES = (-2.0, -1.2, -1.0, -3.0)  # of the outputs by level; see Denoiser.guides()
 OFFSETS = [(x, y) for y in (-1, 0, 1) for x in (-1, 0, 1)]
@@ -304,12 +303,6 @@ class Denoiser(nn.Module):
             sharpness = torch.minimum(sharpness, most) * (SHARP_FRAMES / least).clamp(LEAST_SHARE, 1)
             return torch.exp(-bandwidth * apart - sharpness * guided)
         return filtered(batch, fade(frames, 1e9), weigh, most_bend=MOST_BEND, shares=shares)
-
-    def sharpen(self, more=COUNT_MORE):
-        """Let differences of features count so many times as much."""
-        with torch.no_grad():
-            for values in (self.net.last.weight[:FEATURES], self.net.last.bias[:FEATURES], self.fine_out.weight[:FEATURES]):
-                values *= more ** 0.5
 
     def layers(self):
         """Convolutions by their names in the file."""

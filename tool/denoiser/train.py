@@ -131,10 +131,9 @@ class Training:
         self.key = [self.origin, args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
 
     def started(self, path):
-        """Take the weights of a network, as they were after its training. Returns the commit of its generator."""
+        """Take the weights of a network. Returns the commit of its generator."""
         try:
             facts = self.net.restore(path)
-            self.net.sharpen(1 / network.COUNT_MORE)
             self.begun = [value.detach().clone() for value in self.net.parameters()]
             return facts["generator"]
         except OSError as error:
@@ -190,7 +189,6 @@ class Training:
         with torch.no_grad():
             for value, before in zip(self.net.parameters(), self.begun or []):
                 value.lerp_(before, 1 - FROM_SHARE)
-        self.net.sharpen()
 
 
 def errors(net, samples):
