@@ -92,6 +92,20 @@ class Training(unittest.TestCase):
         written = torch.tensor(layers["fine_out"].values)  # rounded to 16 bits
         self.assertLess((written - learned).abs().max(), 1e-3 * learned.abs().max())
 
+    def test_samples_are_prepared_once(self):
+        self.samples()
+        with mock.patch.object(data, "load", side_effect=AssertionError("prepared again")):
+            found = self.samples()
+        family, seed = "room", 0
+        pictures = data.load(data.path_of(os.path.join(self.folder.name, data.FOLDER), family, seed))
+        found = [part for part in found if part[1] == family]
+        self.assertEqual(len(found), len(pictures))
+        for (sample, _, frames), (signal, truth) in zip(found, pictures):
+            expected = with_filtered(sample_of(signal, truth))
+            self.assertEqual(frames, truth["count"])
+            for name, values in sample.items():
+                self.assertTrue(torch.equal(values, expected[name]), name)
+
     def test_same_seed_same_network(self):
         samples, found = self.samples(), []
         for _ in range(2):

@@ -34,7 +34,7 @@ FROM_RATE, FROM_FILTERED = 1e-3, 1.0  # of a training that starts from a network
 FROM_SHARE = 0.7              # of what it learned, in the weights that are written
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
-SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 300}
+SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 500}
 
 
 class Progress:
