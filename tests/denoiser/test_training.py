@@ -120,18 +120,11 @@ class Training(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             arguments = argparse.Namespace(**{**vars(self.training(folder).args), "start": path})
             training = train.Training(arguments)
-            training.finish()
             training.net.save(os.path.join(folder, "again.txt"), weights.read(path)[0])
             self.assertEqual(pathlib.Path(folder, "again.txt").read_bytes(), pathlib.Path(path).read_bytes())
-            training = train.Training(arguments)
             before = training.net.net.last.bias.detach().clone()
             training.run(self.samples())
-            learned = training.net.net.last.bias.detach().clone()
-            training.finish()
-        found = training.net.net.last.bias
-        expected = before + train.FROM_SHARE * (learned - before)
-        self.assertGreater((learned - before).abs().max(), 1e-3)
-        self.assertLess((found - expected).abs().max(), 1e-6)
+        self.assertGreater((training.net.net.last.bias - before).abs().max(), 1e-3)
         self.assertEqual(training.origin, weights.read(path)[0]["generator"])
         self.assertNotEqual(training.key, self.training(folder).key)
 

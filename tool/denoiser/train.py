@@ -31,7 +31,6 @@ CROPS = 6                     # pictures of a step
 RATE, LAST_RATE = 1e-3, 1e-5
 FILTERED = 0.75               # share of the steps whose targets have less noise, but also less detail
 FROM_RATE, FROM_FILTERED = 1e-3, 1.0  # of a training that starts from a network
-FROM_SHARE = 0.7              # of what it learned, in the weights that are written
 SAVED = 200                   # steps between checkpoints
 HELD_SEED = 1000              # scenes of families that are trained on, with other seeds from here on
 SHORT = {"families": ["metaballs", "room"], "scenes": 1, "held": 0, "cameras": 1, "size": 64, "steps": 500}
@@ -123,7 +122,7 @@ class Training:
     def __init__(self, args):
         torch.set_num_threads(1)
         torch.manual_seed(args.seed)
-        self.args, self.net, self.step, self.losses, self.begun = args, network.Denoiser(), 0, [], None
+        self.args, self.net, self.step, self.losses = args, network.Denoiser(), 0, []
         self.rate, self.filtered = (FROM_RATE, FROM_FILTERED) if args.start else (RATE, FILTERED)
         self.origin = self.started(args.start) if args.start else "nothing"
         self.optimizer = torch.optim.Adam(self.net.parameters(), self.rate)
@@ -133,9 +132,7 @@ class Training:
     def started(self, path):
         """Take the weights of a network. Returns the commit of its generator."""
         try:
-            facts = self.net.restore(path)
-            self.begun = [value.detach().clone() for value in self.net.parameters()]
-            return facts["generator"]
+            return self.net.restore(path)["generator"]
         except OSError as error:
             sys.exit(f"{path} cannot be read: {error.strerror}.")
         except ValueError as error:
@@ -182,13 +179,6 @@ class Training:
             progress(self.step / self.args.steps, f"loss {sum(recent) / len(recent):.4f}")
             if self.step % SAVED == 0 or self.step == self.args.steps:
                 self.save()
-
-    def finish(self):
-        """Make the network that is written. What goes on from another network is mixed with it: that suits scenes that neither
-        was trained on better than both do (Wortsman et al. 2022, Robust Fine-tuning of Zero-shot Models)."""
-        with torch.no_grad():
-            for value, before in zip(self.net.parameters(), self.begun or []):
-                value.lerp_(before, 1 - FROM_SHARE)
 
 
 def errors(net, samples):
@@ -240,7 +230,6 @@ def main():
     facts = {"generator": revision(), "from": training.origin, "seed": args.seed, "scenes": len(trained), "cameras": args.cameras,
              "size": args.size, "steps": args.steps}
     path = os.path.join(args.folder, "network.txt")
-    training.finish()
     training.net.save(path, facts)
     training.net.restore(path)  # the report is about the rounded weights
     found = errors(training.net, reported)
