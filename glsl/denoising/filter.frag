@@ -41,7 +41,7 @@ const float TOLERANCE = 3.25;
 
 // How much features count in light of paths, times as much as the network says, in the first two levels and later: a path that finds
 // a bright lamp by chance stays a small spot. Standard deviations count as without the network there.
-const vec2 FEATURES_OF_PATHS = vec2(1.6, 8.0);
+const vec2 FEATURES_OF_PATHS = vec2(2.4, 12.0);
 
 // How much the network may make standard deviations count, per frame. Few frames may agree by chance and then seem to have little
 // noise: walls would get dots. The regressions spare what this blurs.
