@@ -127,7 +127,8 @@ class Training:
         self.origin = self.started(args.start) if args.start else "nothing"
         self.optimizer = torch.optim.Adam(self.net.parameters(), self.rate)
         self.path = os.path.join(args.folder, "checkpoint.pt")
-        self.key = [self.origin, args.seed, args.families, args.scenes, args.cameras, args.size, args.steps]
+        form = [list(value.shape) for value in self.net.parameters()]
+        self.key = [self.origin, args.seed, args.families, args.scenes, args.cameras, args.size, args.steps, form]
 
     def started(self, path):
         """Take the weights of a network. Returns the commit of its generator."""
