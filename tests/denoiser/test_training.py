@@ -128,6 +128,18 @@ class Training(unittest.TestCase):
         self.assertEqual(training.origin, weights.read(path)[0]["generator"])
         self.assertNotEqual(training.key, self.training(folder).key)
 
+    def test_begins_anew_with_another_form_of_network(self):
+        with tempfile.TemporaryDirectory() as folder:
+            training, again = self.training(folder), self.training(folder)
+            training.step = 3
+            training.save()
+            again.resume()
+            self.assertEqual(again.step, 3)
+            with mock.patch.object(network, "FINE", 4):
+                other = self.training(folder)
+            other.resume()
+            self.assertEqual(other.step, 0)
+
     def test_goes_on_after_an_interruption(self):
         samples = self.samples()
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()), \

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <optional>
 #include <random>
+#include <set>
 
 using namespace penumbra;
 using namespace penumbra_test;
@@ -205,11 +206,13 @@ Activations Expected(const std::string& name, Activations input, Activations abo
 // Sums of hundreds of half floats, which are stored as half floats.
 TEST_F(GuideNetworkTest, LayersAreConvolutions)
 {
+  std::set<std::string> others; // of single pixels: functions of another shader, see tests/denoiser
   for (const auto& [name, layer] : NetworkLayers())
   {
     if (layer.Parts.empty())
     {
-      continue; // of single pixels: a function of another shader, see tests/denoiser
+      others.insert(name);
+      continue;
     }
     const int above = this->Joined(name);
     const Activations input = Noise(Width, Height, layer.Inputs - above);
@@ -235,4 +238,5 @@ TEST_F(GuideNetworkTest, LayersAreConvolutions)
       EXPECT_GT(size, 0.0);
     }
   }
+  EXPECT_EQ(others, (std::set<std::string>{ "fine", "fine_out" }));
 }
